@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSL-1.0
+// Integration by parts, for any operator: <A f, g> = <f, adjoint(A) g> + boundary_form(A, f, g), where <.,.> are the sums with the
+// operator's own weights. The adjoint is an operator again, on the inner points; what the end points add is the boundary
+// form, never dropped. Cresson-Safi (9), lemma 2, lemma 3 and every user's formula are instances.
+#pragma once
+
+#include "hilger/adjoint/normal_form.hpp"
+
+namespace hilger {
+
+/// The operator with <A f, g> = <f, adjoint(A) g> for all f that vanish at the end points.
+template <linear_map A>
+constexpr auto adjoint(A const& a) {
+    return a.adjoint();
+}
+
+/// The sum of W(t) f(t).g(t) over the common points of f and g.
+template <class W, discrete_function F, discrete_function G>
+constexpr auto inner_product(F f, G g) {
+    return weighted_sum<W>(dot(std::move(f), std::move(g)));
+}
+
+namespace detail {
+
+/// g where A f has values: what A maps to may be smaller than where g lives, and only there the two are paired.
+template <linear_map A, discrete_function F, discrete_function G>
+constexpr auto paired(A const& a, F const& f, G const& g) {
+    return restrict_to(g, intersect(a.image(f.domain()), g.domain()));
+}
+
+/// 1 at point j, 0 elsewhere.
+template <discrete_function F>
+struct indicator : discrete_function_tag {
+    using domain_type = typename F::domain_type;
+    using root_type = typename F::root_type;
+    F const* f;
+    index j;
+    constexpr indicator(F const& g, index at) : f(&g), j(at) {}
+    constexpr decltype(auto) root() const { return f->root(); }
+    constexpr auto domain() const { return f->domain(); }
+    constexpr auto get(index i) const { return typename root_type::scalar_type(i == j ? 1 : 0); }
+};
+
+/// sum of W f.g over the points of f o g that are not points of `inner`.
+template <class W, discrete_function F, discrete_function G, class Domain>
+constexpr auto sum_outside(F const& f, G const& g, Domain const& inner) {
+    auto const both = intersect(f.domain(), g.domain());
+    using S = typename F::root_type::scalar_type;
+    S total(0);
+    for (index j = both.first(f.root()); j <= both.last(f.root()); ++j)
+        if (j < inner.first(f.root()) or j > inner.last(f.root())) total = total + weight_at<W>(f, j) * dot_product(f.get(j), g.get(j));
+    return total;
+}
+
+/// The rows of the transposed operator at the points that the adjoint leaves out.
+template <linear_map A, discrete_function F, discrete_function G>
+constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
+    using S = typename F::root_type::scalar_type;
+    auto const& T = f.root();
+    auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());
+    auto const image = intersect(a.image(f.domain()), g.domain());
+    S total(0);
+    for (index j = f.domain().first(T); j <= f.domain().last(T); ++j) {
+        if (inner.first(T) <= j and j <= inner.last(T)) continue;
+        indicator<F> const e(f, j);
+        for (index i = image.first(T); i <= image.last(T); ++i) {
+            S const entry = a.evaluate(e, i);
+            if (not(entry == S(0))) total = total + weight_at<typename A::to_weight>(g, i) * entry * dot_product(f.get(j), g.get(i));
+        }
+    }
+    return total;
+}
+
+} // namespace detail
+
+/// What the end points add to <f, adjoint(A) g>. g lives where A f does.
+template <linear_map A, discrete_function F, discrete_function G>
+constexpr auto boundary_form(A const& a, F const& f, G const& g) {
+    return detail::boundary_rows(a, f, g);
+}
+template <class C, linear_map A, discrete_function F, discrete_function G>
+constexpr auto boundary_form(multiple<C, A> const& a, F const& f, G const& g) {
+    using S = typename F::root_type::scalar_type;
+    return S(as_factor<C, S>(a.c) * boundary_form(a.a, f, g));
+}
+template <linear_map A, linear_map B, discrete_function F, discrete_function G>
+constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g) {
+    // <A B f, g> = <B f, A* g> + (end terms of A), then the same for B; between them the sum may change its weights.
+    auto const Bf = ab.b[f];
+    auto const inner = detail::paired(ab.b, f, ab.a.adjoint()[g]);
+    auto const ends_of_a = boundary_form(ab.a, Bf, g);
+    using P = typename A::from_weight;
+    using Q = typename B::to_weight;
+    if constexpr (std::same_as<P, Q>)
+        return ends_of_a + boundary_form(ab.b, f, inner);
+    else {
+        auto const reweighted = reweight<typename A::from, P, Q>{}[inner];
+        return ends_of_a + detail::sum_outside<P>(Bf, inner, reweighted.domain()) + boundary_form(ab.b, f, reweighted);
+    }
+}
+
+template <linear_map A, linear_map B, discrete_function F, discrete_function G>
+constexpr auto boundary_form(sum<A, B> const& ab, F const& f, G const& g) {
+    // The two adjoints are defined on different points; the sum keeps the common ones, and the rest joins the end terms.
+    auto const common = ab.adjoint()[g].domain();
+    auto const one = [&](auto const& op, auto const& h) {
+        using from = typename std::remove_cvref_t<decltype(op)>::from_weight;
+        auto const inner = op.adjoint()[h];
+        return boundary_form(op, f, h) + detail::sum_outside<from>(f, inner, common);
+    };
+    using Q = typename A::to_weight;
+    using Bq = typename B::to_weight;
+    if constexpr (std::same_as<Q, Bq>)
+        return one(ab.a, g) + one(ab.b, g);
+    else
+        return one(ab.a, g) + one(ab.b, reweight<typename A::to, Q, Bq>{}[g]) +
+               detail::sum_outside<Q>(ab.b[f], g, reweight<typename A::to, Q, Bq>{}[g].domain());
+}
+
+/// The three parts of <A f, g> = <f, adjoint(A) g> + boundary.
+template <class S>
+struct by_parts_result {
+    S left;     ///< <A f, g>, with A's to_weight
+    S interior; ///< <f, adjoint(A) g>, with A's from_weight
+    S boundary; ///< boundary_form(A, f, g)
+};
+
+/// Both sides of the integration by parts of A. f lives where A acts, g where A maps to.
+template <linear_map A, discrete_function F, discrete_function G>
+constexpr auto by_parts(A const& a, F const& f, G const& g) {
+    using S = typename F::root_type::scalar_type;
+    auto const h = detail::paired(a, f, g);
+    return by_parts_result<S>{inner_product<typename A::to_weight>(a[f], h), inner_product<typename A::from_weight>(f, a.adjoint()[h]),
+                              boundary_form(a, f, h)};
+}
+
+} // namespace hilger

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSL-1.0
+// Equality of operators, decided at compile time. The normal form of a linear operator is what it makes of one generic function on
+// one generic scale: steps and values are fixed random elements of the field with 2^61 - 1 elements. Operators that are equal have equal
+// normal forms. Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of
+// it with probability below degree / 2^61 (Schwartz and Zippel): for a composition of ten operators, less than 1e-16.
+//   A == B             on every scale
+//   uniformly(A) == B  on every uniform scale
+#pragma once
+
+#include <array>
+
+#include "hilger/adjoint/prime_field.hpp"
+#include "hilger/function/function.hpp"
+#include "hilger/operator/integral.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+constexpr prime_field random_element(std::uint64_t n) { // splitmix64
+    std::uint64_t z = (n + 1) * 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return prime_field::residue((z ^ (z >> 31)) >> 3);
+}
+
+/// A scale without order whose steps are independent variables, or one variable when it is uniform.
+template <bool Uniform, index Steps>
+struct generic_scale {
+    using scalar_type = prime_field;
+    static constexpr bool is_uniform = Uniform;
+    static constexpr index extent = Steps;
+    static constexpr index steps() { return Steps; }
+    static constexpr prime_field step(index i) { return random_element(Uniform ? 1 : 2 * static_cast<std::uint64_t>(i) + 3); }
+    static constexpr bool same_points(generic_scale) { return true; }
+};
+
+template <bool Uniform, index Steps, class Base>
+struct generic_function : discrete_function_tag {
+    using root_type = generic_scale<Uniform, Steps>;
+    using domain_type = hilger::domain<Base>;
+    Base base{};
+    static constexpr root_type root() { return {}; }
+    constexpr domain_type domain() const { return {base}; }
+    static constexpr prime_field get(index i) { return random_element(2 * static_cast<std::uint64_t>(i) + 1'000'002); }
+};
+
+/// Enough steps for both operators to have inner points and both ends.
+template <class A>
+consteval index steps_for() {
+    using image = decltype(std::declval<A const&>().image(std::declval<domain<typename A::from>>()));
+    return image::front + image::back + 5;
+}
+
+template <class A, bool Uniform, index Steps>
+constexpr auto normal_form(A const& a) {
+    constexpr generic_function<Uniform, Steps, typename A::from> f{};
+    using image = decltype(a.image(f.domain()));
+    constexpr auto size = static_cast<std::size_t>(image::size(f.root()));
+    std::array<prime_field, size> values{};
+    for (std::size_t k = 0; k < size; ++k) values[k] = a.evaluate(f, static_cast<index>(k) + image::front);
+    return values;
+}
+
+template <bool Uniform, class A, class B>
+constexpr bool equal(A const& a, B const& b) {
+    if constexpr (std::same_as<typename A::from, typename B::from> and std::same_as<typename A::to, typename B::to>) {
+        constexpr index n = std::max(steps_for<A>(), steps_for<B>());
+        using image_a = decltype(a.image(domain<typename A::from>{}));
+        using image_b = decltype(b.image(domain<typename B::from>{}));
+        if constexpr (std::same_as<image_a, image_b>) return normal_form<A, Uniform, n>(a) == normal_form<B, Uniform, n>(b);
+    }
+    return false;
+}
+
+} // namespace detail
+
+/// An operator on uniform scales only, where more operators are equal: reweighting does nothing and step_mean is a plain mean.
+template <linear_map A>
+struct on_uniform {
+    A op;
+};
+template <linear_map A>
+constexpr auto uniformly(A a) {
+    return on_uniform<A>{std::move(a)};
+}
+
+/// A and B make the same of every function on every scale, and lose the same points at the ends.
+template <linear_map A, linear_map B>
+constexpr bool operator==(A const& a, B const& b) {
+    return detail::equal<false>(a, b);
+}
+template <linear_map A, linear_map B>
+constexpr bool operator==(on_uniform<A> const& a, B const& b) {
+    return detail::equal<true>(a.op, b);
+}
+template <linear_map A, linear_map B>
+constexpr bool operator==(on_uniform<A> const& a, on_uniform<B> const& b) {
+    return detail::equal<true>(a.op, b.op);
+}
+
+} // namespace hilger

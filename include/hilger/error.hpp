@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSL-1.0
+// Everything hilger throws. One type for each thing a caller can do about it; what() is one sentence that says what was wrong
+// and what is accepted.
+#pragma once
+
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace hilger::error {
+
+/// The root of all of hilger's exceptions.
+struct exception : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Points that do not make a time scale: h <= 0, no steps, unsorted, repeated or non-finite points.
+struct invalid_scale : exception {
+    using exception::exception;
+};
+/// A point or an index that is not in the domain it was used with; sigma of the last point, rho of the first.
+struct outside_domain : exception {
+    using exception::exception;
+};
+/// Two things that must fit and do not: functions on different scales, a table with the wrong number of values.
+struct mismatch : exception {
+    using exception::exception;
+};
+/// A parameter outside its range: lambda outside [0, 1[, a coefficient that is not regressive.
+struct invalid_parameter : exception {
+    using exception::exception;
+};
+/// NaN or infinity in data or in a state.
+struct not_finite : exception {
+    using exception::exception;
+};
+/// A file that cannot be opened, or a line of it that cannot be understood.
+struct unreadable : exception {
+    using exception::exception;
+};
+/// The second derivative that a Legendre map or a step must invert is singular.
+struct singular : exception {
+    using exception::exception;
+};
+/// A Newton iteration that stopped before its residual reached the rounding floor.
+struct no_convergence : exception {
+    using exception::exception;
+};
+
+/// Throws Error with the arguments streamed into its message.
+template <class Error, class... Parts>
+[[noreturn]] void raise(Parts const&... parts) {
+    std::ostringstream message;
+    message.precision(17);
+    (message << ... << parts);
+    throw Error(message.str());
+}
+
+} // namespace hilger::error

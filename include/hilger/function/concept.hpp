@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSL-1.0
+// A discrete function f in C(T~, R^d) is anything with a domain (which family of points, in the type), a root (the scale T the
+// family comes from) and a value at each point. The same operators act on functions that have values and on symbols that do
+// not; a symbolic function has a domain and no root.
+#pragma once
+
+#include "hilger/scale/derived.hpp"
+
+namespace hilger {
+
+struct discrete_function_tag {};
+
+/// Has a domain in its type; may be symbolic.
+template <class F>
+concept function_expression = std::derived_from<F, discrete_function_tag> and requires {
+    typename F::domain_type;
+};
+
+/// Has values too: get(i) is the value at the point with number i.
+template <class F>
+concept discrete_function = function_expression<F> and requires(F const& f) {
+    typename F::root_type;
+    f.root();
+    f.domain();
+    f.get(index{});
+};
+
+template <class F>
+concept symbolic_function = function_expression<F> and not discrete_function<F>;
+
+/// The type of a function's values.
+template <class F>
+using value_of = plain_t<decltype(std::declval<F const&>().get(0))>;
+
+template <class F>
+using base_of = typename F::domain_type::base_type;
+
+/// Evaluation and iteration, common to all functions that have values. A function is a random-access range of its values.
+template <class Derived>
+class function_interface : public discrete_function_tag {
+public:
+    /// The value at the point with number i: f[i] is f(t_i), or f(t_{i+1/2}) on T_half. @throws error::outside_domain
+    [[nodiscard]] constexpr auto operator[](index i) const {
+        scale().require(i);
+        return element(i);
+    }
+    /// The value at t. @throws error::outside_domain when t is not a point of the function's scale.
+    template <class S>
+    [[nodiscard]] constexpr auto operator()(S const& t) const {
+        return element(scale().number_of(t));
+    }
+    /// The scale the function lives on, as a view.
+    [[nodiscard]] constexpr auto scale() const { return derived_scale(self().root(), self().domain()); }
+    [[nodiscard]] constexpr auto element(index i) const { return plain_t<decltype(self().get(i))>(self().get(i)); }
+    [[nodiscard]] constexpr index first() const { return self().domain().first(self().root()); }
+    [[nodiscard]] constexpr index last() const { return self().domain().last(self().root()); }
+    [[nodiscard]] constexpr index size() const { return self().domain().size(self().root()); }
+    [[nodiscard]] constexpr auto begin() const { return element_iterator<Derived>(self(), first()); }
+    [[nodiscard]] constexpr auto end() const { return element_iterator<Derived>(self(), first() + size()); }
+
+private:
+    [[nodiscard]] constexpr Derived const& self() const { return static_cast<Derived const&>(*this); }
+};
+
+namespace detail {
+/// Refers to a function for the length of one evaluation.
+template <discrete_function F>
+struct borrowed : discrete_function_tag {
+    using domain_type = typename F::domain_type;
+    using root_type = typename F::root_type;
+    F const* f;
+    constexpr explicit borrowed(F const& g) : f(&g) {}
+    constexpr decltype(auto) root() const { return f->root(); }
+    constexpr auto domain() const { return f->domain(); }
+    constexpr auto get(index i) const { return f->get(i); }
+};
+} // namespace detail
+
+} // namespace hilger

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSL-1.0
+// Discrete functions that a user makes: from a formula f(t), kept as the formula, or from a table with one value per point.
+// Tables are shared and never change, so expressions own what they are built from and copying one costs a pointer.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "hilger/function/concept.hpp"
+
+namespace hilger {
+
+/// Can be called with the points of the scale.
+template <class Formula, class Scale>
+concept formula_on = std::invocable<Formula const&, typename Scale::root_type::scalar_type>;
+
+/// f(t) computed when asked.
+template <class Formula>
+struct by_formula {
+    [[no_unique_address]] Formula formula;
+    template <class Root, class Domain>
+    constexpr auto get(Root const& root, Domain const& domain, index i) const {
+        using value = plain_t<decltype(formula(domain.base.point(root, i)))>;
+        return value(formula(domain.base.point(root, i)));
+    }
+};
+
+/// One value per point of the domain, in order.
+template <class Value>
+struct by_table {
+    std::shared_ptr<std::vector<Value> const> values;
+    template <class Root, class Domain>
+    Value const& get(Root const& root, Domain const& domain, index i) const {
+        return (*values)[static_cast<std::size_t>(i - domain.first(root))];
+    }
+};
+
+/// The same for a scale whose size is in the type; usable in constant expressions.
+template <class Value, std::size_t Size>
+struct by_array {
+    std::array<Value, Size> values;
+    template <class Root, class Domain>
+    constexpr Value const& get(Root const& root, Domain const& domain, index i) const {
+        return values[static_cast<std::size_t>(i - domain.first(root))];
+    }
+};
+
+template <class Root, class Domain, class Rule>
+class function : public function_interface<function<Root, Domain, Rule>> {
+public:
+    using root_type = Root;
+    using domain_type = Domain;
+
+    constexpr function(Root root, Domain domain, Rule rule) : root_(std::move(root)), domain_(std::move(domain)), rule_(std::move(rule)) {}
+
+    /// f(t) for t in the scale. The formula is evaluated at each access; tabulate() keeps its values.
+    template <time_scale_like Scale, formula_on<Scale> Formula>
+    constexpr function(Scale const& scale, Formula formula) : function(scale.root(), scale.domain(), Rule{std::move(formula)}) {}
+
+    /// One value per point. @throws error::mismatch when their number is not the scale's, error::not_finite on NaN or infinity.
+    template <time_scale_like Scale, class Value>
+    function(Scale const& scale, std::vector<Value> values)
+        : function(scale.root(), scale.domain(), Rule{std::make_shared<std::vector<Value> const>(std::move(values))}) {
+        if (static_cast<index>(rule_.values->size()) != scale.size())
+            error::raise<error::mismatch>("a function on ", scale, " needs ", scale.size(), " values, and was given ",
+                                          rule_.values->size());
+        for (std::size_t i = 0; i < rule_.values->size(); ++i)
+            if (not is_finite((*rule_.values)[i]))
+                error::raise<error::not_finite>("the value at ", scale.element(scale.first() + static_cast<index>(i)),
+                                                " is NaN or infinite; a function on ", scale, " has finite values");
+    }
+
+    [[nodiscard]] constexpr Root const& root() const { return root_; }
+    [[nodiscard]] constexpr Domain const& domain() const { return domain_; }
+    [[nodiscard]] constexpr decltype(auto) get(index i) const { return rule_.get(root_, domain_, i); }
+
+private:
+    Root root_;
+    [[no_unique_address]] Domain domain_;
+    [[no_unique_address]] Rule rule_;
+};
+
+template <time_scale_like Scale, formula_on<Scale> Formula>
+function(Scale const&, Formula) -> function<typename Scale::root_type, typename Scale::domain_type, by_formula<Formula>>;
+
+template <time_scale_like Scale, class Value>
+function(Scale const&, std::vector<Value>) -> function<typename Scale::root_type, typename Scale::domain_type, by_table<Value>>;
+
+/// The same function with its values computed once and kept.
+template <discrete_function F>
+constexpr auto tabulate(F const& f) {
+    using R = typename F::root_type;
+    using D = typename F::domain_type;
+    constexpr index size = static_size<D, R>;
+    if constexpr (size >= 0) {
+        by_array<value_of<F>, static_cast<std::size_t>(size)> rule{};
+        for (index i = f.first(); i <= f.last(); ++i) rule.values[static_cast<std::size_t>(i - f.first())] = f.get(i);
+        return function<R, D, decltype(rule)>(f.root(), f.domain(), std::move(rule));
+    } else {
+        std::vector<value_of<F>> values;
+        values.reserve(static_cast<std::size_t>(f.size()));
+        for (index i = f.first(); i <= f.last(); ++i) values.push_back(f.get(i));
+        return function<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
+                                                     {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
+    }
+}
+
+} // namespace hilger

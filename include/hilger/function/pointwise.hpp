@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSL-1.0
+// Pointwise arithmetic and application, lazy. An expression owns its operands (copying a table is copying a pointer), so none
+// dangles. It lives on the common points of its operands: Delta_o_plus[f] * g lives on T_o^+. Operands on different families
+// (T and T_o) do not compile; operands on different scales of one type throw error::mismatch when they are combined.
+#pragma once
+
+#include <functional>
+#include <tuple>
+
+#include "hilger/function/concept.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+template <class F, class G>
+inline constexpr bool same_family = std::is_same_v<base_of<F>, base_of<G>>and std::is_same_v<typename F::root_type, typename G::root_type>;
+
+/// The error for operands that do not meet, as one sentence.
+template <text What, class F, class G>
+constexpr auto apart() {
+    if constexpr (not std::same_as<base_of<F>, base_of<G>>)
+        return does_not_compile<What + " needs both functions on one scale, and they live on " + F::domain_type::name() + " and on " +
+                                G::domain_type::name()>{};
+    else
+        return does_not_compile<What + " needs both functions on one scale, and one lives on " + F::root_type::kind() + ", the other on " +
+                                G::root_type::kind() + " of another type">{};
+}
+
+template <discrete_function F, discrete_function G>
+constexpr void require_same_points(F const& f, G const& g) {
+    if (not(f.domain().base == g.domain().base) or not f.root().same_points(g.root()))
+        error::raise<error::mismatch>("functions combine on one scale, and these live on ", f.scale(), " and on ", g.scale());
+}
+
+} // namespace detail
+
+/// map(f(t), g(t), ...) at each common point.
+template <class Map, discrete_function F, discrete_function... Gs>
+class pointwise : public function_interface<pointwise<Map, F, Gs...>> {
+public:
+    using root_type = typename F::root_type;
+
+    constexpr explicit pointwise(Map map, F f, Gs... gs) : map_(std::move(map)), operands_(std::move(f), std::move(gs)...) {
+        std::apply([](auto const& head, auto const&... tail) { (detail::require_same_points(head, tail), ...); }, operands_);
+    }
+    [[nodiscard]] constexpr auto const& root() const { return std::get<0>(operands_).root(); }
+    [[nodiscard]] constexpr auto domain() const {
+        return std::apply([](auto const&... fs) { return common(fs.domain()...); }, operands_);
+    }
+    [[nodiscard]] constexpr auto get(index i) const {
+        return std::apply(
+            [&](auto const&... fs) {
+                using value = plain_t<decltype(map_(fs.get(i)...))>;
+                return value(map_(fs.get(i)...));
+            },
+            operands_);
+    }
+
+private:
+    template <class D>
+    static constexpr D common(D const& d) {
+        return d;
+    }
+    template <class D, class E, class... Ds>
+    static constexpr auto common(D const& d, E const& e, Ds const&... rest) {
+        return common(intersect(d, e), rest...);
+    }
+    [[no_unique_address]] Map map_;
+    std::tuple<F, Gs...> operands_;
+
+public:
+    using domain_type = decltype(common(std::declval<typename F::domain_type>(), std::declval<typename Gs::domain_type>()...));
+};
+
+/// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
+template <class Map, discrete_function F, discrete_function... Gs>
+constexpr auto apply(Map map, F f, Gs... gs) {
+    if constexpr ((detail::same_family<F, Gs> and ...))
+        return pointwise<Map, F, Gs...>(std::move(map), std::move(f), std::move(gs)...);
+    else
+        return (detail::apart<"apply", F, Gs>(), ...);
+}
+
+template <discrete_function F, discrete_function G>
+constexpr auto operator+(F f, G g) {
+    if constexpr (detail::same_family<F, G>)
+        return pointwise<std::plus<>, F, G>({}, std::move(f), std::move(g));
+    else
+        return detail::apart<"a sum", F, G>();
+}
+template <discrete_function F, discrete_function G>
+constexpr auto operator-(F f, G g) {
+    if constexpr (detail::same_family<F, G>)
+        return pointwise<std::minus<>, F, G>({}, std::move(f), std::move(g));
+    else
+        return detail::apart<"a difference", F, G>();
+}
+template <discrete_function F, discrete_function G>
+constexpr auto operator*(F f, G g) {
+    if constexpr (detail::same_family<F, G>)
+        return pointwise<std::multiplies<>, F, G>({}, std::move(f), std::move(g));
+    else
+        return detail::apart<"a product", F, G>();
+}
+template <discrete_function F, discrete_function G>
+constexpr auto operator/(F f, G g) {
+    if constexpr (detail::same_family<F, G>)
+        return pointwise<std::divides<>, F, G>({}, std::move(f), std::move(g));
+    else
+        return detail::apart<"a quotient", F, G>();
+}
+template <discrete_function F>
+constexpr auto operator-(F f) {
+    return pointwise<std::negate<>, F>({}, std::move(f));
+}
+/// The Euclidean product at each point: f(t) . g(t).
+template <discrete_function F, discrete_function G>
+constexpr auto dot(F f, G g) {
+    if constexpr (detail::same_family<F, G>)
+        return apply([](auto const& x, auto const& y) { return dot_product(x, y); }, std::move(f), std::move(g));
+    else
+        return detail::apart<"a Euclidean product", F, G>();
+}
+
+/// A constant that multiplies: a number, or a fraction in the type.
+template <class C, class S>
+constexpr auto as_factor(C const& c) {
+    if constexpr (requires { c.template as<S>(); })
+        return c.template as<S>();
+    else if constexpr (std::is_arithmetic_v<C>)
+        return S(c);
+    else
+        return c;
+}
+
+template <class C>
+concept factor = not function_expression<C> and not requires {
+    typename C::operator_type;
+};
+
+template <factor C, discrete_function F>
+constexpr auto operator*(C const& c, F f) {
+    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return k * x; }, std::move(f));
+}
+template <discrete_function F, factor C>
+constexpr auto operator*(F f, C const& c) {
+    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x * k; }, std::move(f));
+}
+template <discrete_function F, factor C>
+constexpr auto operator/(F f, C const& c) {
+    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x / k; }, std::move(f));
+}
+
+} // namespace hilger

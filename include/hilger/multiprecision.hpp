@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSL-1.0
+// Exact rationals and wide floats from Boost.Multiprecision, all with expression templates off: with them on, auto variables and
+// lambdas keep references to temporaries. Not included by hilger.hpp; the calculus needs no particular scalar.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace hilger {
+
+namespace mp = boost::multiprecision;
+
+/// Exact rationals: identities are tested with ==.
+using Q = mp::number<mp::cpp_rational_backend, mp::et_off>;
+using float50 = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+using float100 = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
+
+} // namespace hilger

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+// The lambda-antiderivative F(t) = int_a^t f Delta_lambda, C(T_lambda) -> C(T) (Cresson-Safi, definition 7), its adjoint, the integral from
+// t to b, and definite integrals between any two points of T, in either order.
+#pragma once
+
+#include "hilger/operator/transfer.hpp"
+
+namespace hilger {
+
+/// int_a^t f Delta_lambda for t in T. Partial sums are formed when asked; tabulate(antiderivative[f]) forms each once.
+template <class Lambda>
+struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
+    using from = between<Lambda>;
+    using to = nodes;
+    using from_weight = steps;
+    using to_weight = nabla;
+    [[no_unique_address]] Lambda lambda{};
+    static constexpr auto name() { return text("antiderivative"); }
+    template <int F, int B>
+    constexpr auto image(domain<from, F, B> const&) const {
+        if constexpr (F > 0)
+            does_not_compile<text("antiderivative starts at the first point, and this function lives on ") + domain<from, F, B>::name()>{};
+        return domain<nodes, 0, B>{};
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        auto total = zero_like(value_of<F>(f.get(0)));
+        for (index k = 0; k < i; ++k) total = total + f.get(k) * f.root().step(k);
+        return total;
+    }
+    constexpr auto adjoint() const;
+};
+
+/// int_t^b g nabla seen on T_lambda: the sum of g over the points after t_{i,lambda} where g is defined.
+template <class Lambda>
+struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
+    using from = nodes;
+    using to = between<Lambda>;
+    using from_weight = nabla;
+    using to_weight = steps;
+    [[no_unique_address]] Lambda lambda{};
+    static constexpr auto name() { return text("tail_integral"); }
+    template <int F, int B>
+    constexpr auto image(domain<nodes, F, B> const&) const {
+        return domain<to, std::max(F - 1, 0), std::max(B - 1, 0)>{{lambda}};
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        index const last = f.domain().last(f.root());
+        auto total = zero_like(value_of<F>(f.get(last)));
+        for (index k = i + 1; k <= last; ++k) total = total + f.get(k) * f.root().step(k - 1);
+        return total;
+    }
+    constexpr auto adjoint() const { return antiderivative_at<Lambda>{{}, lambda}; }
+};
+
+template <class Lambda>
+constexpr auto antiderivative_at<Lambda>::adjoint() const {
+    return tail_integral_at<Lambda>{{}, lambda};
+}
+
+/// int_a^t f Delta_half, from T_half to T.
+inline constexpr antiderivative_at<fraction<1, 2>> antiderivative_h{};
+template <int P, int Q>
+inline constexpr antiderivative_at<fraction<P, Q>> antiderivative_lambda{};
+/// int_a^t f Delta, from T^+ to T, and int_a^t f nabla, from T^- to T.
+inline constexpr auto antiderivative = antiderivative_at<fraction<0>>{} * projection<fraction<0>, true>{};
+inline constexpr auto antiderivative_nabla = antiderivative_at<fraction<0>>{} * projection<fraction<0>, true>{} * sigma;
+
+} // namespace hilger

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSL-1.0
+// Identity, multiples, sums and compositions of operators. The adjoint of a composition is the composition of the adjoints in
+// reverse order, and of a sum the sum: integration by parts for anything a user composes follows from this file.
+#pragma once
+
+#include "hilger/function/pointwise.hpp"
+#include "hilger/operator/concept.hpp"
+#include "hilger/scale/weight.hpp"
+
+namespace hilger {
+
+template <class Base, class To, class From>
+struct reweight;
+
+/// f as itself. With two different weights it is the identity between two sums, whose adjoint multiplies by their ratio.
+template <class Base, class From, class To = From>
+struct identity_on : linear_operator<identity_on<Base, From, To>> {
+    using from = Base;
+    using to = Base;
+    using from_weight = From;
+    using to_weight = To;
+    static constexpr auto name() { return text("identity"); }
+    template <class D>
+    constexpr D image(D const& d) const {
+        return d;
+    }
+    template <class F>
+    constexpr decltype(auto) evaluate(F const& f, index i) const {
+        return f.get(i);
+    }
+    constexpr auto adjoint() const {
+        if constexpr (std::same_as<From, To>)
+            return *this;
+        else
+            return reweight<Base, To, From>{};
+    }
+};
+
+/// f times the ratio of two weights, w_From / w_To: what carries an equation from the sum with weights w_From to the one with
+/// w_To. On a uniform scale it is the identity at every inner point.
+template <class Base, class From, class To>
+struct reweight : linear_operator<reweight<Base, From, To>> {
+    using from = Base;
+    using to = Base;
+    using from_weight = From;
+    using to_weight = To;
+    static constexpr auto name() { return text("reweight<") + From::name() + "," + To::name() + ">"; }
+    template <int F, int B>
+    constexpr auto image(domain<Base, F, B> const& d) const { // where w_To vanishes there is no ratio
+        return domain<Base, std::max(F, To::vanishes_first ? 1 : 0), std::max(B, To::vanishes_last ? 1 : 0)>{d.base};
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        return f.get(i) * (weight_at<From>(f, i) / weight_at<To>(f, i));
+    }
+    constexpr auto adjoint() const { return identity_on<Base, To, From>{}; }
+};
+
+/// c A, with c a number or a fraction.
+template <class C, linear_map A>
+struct multiple : linear_operator<multiple<C, A>> {
+    using from = typename A::from;
+    using to = typename A::to;
+    using from_weight = typename A::from_weight;
+    using to_weight = typename A::to_weight;
+    [[no_unique_address]] C c;
+    [[no_unique_address]] A a;
+    constexpr multiple(C constant, A op) : c(std::move(constant)), a(std::move(op)) {}
+
+    static constexpr auto name() { return "c " + A::name(); }
+    template <class D>
+    constexpr auto image(D const& d) const {
+        return a.image(d);
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        if constexpr (std::same_as<C, fraction<-1>>)
+            return -a.evaluate(f, i);
+        else
+            return a.evaluate(f, i) * as_factor<C, typename F::root_type::scalar_type>(c);
+    }
+    constexpr auto adjoint() const { return multiple<C, decltype(a.adjoint())>(c, a.adjoint()); }
+};
+
+/// A B: first B, then A.
+template <class A, class B>
+struct composition : linear_operator<composition<A, B>> {
+    using from = typename B::from;
+    using to = typename A::to;
+    using from_weight = typename B::from_weight;
+    using to_weight = typename A::to_weight;
+    [[no_unique_address]] A a;
+    [[no_unique_address]] B b;
+    constexpr composition(A outer, B inner) : a(std::move(outer)), b(std::move(inner)) {}
+
+    static constexpr auto name() { return A::name() + "[" + B::name() + "]"; }
+    template <class D>
+    constexpr auto image(D const& d) const {
+        return a.image(b.image(d));
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        applied<B, detail::borrowed<F>> const inner(b, detail::borrowed<F>(f));
+        return a.evaluate(inner, i);
+    }
+    constexpr auto adjoint() const {
+        if constexpr (std::same_as<typename A::from_weight, typename B::to_weight>)
+            return b.adjoint() * a.adjoint();
+        else
+            return b.adjoint() * reweight<typename A::from, typename A::from_weight, typename B::to_weight>{} * a.adjoint();
+    }
+};
+
+/// A + B on the points where both are defined.
+template <linear_map A, linear_map B>
+struct sum : linear_operator<sum<A, B>> {
+    using from = typename A::from;
+    using to = typename A::to;
+    using from_weight = typename A::from_weight;
+    using to_weight = typename A::to_weight;
+    [[no_unique_address]] A a;
+    [[no_unique_address]] B b;
+    constexpr sum(A first, B second) : a(std::move(first)), b(std::move(second)) {}
+
+    static constexpr auto name() { return "(" + A::name() + " + " + B::name() + ")"; }
+    template <class D>
+    constexpr auto image(D const& d) const {
+        return intersect(a.image(d), b.image(d));
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        return plain_t<decltype(a.evaluate(f, i))>(a.evaluate(f, i) + b.evaluate(f, i));
+    }
+    constexpr auto adjoint() const { return a.adjoint() + adjoint_between<from_weight, to_weight>(b); }
+};
+
+/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are.
+template <class P, class Q, linear_map A>
+constexpr auto adjoint_between(A const& a) {
+    using Ap = typename A::from_weight;
+    using Aq = typename A::to_weight;
+    auto const outer = [](auto op) {
+        if constexpr (std::same_as<Ap, P>)
+            return op;
+        else
+            return reweight<typename A::from, Ap, P>{} * op;
+    };
+    if constexpr (std::same_as<Aq, Q>)
+        return outer(a.adjoint());
+    else
+        return outer(a.adjoint() * reweight<typename A::to, Q, Aq>{});
+}
+
+template <linear_map A, linear_map B>
+constexpr auto operator*(A a, B b) {
+    if constexpr (composes_with<A, B>)
+        return composition<A, B>(std::move(a), std::move(b));
+    else
+        return does_not_compile<A::name() + " acts on functions on " + A::from::name() + ", and " + B::name() + " makes functions on " +
+                                B::to::name()>{};
+}
+template <linear_map A, linear_map B>
+constexpr auto operator+(A a, B b) {
+    if constexpr (not std::same_as<typename A::from, typename B::from>)
+        return does_not_compile<"a sum of operators needs one scale to act on, and " + A::name() + " acts on " + A::from::name() + ", " +
+                                B::name() + " on " + B::from::name()>{};
+    else if constexpr (not std::same_as<typename A::to, typename B::to>)
+        return does_not_compile<"a sum of operators needs one scale to map to, and " + A::name() + " maps to " + A::to::name() + ", " +
+                                B::name() + " to " + B::to::name()>{};
+    else
+        return sum<A, B>(std::move(a), std::move(b));
+}
+template <linear_map A>
+constexpr auto operator-(A a) {
+    return multiple<fraction<-1>, A>({}, std::move(a));
+}
+template <linear_map A, linear_map B>
+constexpr auto operator-(A a, B b) {
+    return std::move(a) + -std::move(b);
+}
+template <factor C, linear_map A>
+constexpr auto operator*(C c, A a) {
+    return multiple<C, A>(std::move(c), std::move(a));
+}
+
+/// The identity on T, T_half and T_o.
+inline constexpr identity_on<nodes, delta> identity{};
+inline constexpr identity_on<between<fraction<1, 2>>, steps> identity_h{};
+inline constexpr identity_on<joined<fraction<1, 2>>, delta> identity_o{};
+
+} // namespace hilger

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+// A linear operator maps functions on one family of points to functions on another. Its type knows both (from, to), how many
+// points it loses at each end (image), the weighted sums in which it has its adjoint, and that adjoint. Brackets act:
+// Delta_plus[f] is the function, lazy; Delta_minus[Delta_plus] and Delta_minus * Delta_plus are the composition.
+//
+// Minimal definition of an operator A, derived from linear_operator<A>:
+//   using from, to                  families of points: nodes, between<lambda>, joined<lambda>
+//   using from_weight, to_weight    the weights of the two sums between which adjoint() is the adjoint
+//   image(domain)                   where A[f] lives when f lives on domain
+//   evaluate(f, i)                  the value of A[f] at point i
+//   adjoint()                       the operator with <A f, g> = <f, adjoint(A) g> up to the end points
+//   name()                          its C++ name, as text
+#pragma once
+
+#include "hilger/function/concept.hpp"
+
+namespace hilger {
+
+template <class A, class B>
+struct composition;
+
+struct operator_tag {
+    using operator_type = void;
+};
+
+template <class A>
+concept linear_map = std::derived_from<A, operator_tag> and requires {
+    typename A::from;
+    typename A::to;
+};
+
+template <class A, class F>
+concept acts_on = linear_map<A> and function_expression<F> and requires {
+    requires std::same_as < base_of<F>,
+    typename A::from > ;
+};
+
+template <class A, class B>
+concept composes_with = linear_map<A> and linear_map<B> and std::same_as<typename A::from, typename B::to>;
+
+/// A[f], evaluated when asked.
+template <linear_map A, function_expression F>
+struct applied : discrete_function_tag {
+    using domain_type = decltype(std::declval<A const&>().image(std::declval<typename F::domain_type>()));
+    [[no_unique_address]] A op;
+    [[no_unique_address]] F f;
+};
+
+template <linear_map A, discrete_function F>
+struct applied<A, F> : function_interface<applied<A, F>> {
+    using domain_type = decltype(std::declval<A const&>().image(std::declval<typename F::domain_type>()));
+    using root_type = typename F::root_type;
+    [[no_unique_address]] A op;
+    [[no_unique_address]] F f;
+
+    constexpr applied(A a, F g) : op(std::move(a)), f(std::move(g)) {}
+    [[nodiscard]] constexpr decltype(auto) root() const { return f.root(); }
+    [[nodiscard]] constexpr auto domain() const { return op.image(f.domain()); }
+    [[nodiscard]] constexpr auto get(index i) const {
+        using value = plain_t<decltype(op.evaluate(f, i))>;
+        return value(op.evaluate(f, i));
+    }
+};
+
+template <class A, class F>
+applied(A, F) -> applied<A, F>;
+
+/// What every operator inherits: application and composition by brackets.
+template <class A>
+struct linear_operator : operator_tag {
+    template <function_expression F>
+    constexpr auto operator[](F f) const {
+        if constexpr (not acts_on<A, F>)
+            return does_not_compile<A::name() + " acts on functions on " + A::from::name() + ", and this one lives on " +
+                                    F::domain_type::name()>{};
+        else if constexpr (leaves_no_point<F>())
+            return does_not_compile<A::name() + " leaves no point: the function lives on " + F::domain_type::name() + ", and T has only " +
+                                    digits<static_cast<unsigned>(F::root_type::extent) + 1>() + " points">{};
+        else
+            return applied<A, F>{self(), std::move(f)};
+    }
+    template <linear_map B>
+    constexpr auto operator[](B b) const {
+        return self() * std::move(b);
+    }
+
+private:
+    [[nodiscard]] constexpr A const& self() const { return static_cast<A const&>(*this); }
+    template <class F>
+    static consteval bool leaves_no_point() {
+        if constexpr (discrete_function<F>)
+            return static_size<typename applied<A, F>::domain_type, typename F::root_type> == 0;
+        else
+            return false;
+    }
+};
+
+} // namespace hilger

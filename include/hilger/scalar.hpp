@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSL-1.0
+// What a scalar and a value must offer. Nothing here knows Eigen or Boost: the scalar is a template parameter everywhere.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace hilger {
+
+/// Counts and numbers points; signed, so that "the point before the first" can be said.
+using index = std::ptrdiff_t;
+
+/// A number type closed under the four operations. Expression templates (Boost.Multiprecision's default) are refused: their
+/// results refer to temporaries, and a lambda that returns one dangles. Use et_off, as hilger/multiprecision.hpp does.
+template <class S>
+concept scalar = std::copyable<S> and std::constructible_from<S, int> and requires(S const a, S const b) {
+    { a + b } -> std::same_as<S>;
+    { a - b } -> std::same_as<S>;
+    { a* b } -> std::same_as<S>;
+    { a / b } -> std::same_as<S>;
+    { -a } -> std::same_as<S>;
+    { a == b } -> std::convertible_to<bool>;
+};
+
+/// A scalar with an order: what the points of a time scale need.
+template <class S>
+concept ordered_scalar = scalar<S> and std::totally_ordered<S>;
+
+/// The distance from 1 to the next number; zero for exact types.
+template <class S>
+constexpr S epsilon() {
+    if constexpr (std::numeric_limits<S>::is_specialized and not std::numeric_limits<S>::is_exact)
+        return std::numeric_limits<S>::epsilon();
+    else
+        return S(0);
+}
+
+/// The type a value has once evaluated: an Eigen expression becomes the matrix it describes.
+template <class V>
+struct plain {
+    using type = V;
+};
+template <class V>
+    requires requires { typename V::PlainObject; }
+struct plain<V> {
+    using type = typename V::PlainObject;
+};
+template <class V>
+using plain_t = typename plain<std::remove_cvref_t<V>>::type;
+
+/// True when x is neither NaN nor infinite, for scalars and Eigen vectors.
+template <class V>
+constexpr bool is_finite(V const& x) {
+    if constexpr (requires { x.allFinite(); })
+        return x.allFinite();
+    else
+        return x - x == V(0);
+}
+
+/// The Euclidean product of two values: a product of scalars, x.dot(y) of vectors.
+template <class V, class W>
+constexpr auto dot_product(V const& x, W const& y) {
+    if constexpr (requires { x.dot(y); })
+        return x.dot(y);
+    else
+        return x * y;
+}
+
+/// The largest absolute component of a value.
+template <class V>
+constexpr auto magnitude(V const& x) {
+    if constexpr (requires { x.cwiseAbs().maxCoeff(); })
+        return x.size() == 0 ? typename V::Scalar(0) : typename V::Scalar(x.cwiseAbs().maxCoeff());
+    else
+        return x < V(0) ? V(-x) : V(x);
+}
+
+/// A zero of the same shape as x (dynamic vectors carry their length in the value).
+template <class V>
+constexpr plain_t<V> zero_like(V const& x) {
+    return plain_t<V>(x - x);
+}
+
+/// A rational constant in the type: exact in every scalar.
+template <int Numerator, int Denominator = 1>
+struct fraction {
+    static_assert(Denominator > 0, "a fraction has a positive denominator");
+    static constexpr int numerator = Numerator;
+    static constexpr int denominator = Denominator;
+
+    template <class S>
+    static constexpr S as() {
+        if constexpr (Denominator == 1)
+            return S(Numerator);
+        else
+            return S(Numerator) / S(Denominator);
+    }
+    friend constexpr bool operator==(fraction, fraction) = default;
+};
+
+/// A constant known only at run time.
+template <class C>
+struct run_time {
+    C value;
+
+    template <class S>
+    constexpr S as() const {
+        return S(value);
+    }
+    friend constexpr bool operator==(run_time const&, run_time const&) = default;
+};
+
+} // namespace hilger

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSL-1.0
+// The families of points that one time scale T = {t_0 < ... < t_N} generates, as types (Cresson-Safi, definitions 1, 3 and 7):
+//   nodes            T
+//   between<lambda>  T_lambda   = {(1 - lambda) t_i + lambda t_{i+1}},  T_half is between<1/2>
+//   joined<lambda>   T_{o,lambda} = T u T_lambda,                       T_o is joined<1/2>
+// A domain is a family with points cut off at its ends: T^+ has lost its last point, T^- its first. All of them are computed
+// from T when asked; none stores a point.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/scalar.hpp"
+#include "hilger/text.hpp"
+
+namespace hilger {
+
+inline constexpr index dynamic_extent = -1;
+
+struct nodes {
+    static constexpr auto name() { return text("T"); }
+    static constexpr index last(index steps) { return steps; }
+    template <class Root>
+    static constexpr auto point(Root const& T, index i) {
+        return T.point(i);
+    }
+    /// The distance from point i to point i + 1.
+    template <class Root>
+    static constexpr auto step(Root const& T, index i) {
+        return T.step(i);
+    }
+    friend constexpr bool operator==(nodes, nodes) = default;
+};
+
+namespace detail {
+template <class Lambda>
+struct lambda_name {
+    static constexpr auto name() { return text("lambda"); }
+};
+template <int P, int Q>
+struct lambda_name<fraction<P, Q>> {
+    static constexpr auto name() { return digits<P>() + "/" + digits<Q>(); }
+};
+template <>
+struct lambda_name<fraction<1, 2>> {
+    static constexpr auto name() { return text("half"); }
+};
+} // namespace detail
+
+template <class Lambda>
+struct between {
+    [[no_unique_address]] Lambda lambda{};
+
+    static constexpr auto name() { return text("T_") + detail::lambda_name<Lambda>::name(); }
+    static constexpr index last(index steps) { return steps - 1; }
+    template <class Root>
+    constexpr auto point(Root const& T, index i) const {
+        return T.between(i, lambda);
+    }
+    template <class Root>
+    constexpr auto step(Root const& T, index i) const {
+        using S = typename Root::scalar_type;
+        if constexpr (Root::is_uniform)
+            return T.step(i);
+        else {
+            S const l = lambda.template as<S>();
+            return (S(1) - l) * T.step(i) + l * T.step(i + 1);
+        }
+    }
+    friend constexpr bool operator==(between const&, between const&) = default;
+};
+
+template <class Lambda>
+struct joined {
+    [[no_unique_address]] Lambda lambda{};
+
+    static constexpr auto name() {
+        if constexpr (std::is_same_v<Lambda, fraction<1, 2>>)
+            return text("T_o");
+        else
+            return text("T_{o,") + detail::lambda_name<Lambda>::name() + "}";
+    }
+    static constexpr index last(index steps) { return 2 * steps; }
+    template <class Root>
+    constexpr auto point(Root const& T, index j) const {
+        return j % 2 == 0 ? T.point(j / 2) : T.between(j / 2, lambda);
+    }
+    template <class Root>
+    constexpr auto step(Root const& T, index j) const {
+        using S = typename Root::scalar_type;
+        S const l = lambda.template as<S>();
+        return j % 2 == 0 ? l * T.step(j / 2) : (S(1) - l) * T.step(j / 2);
+    }
+    friend constexpr bool operator==(joined const&, joined const&) = default;
+};
+
+/// A family of points without its first Front and its last Back points.
+template <class Base, int Front = 0, int Back = 0>
+struct domain {
+    using base_type = Base;
+    static constexpr int front = Front;
+    static constexpr int back = Back;
+    [[no_unique_address]] Base base{};
+
+    static constexpr auto name() {
+        if constexpr (Front == 0 and Back == 0)
+            return Base::name();
+        else
+            return Base::name() + "^{" + marks<Back, '+'>() + marks<Front, '-'>() + "}";
+    }
+    /// Numbers of the first and the last point, counted in the whole family. Empty when last < first.
+    template <class Root>
+    static constexpr index first(Root const&) {
+        return Front;
+    }
+    template <class Root>
+    static constexpr index last(Root const& T) {
+        return Base::last(T.steps()) - Back;
+    }
+    template <class Root>
+    static constexpr index size(Root const& T) {
+        return std::max<index>(last(T) - first(T) + 1, 0);
+    }
+    friend constexpr bool operator==(domain const&, domain const&) = default;
+
+private:
+    template <int Count, char Mark>
+    static constexpr auto marks() {
+        if constexpr (Count == 0)
+            return text("");
+        else {
+            char const mark[2] = {Mark, '\0'};
+            return text<2>(mark) + marks<Count - 1, Mark>();
+        }
+    }
+};
+
+/// The common points of two domains of one family.
+template <class Base, int F, int B, int G, int C>
+constexpr auto intersect(domain<Base, F, B> const& a, domain<Base, G, C> const&) {
+    return domain<Base, std::max(F, G), std::max(B, C)>{a.base};
+}
+
+/// The number of points that Domain has on a scale whose number of steps is known to the type, or dynamic_extent.
+template <class Domain, class Root>
+inline constexpr index static_size = Root::extent == dynamic_extent
+                                         ? dynamic_extent
+                                         : std::max<index>(Domain::base_type::last(Root::extent) - Domain::back - Domain::front + 1, 0);
+
+} // namespace hilger

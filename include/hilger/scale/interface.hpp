@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSL-1.0
+// What every time scale offers, whatever its points: size, sigma, rho, mu, nu, membership, and iteration as a C++20
+// random-access range. sigma maps T^+ to T^- and rho maps T^- to T^+ (Cresson-Safi, definition 3), so sigma of the last point and
+// rho of the first are errors, not fixed points.
+#pragma once
+
+#include <compare>
+#include <iterator>
+#include <ostream>
+
+#include "hilger/error.hpp"
+#include "hilger/scale/base.hpp"
+
+namespace hilger {
+
+/// A random-access iterator over anything whose element(i) is a value. It borrows its owner, as every range's iterators do.
+template <class Owner>
+class element_iterator {
+public:
+    using iterator_concept = std::random_access_iterator_tag;
+    using iterator_category = std::input_iterator_tag; // elements are values, not references
+    using value_type = std::remove_cvref_t<decltype(std::declval<Owner const&>().element(0))>;
+    using difference_type = index;
+    using reference = value_type;
+    using pointer = void;
+
+    constexpr element_iterator() = default;
+    constexpr element_iterator(Owner const& owner, index at) : owner_(&owner), at_(at) {}
+
+    constexpr value_type operator*() const { return owner_->element(at_); }
+    constexpr value_type operator[](index n) const { return owner_->element(at_ + n); }
+    constexpr element_iterator& operator+=(index n) { return at_ += n, *this; }
+    constexpr element_iterator& operator-=(index n) { return at_ -= n, *this; }
+    constexpr element_iterator& operator++() { return ++at_, *this; }
+    constexpr element_iterator& operator--() { return --at_, *this; }
+    constexpr element_iterator operator++(int) { return {*owner_, at_++}; }
+    constexpr element_iterator operator--(int) { return {*owner_, at_--}; }
+    friend constexpr element_iterator operator+(element_iterator i, index n) { return i += n; }
+    friend constexpr element_iterator operator+(index n, element_iterator i) { return i += n; }
+    friend constexpr element_iterator operator-(element_iterator i, index n) { return i -= n; }
+    friend constexpr index operator-(element_iterator const& i, element_iterator const& j) { return i.at_ - j.at_; }
+    friend constexpr bool operator==(element_iterator const& i, element_iterator const& j) { return i.at_ == j.at_; }
+    friend constexpr auto operator<=>(element_iterator const& i, element_iterator const& j) { return i.at_ <=> j.at_; }
+
+private:
+    Owner const* owner_ = nullptr;
+    index at_ = 0;
+};
+
+/// Derived offers root() (the T it comes from) and domain() (which of T's families, cut how).
+template <class Derived>
+class scale_interface {
+public:
+    /// Number of points.
+    [[nodiscard]] constexpr index size() const { return domain().size(root()); }
+    [[nodiscard]] constexpr bool empty() const { return size() == 0; }
+    /// Numbers of the first and the last point. Points keep the numbers they have in the whole family: T^- starts at 1.
+    [[nodiscard]] constexpr index first() const { return domain().first(root()); }
+    [[nodiscard]] constexpr index last() const { return domain().last(root()); }
+    /// The point with number i. @throws error::outside_domain
+    [[nodiscard]] constexpr auto point(index i) const {
+        require(i);
+        return element(i);
+    }
+    [[nodiscard]] constexpr auto element(index i) const { return domain().base.point(root(), i); }
+    [[nodiscard]] constexpr auto min() const { return point(first()); }
+    [[nodiscard]] constexpr auto max() const { return point(last()); }
+
+    [[nodiscard]] constexpr auto begin() const { return element_iterator<Derived>(self(), first()); }
+    [[nodiscard]] constexpr auto end() const { return element_iterator<Derived>(self(), first() + size()); }
+
+    /// The next point. @throws error::outside_domain when t is not a point of the scale, or is its last one.
+    template <class S>
+    [[nodiscard]] constexpr auto sigma(S const& t) const {
+        return element(before_last(t, "sigma"));
+    }
+    /// The previous point. @throws error::outside_domain when t is not a point of the scale, or is its first one.
+    template <class S>
+    [[nodiscard]] constexpr auto rho(S const& t) const {
+        return element(after_first(t, "rho"));
+    }
+    /// Graininess sigma(t) - t. @throws error::outside_domain as sigma does.
+    template <class S>
+    [[nodiscard]] constexpr auto mu(S const& t) const {
+        return domain().base.step(root(), before_last(t, "mu") - 1);
+    }
+    /// Backward graininess t - rho(t). @throws error::outside_domain as rho does.
+    template <class S>
+    [[nodiscard]] constexpr auto nu(S const& t) const {
+        return domain().base.step(root(), after_first(t, "nu"));
+    }
+    template <class S>
+    [[nodiscard]] constexpr bool contains(S const& t) const {
+        return find(t) > last() ? false : true;
+    }
+    /// The number of the point t. @throws error::outside_domain when there is none.
+    template <class S>
+    [[nodiscard]] constexpr index number_of(S const& t) const {
+        index const i = find(t);
+        if (i > last()) error::raise<error::outside_domain>(t, " is not a point of ", self());
+        return i;
+    }
+    constexpr void require(index i) const {
+        if (i < first() or i > last())
+            error::raise<error::outside_domain>("point number ", i, " is outside ", self(), ", whose points are numbered ", first(), " to ",
+                                                last());
+    }
+
+    template <class Other>
+    friend constexpr bool operator==(Derived const& a, scale_interface<Other> const& other) {
+        Other const& b = static_cast<Other const&>(other);
+        return a.size() == b.size() and std::equal(a.begin(), a.end(), b.begin());
+    }
+    friend std::ostream& operator<<(std::ostream& out, Derived const& scale) {
+        out << Derived::domain_type::name().view();
+        if (scale.empty()) return out << " = {}";
+        out << " = {" << scale.element(scale.first());
+        index const shown = std::min<index>(scale.size(), 3);
+        for (index k = 1; k < shown; ++k) out << ", " << scale.element(scale.first() + k);
+        if (scale.size() > 4) out << ", ...";
+        if (scale.size() > 3) out << ", " << scale.element(scale.last());
+        return out << "} (" << scale.size() << (scale.size() == 1 ? " point)" : " points)");
+    }
+
+private:
+    [[nodiscard]] constexpr Derived const& self() const { return static_cast<Derived const&>(*this); }
+    [[nodiscard]] constexpr decltype(auto) root() const { return self().root(); }
+    [[nodiscard]] constexpr auto domain() const { return self().domain(); }
+
+    /// Binary search; last() + 1 when t is no point. In a floating scalar t may differ from the point by the rounding of
+    /// a + ih (four units in the last place of the largest point), so that 0.3 is found in {0, 0.1, ...}.
+    template <class S>
+    [[nodiscard]] constexpr index find(S const& given) const {
+        using point_type = std::remove_cvref_t<decltype(element(0))>;
+        point_type const t(given);
+        if (empty()) return last() + 1;
+        point_type const slack = point_type(4) * epsilon<point_type>() * std::max(magnitude(element(first())), magnitude(element(last())));
+        index low = first(), high = last() + 1;
+        while (low < high) {
+            index const middle = low + (high - low) / 2;
+            if (element(middle) < t - slack)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        // Closest of the points within the slack: on very fine scales there may be two.
+        index best = last() + 1;
+        for (index i = low; i <= last() and not(t + slack < element(i)); ++i)
+            if (best > last() or magnitude(point_type(element(i) - t)) < magnitude(point_type(element(best) - t))) best = i;
+        return best;
+    }
+    template <class S>
+    [[nodiscard]] constexpr index before_last(S const& t, char const* what) const {
+        index const i = number_of(t);
+        if (i == last()) error::raise<error::outside_domain>(what, "(", t, ") does not exist: ", t, " is the last point of ", self());
+        return i + 1;
+    }
+    template <class S>
+    [[nodiscard]] constexpr index after_first(S const& t, char const* what) const {
+        index const i = number_of(t);
+        if (i == first()) error::raise<error::outside_domain>(what, "(", t, ") does not exist: ", t, " is the first point of ", self());
+        return i - 1;
+    }
+};
+
+/// Anything that is a time scale: T itself or a view of it.
+template <class Scale>
+concept time_scale_like = std::derived_from<Scale, scale_interface<Scale>> and requires(Scale const& scale) {
+    scale.root();
+    scale.domain();
+};
+
+} // namespace hilger

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSL-1.0
+// A time scale from a text file: one point a line, blank lines and lines that start with # ignored.
+#pragma once
+
+#include <fstream>
+#include <istream>
+#include <sstream>
+#include <string>
+
+#include "hilger/scale/time_scale.hpp"
+
+namespace hilger {
+
+/// @throws error::unreadable naming the line that is not a number; error::invalid_scale when the points do not increase.
+template <ordered_scalar S>
+time_scale<S> read_time_scale(std::istream& in, std::string const& source = "the input") {
+    std::vector<S> points;
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+        std::istringstream words(line);
+        std::string word, rest;
+        if (not(words >> word) or word.front() == '#') continue;
+        try {
+            if constexpr (std::is_floating_point_v<S>) {
+                std::size_t used = 0;
+                points.push_back(static_cast<S>(std::stold(word, &used)));
+                if (used != word.size()) throw std::invalid_argument(word);
+            } else {
+                points.push_back(S(word));
+            }
+            if (words >> rest) throw std::invalid_argument(rest);
+        } catch (std::exception const&) {
+            error::raise<error::unreadable>("line ", number, " of ", source, " should be one number and is '", line, "'");
+        }
+    }
+    return time_scale<S>(std::move(points));
+}
+
+/// @throws error::unreadable when the file cannot be opened, and as above.
+template <ordered_scalar S>
+time_scale<S> read_time_scale(std::string const& path) {
+    std::ifstream in(path);
+    if (not in) error::raise<error::unreadable>("cannot open '", path, "' to read a time scale from it");
+    return read_time_scale<S>(in, "'" + path + "'");
+}
+
+} // namespace hilger

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+// An arbitrary discrete time scale: any strictly increasing finite set of points (Cresson-Safi, definition 6). Copies share the points.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hilger/scale/interface.hpp"
+
+namespace hilger {
+
+template <ordered_scalar S>
+class time_scale : public scale_interface<time_scale<S>> {
+public:
+    using scalar_type = S;
+    using root_type = time_scale;
+    using domain_type = hilger::domain<nodes>;
+    static constexpr bool is_uniform = false;
+    static constexpr index extent = dynamic_extent;
+    static constexpr auto kind() { return text("a scale of given points"); }
+
+    /// At least two points, strictly increasing. @throws error::invalid_scale
+    explicit time_scale(std::vector<S> points) {
+        if (points.size() < 2)
+            error::raise<error::invalid_scale>("a time scale needs at least one step, that is two points, and this one has ",
+                                               points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (not is_finite(points[i]))
+                error::raise<error::invalid_scale>("the points of a time scale are finite, and point ", i, " is ", points[i]);
+            if (i > 0 and points[i] == points[i - 1])
+                error::raise<error::invalid_scale>("the points of a time scale are distinct, and points ", i - 1, " and ", i, " are both ",
+                                                   points[i]);
+            if (i > 0 and points[i] < points[i - 1])
+                error::raise<error::invalid_scale>("the points of a time scale increase, and point ", i, " = ", points[i], " comes after ",
+                                                   points[i - 1]);
+        }
+        points_ = std::make_shared<std::vector<S> const>(std::move(points));
+    }
+    time_scale(std::initializer_list<S> points) : time_scale(std::vector<S>(points)) {}
+
+    /// The points of any other scale, as a time scale of its own: half(T), T^+, ...
+    template <time_scale_like Scale>
+        requires(not std::same_as<Scale, time_scale>)
+    explicit time_scale(Scale const& scale) : time_scale(std::vector<S>(scale.begin(), scale.end())) {}
+
+    [[nodiscard]] index steps() const { return static_cast<index>(points_->size()) - 1; }
+    [[nodiscard]] S const& element(index i) const { return (*points_)[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] S const& point(index i) const {
+        this->require(i);
+        return element(i);
+    }
+    [[nodiscard]] S step(index i) const { return element(i + 1) - element(i); }
+    template <class Lambda>
+    [[nodiscard]] S between(index i, Lambda const& lambda) const {
+        S const l = lambda.template as<S>();
+        return (S(1) - l) * element(i) + l * element(i + 1);
+    }
+    [[nodiscard]] time_scale const& root() const { return *this; }
+    [[nodiscard]] domain_type domain() const { return {}; }
+    [[nodiscard]] bool same_points(time_scale const& other) const { return points_ == other.points_ or *points_ == *other.points_; }
+
+private:
+    std::shared_ptr<std::vector<S> const> points_;
+};
+
+template <time_scale_like Scale>
+time_scale(Scale const&) -> time_scale<typename Scale::root_type::scalar_type>;
+
+/// {q^k, k = first..last}, the scale of quantum calculus. @throws error::invalid_scale when q <= 1 or last <= first.
+template <ordered_scalar S>
+time_scale<S> powers(S const& q, index first, index last) {
+    if (not(S(1) < q)) error::raise<error::invalid_scale>("the scale q^Z needs q > 1, and this q is ", q);
+    if (last <= first)
+        error::raise<error::invalid_scale>("the scale q^Z needs exponents first < last, and these are ", first, " and ", last);
+    std::vector<S> points;
+    for (index k = first; k <= last; ++k) {
+        S power(1);
+        for (index j = 0; j < (k < 0 ? -k : k); ++j) power = k < 0 ? S(power / q) : S(power * q);
+        points.push_back(std::move(power));
+    }
+    return time_scale<S>(std::move(points));
+}
+
+/// The harmonic numbers H_0 = 0, H_n = 1 + 1/2 + ... + 1/n. @throws error::invalid_scale when n < 1.
+template <ordered_scalar S>
+time_scale<S> harmonic_numbers(index n) {
+    std::vector<S> points{S(0)};
+    for (index k = 1; k <= n; ++k) points.push_back(points.back() + S(1) / S(static_cast<long long>(k)));
+    return time_scale<S>(std::move(points));
+}
+
+} // namespace hilger

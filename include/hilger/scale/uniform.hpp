@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSL-1.0
+// T = {a + ih, i = 0..N} (Cresson-Safi, definition 1). Three numbers and a count, whatever N is: points are computed as a + ih, never by
+// adding h up, and the last one is b exactly.
+#pragma once
+
+#include "hilger/scale/interface.hpp"
+
+namespace hilger {
+
+/// The interval [a, b], to be divided into equal steps.
+template <class S>
+struct interval {
+    S a, b;
+};
+
+/// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
+template <scalar S, index Steps = dynamic_extent>
+class uniform_scale : public scale_interface<uniform_scale<S, Steps>> {
+public:
+    using scalar_type = S;
+    using root_type = uniform_scale;
+    using domain_type = hilger::domain<nodes>;
+    static constexpr bool is_uniform = true;
+    static constexpr index extent = Steps;
+    static constexpr auto kind() { return text("a uniform scale"); }
+
+    constexpr uniform_scale(S a, S h, S b, index steps) : a_(std::move(a)), h_(std::move(h)), b_(std::move(b)), steps_(steps) {
+        if (steps_ < 1) error::raise<error::invalid_scale>("a time scale needs at least one step, and this one was given ", steps_);
+        if (not is_finite(a_) or not is_finite(h_) or not is_finite(b_))
+            error::raise<error::invalid_scale>("the points of a time scale are finite, and these start at ", a_, " with step ", h_);
+        if (not(S(0) < h_)) error::raise<error::invalid_scale>("the step h of a time scale is positive, and this one is ", h_);
+        if (not(a_ < a_ + h_) or not(b_ - h_ < b_))
+            error::raise<error::invalid_scale>("the step h = ", h_, " is lost in rounding beside the points ", a_, " and ", b_);
+    }
+
+    [[nodiscard]] constexpr index steps() const { return steps_; }
+    [[nodiscard]] constexpr S const& h() const { return h_; }
+    [[nodiscard]] constexpr S point(index i) const {
+        this->require(i);
+        return element(i);
+    }
+    [[nodiscard]] constexpr S element(index i) const { return i == steps_ ? b_ : S(a_ + number(i) * h_); }
+    [[nodiscard]] constexpr S const& step(index) const { return h_; }
+    /// (1 - lambda) t_i + lambda t_{i+1}
+    template <class Lambda>
+    [[nodiscard]] constexpr S between(index i, Lambda const& lambda) const {
+        return a_ + (number(i) + lambda.template as<S>()) * h_;
+    }
+    [[nodiscard]] constexpr uniform_scale const& root() const { return *this; }
+    [[nodiscard]] constexpr domain_type domain() const { return {}; }
+    [[nodiscard]] constexpr bool same_points(uniform_scale const& other) const {
+        return a_ == other.a_ and h_ == other.h_ and b_ == other.b_ and steps_ == other.steps_;
+    }
+
+private:
+    static constexpr S number(index i) { return S(static_cast<long long>(i)); }
+    S a_, h_, b_;
+    index steps_;
+};
+
+/// T = {a + ih, i = 0..N}. @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
+template <scalar S>
+constexpr auto uniform(S a, std::type_identity_t<S> h, index steps) {
+    S b = a + S(static_cast<long long>(steps)) * h;
+    return uniform_scale<S>(std::move(a), std::move(h), std::move(b), steps);
+}
+
+/// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
+template <scalar S>
+constexpr auto uniform(interval<S> ab, index steps) {
+    S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
+    return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
+}
+
+/// The same with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
+template <index Steps, scalar S>
+constexpr auto uniform(S a, std::type_identity_t<S> h) {
+    static_assert(Steps >= 1, "a time scale needs at least one step");
+    S b = a + S(static_cast<long long>(Steps)) * h;
+    return uniform_scale<S, Steps>(std::move(a), std::move(h), std::move(b), Steps);
+}
+
+} // namespace hilger
