@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -13,10 +14,12 @@ namespace hilger {
 /// Counts and numbers points; signed, so that "the point before the first" can be said.
 using index = std::ptrdiff_t;
 
-/// A number type closed under the four operations. Expression templates (Boost.Multiprecision's default) are refused: their
-/// results refer to temporaries, and a lambda that returns one dangles. Use et_off, as hilger/multiprecision.hpp does.
+/// A number type closed under the four operations; the integers are not, their quotients are cut off. Expression templates
+/// (Boost.Multiprecision's default) are refused: their results refer to temporaries, and a lambda that returns one dangles. Use et_off, as
+/// hilger/multiprecision.hpp does.
 template <class S>
-concept scalar = std::copyable<S> and std::constructible_from<S, int> and requires(S const a, S const b) {
+concept scalar = std::copyable<S> and std::constructible_from<S, int> and not std::numeric_limits<S>::is_integer and
+                 requires(S const a, S const b) {
     { a + b } -> std::same_as<S>;
     { a - b } -> std::same_as<S>;
     { a* b } -> std::same_as<S>;
@@ -50,6 +53,17 @@ struct plain<V> {
 };
 template <class V>
 using plain_t = typename plain<std::remove_cvref_t<V>>::type;
+
+/// The value of an expression, evaluated while what it refers to is alive.
+template <class E>
+constexpr plain_t<E> evaluated(E&& expression) {
+    return plain_t<E>(std::forward<E>(expression));
+}
+
+/// The type that a function with results of type V has on a scale with points of type S: a formula may return 1, and a table may
+/// hold counts, but the average of the integers 0 and 1 is not 0.
+template <class V, class S>
+using value_on = std::conditional_t<std::is_integral_v<plain_t<V>>, S, plain_t<V>>;
 
 /// True when x is neither NaN nor infinite, for scalars and Eigen vectors.
 template <class V>
@@ -100,6 +114,11 @@ struct fraction {
     }
     friend constexpr bool operator==(fraction, fraction) = default;
 };
+
+/// P/Q in lowest terms: the scale at 2/4 is the scale at 1/2.
+template <int P, int Q>
+    requires(Q > 0)
+using reduced = fraction<P / std::gcd(P, Q), Q / std::gcd(P, Q)>;
 
 /// A constant known only at run time.
 template <class C>

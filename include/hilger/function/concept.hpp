@@ -8,11 +8,16 @@
 
 namespace hilger {
 
-struct discrete_function_tag {};
+/// What marks a type as a discrete function is the nested name. Expressions declare it themselves and do not derive from the tag:
+/// two subobjects of one empty class may not share an address, and Delta_o_plus[extend[q]] should be as small as q.
+struct discrete_function_tag {
+    using function_type = void;
+};
 
 /// Has a domain in its type; may be symbolic.
 template <class F>
-concept function_expression = std::derived_from<F, discrete_function_tag> and requires {
+concept function_expression = requires {
+    typename F::function_type;
     typename F::domain_type;
 };
 
@@ -37,8 +42,10 @@ using base_of = typename F::domain_type::base_type;
 
 /// Evaluation and iteration, common to all functions that have values. A function is a random-access range of its values.
 template <class Derived>
-class function_interface : public discrete_function_tag {
+class function_interface {
 public:
+    using function_type = void;
+
     /// The value at the point with number i: f[i] is f(t_i), or f(t_{i+1/2}) on T_half. @throws error::outside_domain
     [[nodiscard]] constexpr auto operator[](index i) const {
         scale().require(i);

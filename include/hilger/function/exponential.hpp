@@ -9,8 +9,8 @@ namespace hilger {
 
 /// e_p(t, s) for p on T or T^+. @throws error::outside_domain when s or t is not in T; error::invalid_parameter when 1 + mu p
 /// vanishes between them, because p is then not regressive.
-template <discrete_function P, class S>
-constexpr auto exponential(P const& p, S const& t, std::type_identity_t<S> const& s) {
+template <discrete_function P>
+constexpr auto exponential(P const& p, typename P::root_type::scalar_type const& t, typename P::root_type::scalar_type const& s) {
     auto const T = derived_scale(p.root(), domain<base_of<P>>{p.domain().base});
     index const from = T.number_of(s), to = T.number_of(t);
     value_of<P> product(1);

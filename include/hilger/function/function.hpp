@@ -21,7 +21,7 @@ struct by_formula {
     [[no_unique_address]] Formula formula;
     template <class Root, class Domain>
     constexpr auto get(Root const& root, Domain const& domain, index i) const {
-        using value = plain_t<decltype(formula(domain.base.point(root, i)))>;
+        using value = value_on<decltype(formula(domain.base.point(root, i))), typename Root::scalar_type>;
         return value(formula(domain.base.point(root, i)));
     }
 };
@@ -61,7 +61,7 @@ public:
     /// One value per point. @throws error::mismatch when their number is not the scale's, error::not_finite on NaN or infinity.
     template <time_scale_like Scale, class Value>
     function(Scale const& scale, std::vector<Value> values)
-        : function(scale.root(), scale.domain(), Rule{std::make_shared<std::vector<Value> const>(std::move(values))}) {
+        : function(scale.root(), scale.domain(), Rule{share<value_on<Value, typename Root::scalar_type>>(std::move(values))}) {
         if (static_cast<index>(rule_.values->size()) != scale.size())
             error::raise<error::mismatch>("a function on ", scale, " needs ", scale.size(), " values, and was given ",
                                           rule_.values->size());
@@ -76,6 +76,13 @@ public:
     [[nodiscard]] constexpr decltype(auto) get(index i) const { return rule_.get(root_, domain_, i); }
 
 private:
+    template <class Stored, class Value>
+    static auto share(std::vector<Value> values) {
+        if constexpr (std::same_as<Stored, Value>)
+            return std::make_shared<std::vector<Stored> const>(std::move(values));
+        else
+            return std::make_shared<std::vector<Stored> const>(values.begin(), values.end());
+    }
     Root root_;
     [[no_unique_address]] Domain domain_;
     [[no_unique_address]] Rule rule_;
@@ -85,7 +92,8 @@ template <time_scale_like Scale, formula_on<Scale> Formula>
 function(Scale const&, Formula) -> function<typename Scale::root_type, typename Scale::domain_type, by_formula<Formula>>;
 
 template <time_scale_like Scale, class Value>
-function(Scale const&, std::vector<Value>) -> function<typename Scale::root_type, typename Scale::domain_type, by_table<Value>>;
+function(Scale const&, std::vector<Value>)
+    -> function<typename Scale::root_type, typename Scale::domain_type, by_table<value_on<Value, typename Scale::root_type::scalar_type>>>;
 
 /// The same function with its values computed once and kept.
 template <discrete_function F>

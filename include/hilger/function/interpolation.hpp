@@ -26,17 +26,17 @@ constexpr index cell_of(Scale const& T, S const& t) {
 /// iota_1 f: continuous, linear between neighbouring points of f's scale.
 template <discrete_function F>
 class piecewise_linear {
+    using S = typename F::root_type::scalar_type;
+
 public:
     explicit constexpr piecewise_linear(F f) : f_(std::move(f)) {}
     /// @throws error::outside_domain when t is outside [a, b].
-    template <class S>
     constexpr auto operator()(S const& t) const {
         auto const T = f_.scale();
         index const i = detail::cell_of(T, t);
         return value_of<F>(f_.get(i) + slope(i) * S(t - T.element(i)));
     }
     /// The right derivative d^+/dt at t in [a, b[. @throws error::outside_domain
-    template <class S>
     constexpr auto right_derivative(S const& t) const {
         auto const T = f_.scale();
         if (t == T.element(T.last()))
@@ -52,14 +52,14 @@ private:
 /// iota_{0,lambda} f for f on T_lambda: f(t_{i,lambda}) on the cell [t_i, t_{i+1}[ of T.
 template <discrete_function F>
 class piecewise_constant {
+    using S = typename F::root_type::scalar_type;
+
 public:
     explicit constexpr piecewise_constant(F f) : f_(std::move(f)) {}
-    template <class S>
     constexpr auto operator()(S const& t) const {
         return f_.element(detail::cell_of(T(), t));
     }
     /// int_a^t ds, the continuous integral of the step function.
-    template <class S>
     constexpr auto integral_to(S const& t) const {
         auto const scale = T();
         index const i = detail::cell_of(scale, t);

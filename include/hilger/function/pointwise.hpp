@@ -14,7 +14,8 @@ namespace hilger {
 namespace detail {
 
 template <class F, class G>
-inline constexpr bool same_family = std::is_same_v<base_of<F>, base_of<G>>and std::is_same_v<typename F::root_type, typename G::root_type>;
+inline constexpr bool same_family =
+    std::conjunction_v<std::is_same<base_of<F>, base_of<G>>, std::is_same<typename F::root_type, typename G::root_type>>;
 
 /// The error for operands that do not meet, as one sentence.
 template <text What, class F, class G>
@@ -51,7 +52,7 @@ public:
     [[nodiscard]] constexpr auto get(index i) const {
         return std::apply(
             [&](auto const&... fs) {
-                using value = plain_t<decltype(map_(fs.get(i)...))>;
+                using value = value_on<decltype(map_(fs.get(i)...)), typename root_type::scalar_type>;
                 return value(map_(fs.get(i)...));
             },
             operands_);

@@ -51,7 +51,7 @@ struct reweight : linear_operator<reweight<Base, From, To>> {
     }
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
-        return f.get(i) * (weight_at<From>(f, i) / weight_at<To>(f, i));
+        return evaluated(f.get(i) * (weight_at<From>(f, i) / weight_at<To>(f, i)));
     }
     constexpr auto adjoint() const { return identity_on<Base, To, From>{}; }
 };
@@ -75,9 +75,9 @@ struct multiple : linear_operator<multiple<C, A>> {
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
         if constexpr (std::same_as<C, fraction<-1>>)
-            return -a.evaluate(f, i);
+            return evaluated(-a.evaluate(f, i));
         else
-            return a.evaluate(f, i) * as_factor<C, typename F::root_type::scalar_type>(c);
+            return evaluated(a.evaluate(f, i) * as_factor<C, typename F::root_type::scalar_type>(c));
     }
     constexpr auto adjoint() const { return multiple<C, decltype(a.adjoint())>(c, a.adjoint()); }
 };
@@ -129,7 +129,7 @@ struct sum : linear_operator<sum<A, B>> {
     }
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
-        return plain_t<decltype(a.evaluate(f, i))>(a.evaluate(f, i) + b.evaluate(f, i));
+        return evaluated(a.evaluate(f, i) + b.evaluate(f, i));
     }
     constexpr auto adjoint() const { return a.adjoint() + adjoint_between<from_weight, to_weight>(b); }
 };
@@ -182,6 +182,11 @@ template <factor C, linear_map A>
 constexpr auto operator*(C c, A a) {
     return multiple<C, A>(std::move(c), std::move(a));
 }
+
+template <class A>
+inline constexpr bool is_identity = false;
+template <class Base, class From, class To>
+inline constexpr bool is_identity<identity_on<Base, From, To>> = true;
 
 /// The identity on T, T_half and T_o.
 inline constexpr identity_on<nodes, delta> identity{};

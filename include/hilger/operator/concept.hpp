@@ -19,12 +19,9 @@ namespace hilger {
 template <class A, class B>
 struct composition;
 
-struct operator_tag {
-    using operator_type = void;
-};
-
 template <class A>
-concept linear_map = std::derived_from<A, operator_tag> and requires {
+concept linear_map = requires {
+    typename A::operator_type;
     typename A::from;
     typename A::to;
 };
@@ -40,10 +37,13 @@ concept composes_with = linear_map<A> and linear_map<B> and std::same_as<typenam
 
 /// A[f], evaluated when asked.
 template <linear_map A, function_expression F>
-struct applied : discrete_function_tag {
+struct applied {
+    using function_type = void;
     using domain_type = decltype(std::declval<A const&>().image(std::declval<typename F::domain_type>()));
     [[no_unique_address]] A op;
     [[no_unique_address]] F f;
+
+    constexpr applied(A a, F g) : op(std::move(a)), f(std::move(g)) {}
 };
 
 template <linear_map A, discrete_function F>
@@ -65,9 +65,12 @@ struct applied<A, F> : function_interface<applied<A, F>> {
 template <class A, class F>
 applied(A, F) -> applied<A, F>;
 
-/// What every operator inherits: application and composition by brackets.
+/// What every operator inherits: application and composition by brackets. The nested name marks an operator; a common base class
+/// would give compositions of empty operators a size.
 template <class A>
-struct linear_operator : operator_tag {
+struct linear_operator {
+    using operator_type = void;
+
     template <function_expression F>
     constexpr auto operator[](F f) const {
         if constexpr (not acts_on<A, F>)
@@ -77,7 +80,7 @@ struct linear_operator : operator_tag {
             return does_not_compile<A::name() + " leaves no point: the function lives on " + F::domain_type::name() + ", and T has only " +
                                     digits<static_cast<unsigned>(F::root_type::extent) + 1>() + " points">{};
         else
-            return applied<A, F>{self(), std::move(f)};
+            return applied<A, F>(self(), std::move(f));
     }
     template <linear_map B>
     constexpr auto operator[](B b) const {

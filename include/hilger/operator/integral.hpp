@@ -49,8 +49,12 @@ constexpr auto restrict_to(F f, Wanted wanted) {
     using D = typename F::domain_type;
     if constexpr (not std::same_as<typename D::base_type, typename Wanted::base_type> or D::front > Wanted::front or D::back > Wanted::back)
         does_not_compile<text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
-    else
+    else {
+        if (not(f.domain().base == wanted.base))
+            error::raise<error::mismatch>("a function is used on its own scale: it lives on ", derived_scale(f.root(), f.domain()),
+                                          ", and is needed on ", derived_scale(f.root(), wanted));
         return part<F, Wanted>(std::move(f), std::move(wanted));
+    }
 }
 
 /// The integrand of int . Delta_lambda may be given on T_{o,lambda}; only its values on T_lambda count.
@@ -115,8 +119,8 @@ constexpr auto nabla_integral(F f, Scale const& scale) {
 
 /// int_s^t between two points, which are points of T also when f lives on T_lambda.
 /// @throws error::outside_domain when s or t is not one of them.
-template <discrete_function F, class S>
-constexpr auto integral(F f, S const& s, std::type_identity_t<S> const& t) {
+template <discrete_function F>
+constexpr auto integral(F f, typename F::root_type::scalar_type const& s, typename F::root_type::scalar_type const& t) {
     using Base = base_of<F>;
     if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); }) {
         auto const T = derived_scale(f.root(), domain<nodes>{});
@@ -128,8 +132,8 @@ constexpr auto integral(F f, S const& s, std::type_identity_t<S> const& t) {
     }
 }
 
-template <discrete_function F, class S>
-constexpr auto nabla_integral(F f, S const& s, std::type_identity_t<S> const& t) {
+template <discrete_function F>
+constexpr auto nabla_integral(F f, typename F::root_type::scalar_type const& s, typename F::root_type::scalar_type const& t) {
     auto const scale = derived_scale(f.root(), domain<base_of<F>>{f.domain().base});
     return detail::sum_between<nabla>(detail::restrict_to(f, domain<base_of<F>, 1, 0>{f.domain().base}), scale.number_of(s),
                                       scale.number_of(t));

@@ -74,7 +74,7 @@ struct derivative : linear_operator<derivative<Base, Side>> {
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
         index const left = Side == side::plus ? i : i - 1;
-        return (f.get(left + 1) - f.get(left)) / f.domain().base.step(f.root(), left);
+        return evaluated((f.get(left + 1) - f.get(left)) / f.domain().base.step(f.root(), left));
     }
     constexpr auto adjoint() const { return -derivative<Base, opposite<Side>>{}; }
 };

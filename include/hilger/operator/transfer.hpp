@@ -165,7 +165,7 @@ struct step_mean_at : linear_operator<step_mean_at<Lambda>> {
         auto const& T = f.root();
         S const l = f.domain().base.lambda.template as<S>();
         S const w = to_weight::at(T, nodes{}, i);
-        return f.get(i) * S((S(1) - l) * T.step(i) / w) + f.get(i - 1) * S(l * T.step(i - 1) / w);
+        return evaluated(f.get(i) * S((S(1) - l) * T.step(i) / w) + f.get(i - 1) * S(l * T.step(i - 1) / w));
     }
     constexpr auto adjoint() const { return restriction_to<Lambda, false>{{}, lambda} * extension<Lambda>{{}, lambda}; }
 };
@@ -181,13 +181,13 @@ inline constexpr auto mean_o = on_T * (fraction<1, 2>{} * (sigma_o + rho_o));
 
 /// The same for any lambda = P/Q in the type.
 template <int P, int Q>
-inline constexpr extension<fraction<P, Q>> extend_lambda{};
+inline constexpr extension<reduced<P, Q>> extend_lambda{};
 template <int P, int Q>
-inline constexpr restriction_to<fraction<P, Q>, false> on_lambda{};
+inline constexpr restriction_to<reduced<P, Q>, false> on_lambda{};
 template <int P, int Q>
-inline constexpr projection<fraction<P, Q>, false> pi_lambda{};
+inline constexpr projection<reduced<P, Q>, false> pi_lambda{};
 template <int P, int Q>
-inline constexpr projection<fraction<P, Q>, true> pi_lambda_inverse{};
+inline constexpr projection<reduced<P, Q>, true> pi_lambda_inverse{};
 
 /// f -> f_{o,lambda} for a lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[.
 template <ordered_scalar S>

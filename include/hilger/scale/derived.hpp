@@ -84,7 +84,7 @@ template <int P, int Q, time_scale_like Scale>
 constexpr auto at_lambda(Scale const& T) {
     static_assert(detail::lambda_in_range<fraction<P, Q>>, "lambda lies in [0, 1[");
     detail::require_nodes<Scale>();
-    return detail::derive(T, domain<between<fraction<P, Q>>>{});
+    return detail::derive(T, domain<between<reduced<P, Q>>>{});
 }
 /// T_lambda with lambda known at run time. @throws error::invalid_parameter when lambda is outside [0, 1[.
 template <time_scale_like Scale, class S = typename Scale::root_type::scalar_type>
@@ -98,7 +98,7 @@ template <int P, int Q, time_scale_like Scale>
 constexpr auto circ(Scale const& T) {
     static_assert(detail::lambda_in_range<fraction<P, Q>> and P > 0, "lambda lies in ]0, 1[");
     detail::require_nodes<Scale>();
-    return detail::derive(T, domain<joined<fraction<P, Q>>>{});
+    return detail::derive(T, domain<joined<reduced<P, Q>>>{});
 }
 /// The same with lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[.
 template <time_scale_like Scale, class S = typename Scale::root_type::scalar_type>

@@ -14,7 +14,7 @@ struct interval {
 };
 
 /// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
-template <scalar S, index Steps = dynamic_extent>
+template <ordered_scalar S, index Steps = dynamic_extent>
 class uniform_scale : public scale_interface<uniform_scale<S, Steps>> {
 public:
     using scalar_type = S;
@@ -29,7 +29,8 @@ public:
         if (not is_finite(a_) or not is_finite(h_) or not is_finite(b_))
             error::raise<error::invalid_scale>("the points of a time scale are finite, and these start at ", a_, " with step ", h_);
         if (not(S(0) < h_)) error::raise<error::invalid_scale>("the step h of a time scale is positive, and this one is ", h_);
-        if (not(a_ < a_ + h_) or not(b_ - h_ < b_))
+        // Below four units in the last place neighbouring points a + ih, or T and T_half, may round to the same number.
+        if (h_ < S(4) * epsilon<S>() * std::max(magnitude(a_), magnitude(b_)))
             error::raise<error::invalid_scale>("the step h = ", h_, " is lost in rounding beside the points ", a_, " and ", b_);
     }
 
@@ -59,25 +60,35 @@ private:
 };
 
 /// T = {a + ih, i = 0..N}. @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
-template <scalar S>
+template <ordered_scalar S>
 constexpr auto uniform(S a, std::type_identity_t<S> h, index steps) {
     S b = a + S(static_cast<long long>(steps)) * h;
     return uniform_scale<S>(std::move(a), std::move(h), std::move(b), steps);
 }
 
 /// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
-template <scalar S>
+template <ordered_scalar S>
 constexpr auto uniform(interval<S> ab, index steps) {
     S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
     return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
 }
 
 /// The same with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
-template <index Steps, scalar S>
+template <index Steps, ordered_scalar S>
 constexpr auto uniform(S a, std::type_identity_t<S> h) {
     static_assert(Steps >= 1, "a time scale needs at least one step");
     S b = a + S(static_cast<long long>(Steps)) * h;
     return uniform_scale<S, Steps>(std::move(a), std::move(h), std::move(b), Steps);
+}
+
+/// The quotient of two integers is cut off, so they are no scalars.
+template <std::integral A, class H>
+constexpr auto uniform(A, H const&, index) {
+    return does_not_compile<text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0")>{};
+}
+template <index Steps, std::integral A, class H>
+constexpr auto uniform(A, H const&) {
+    return does_not_compile<text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0")>{};
 }
 
 } // namespace hilger

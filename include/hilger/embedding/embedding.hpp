@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSL-1.0
+// An embedding is how a Lagrangian is read on a discrete scale: a position operator A, a velocity operator B, and the integral that sums
+// L(A q, B q). The library's own and a user's are the same aggregate of three operators.
+//   order_one        q, Delta_plus[q], the Delta integral          (Cresson-Safi (10))
+//   order_one_left   q, Delta_minus[q], the nabla integral
+//   theta<P, Q>      q_{o,lambda}, Delta_plus[q], the lambda-integral, lambda = P/Q
+//   midpoint         q_o, Delta_o_plus[q_o], the 1/2-integral      (Cresson-Safi (43)), which is theta<1, 2>
+#pragma once
+
+#include "hilger/operator/integral.hpp"
+
+namespace hilger {
+
+/// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta, nabla or steps.
+template <linear_map Position, linear_map Velocity, class Weight>
+struct embedding {
+    static_assert(std::is_same_v<typename Position::to, typename Velocity::to>, "position and velocity of an embedding meet on one scale");
+    using weight = Weight;
+    [[no_unique_address]] Position position;
+    [[no_unique_address]] Velocity velocity;
+    char const* name;
+};
+
+template <class Weight, linear_map Position, linear_map Velocity>
+constexpr auto make_embedding(Position position, Velocity velocity, char const* name) {
+    return embedding<Position, Velocity, Weight>{position, velocity, name};
+}
+
+inline constexpr auto order_one = make_embedding<delta>(identity, Delta_plus, "order one");
+inline constexpr auto order_one_left = make_embedding<nabla>(identity_on<nodes, nabla>{}, Delta_minus, "order one, left");
+
+/// The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one difference.
+template <int P, int Q>
+    requires detail::lambda_in_range<fraction<P, Q>>
+inline constexpr auto theta = make_embedding<steps>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
+inline constexpr auto midpoint = make_embedding<steps>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
+
+} // namespace hilger

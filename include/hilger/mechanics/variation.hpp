@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSL-1.0
+// The discrete Euler-Lagrange equation of an action, read off from the adjoints of its two operators:
+//   A*[dL/dq] + B*[dL/dv] = 0  at the inner points of T,  A = position, B = velocity.
+// Nothing is written per scheme: order one gives dL/dq - Delta_minus[dL/dv] = 0 (Cresson-Safi (14)), mid-point gives
+// [dL/dq]_{1/2,-} - Delta_{1/2,-}[dL/dv] = 0 (Cresson-Safi (56)).
+#pragma once
+
+#include "hilger/adjoint/adjoint.hpp"
+#include "hilger/mechanics/action.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// A without its reweightings, which do nothing on a uniform scale.
+template <linear_map A>
+constexpr auto on_equal_steps(A const& a) {
+    return a;
+}
+template <class Base, class From, class To>
+constexpr auto on_equal_steps(reweight<Base, From, To> const&) {
+    return identity_on<Base, From, To>{};
+}
+template <class C, linear_map A>
+constexpr auto on_equal_steps(multiple<C, A> const& a) {
+    return a.c * on_equal_steps(a.a);
+}
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(sum<A, B> const& s) {
+    return on_equal_steps(s.a) + on_equal_steps(s.b);
+}
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(composition<A, B> const& ab) {
+    auto const a = on_equal_steps(ab.a);
+    auto const b = on_equal_steps(ab.b);
+    if constexpr (is_identity<std::remove_cvref_t<decltype(a)>>)
+        return b;
+    else if constexpr (is_identity<std::remove_cvref_t<decltype(b)>>)
+        return a;
+    else
+        return a * b;
+}
+
+} // namespace detail
+
+template <class Action>
+class euler_lagrange {
+    using A = typename Action::position_type;
+    using B = typename Action::velocity_type;
+    using W = typename Action::weight;
+    using Root = typename Action::root_type;
+    using P = typename A::from_weight; // the sum over T in which the equation is written
+
+    /// The adjoint of a, written on T.
+    template <linear_map Op>
+    static constexpr auto adjoint_on_T(Op const& a) {
+        if constexpr (Root::is_uniform)
+            return detail::on_equal_steps(a.adjoint());
+        else
+            return adjoint_between<P, W>(a);
+    }
+    /// The same written where the paper writes it: on T_lambda^- when the integral is over T_lambda, else on T.
+    template <linear_map Op>
+    constexpr auto as_written(Op const& a) const {
+        auto const there = [&] {
+            if constexpr (requires(typename A::to to) { to.lambda; })
+                return projection<std::remove_cvref_t<decltype(std::declval<typename A::to>().lambda)>, true>{} * adjoint_on_T(a);
+            else
+                return adjoint_on_T(a);
+        }();
+        if constexpr (Root::is_uniform)
+            return uniformly(there);
+        else
+            return there;
+    }
+
+public:
+    constexpr explicit euler_lagrange(Action s) : action_(std::move(s)) {}
+
+    [[nodiscard]] constexpr Action const& action() const { return action_; }
+    /// The operator on dL/dq and the one on dL/dv. On a uniform T they compare with == as operators on uniform scales.
+    [[nodiscard]] constexpr auto force() const { return as_written(action_.position); }
+    [[nodiscard]] constexpr auto momentum() const { return as_written(action_.velocity); }
+
+    /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation.
+    template <discrete_function X>
+    constexpr auto residual(X const& x) const {
+        auto const q = action_.position[x];
+        auto const v = action_.velocity[x];
+        auto const Lq = apply([L = action_.function](auto const& a, auto const& b) { return gradient_first(L, a, b); }, q, v);
+        auto const Lv = apply([L = action_.function](auto const& a, auto const& b) { return gradient_second(L, a, b); }, q, v);
+        return adjoint_on_T(action_.position)[Lq] + adjoint_on_T(action_.velocity)[Lv];
+    }
+
+private:
+    Action action_;
+};
+
+/// The discrete Euler-Lagrange equation of the action S: its critical points for variations that vanish at both ends.
+template <class F, linear_map A, linear_map B, class W, class Root>
+constexpr auto variation(action<F, A, B, W, Root> const& S) {
+    return euler_lagrange<action<F, A, B, W, Root>>(S);
+}
+
+} // namespace hilger

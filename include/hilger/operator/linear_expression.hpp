@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSL-1.0
+// Which operator a symbolic expression applies to its unknown: operator_of(Delta_o_plus[extend[q]]) is Delta_o_plus * extend.
+#pragma once
+
+#include "hilger/function/unknown.hpp"
+#include "hilger/operator/compose.hpp"
+
+namespace hilger {
+
+template <text Name>
+constexpr auto operator_of(unknown<Name> const&) {
+    return identity;
+}
+template <linear_map A, symbolic_function F>
+constexpr auto operator_of(applied<A, F> const& expression) {
+    if constexpr (requires { F::name(); }) // the unknown itself
+        return expression.op;
+    else
+        return expression.op * operator_of(expression.f);
+}
+
+/// The unknown of a symbolic expression.
+template <text Name>
+constexpr auto unknown_of(unknown<Name> const& q) {
+    return q;
+}
+template <linear_map A, symbolic_function F>
+constexpr auto unknown_of(applied<A, F> const& expression) {
+    return unknown_of(expression.f);
+}
+
+template <symbolic_function F, symbolic_function G>
+constexpr auto operator+(F const& f, G const& g) {
+    static_assert(std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>, "a linear expression has one unknown");
+    return applied(operator_of(f) + operator_of(g), unknown_of(f));
+}
+template <symbolic_function F, symbolic_function G>
+constexpr auto operator-(F const& f, G const& g) {
+    static_assert(std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>, "a linear expression has one unknown");
+    return applied(operator_of(f) - operator_of(g), unknown_of(f));
+}
+template <factor C, symbolic_function F>
+constexpr auto operator*(C const& c, F const& f) {
+    return applied(c * operator_of(f), unknown_of(f));
+}
+
+} // namespace hilger
