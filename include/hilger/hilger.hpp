@@ -4,28 +4,23 @@
 
 #include "hilger/version.hpp"
 
-// Scalars, and what is thrown when something is wrong
-#include "hilger/error.hpp"
-#include "hilger/scalar.hpp"
+// Scales, functions on them, operators between those, adjoints and equality of operators
+#include "hilger/calculus.hpp"
 
-// Time scales: T, T^+, T^-, T_half, T_o, T_lambda, any points
-#include "hilger/scale/derived.hpp"
-#include "hilger/scale/read.hpp"
-#include "hilger/scale/time_scale.hpp"
-#include "hilger/scale/uniform.hpp"
+// How a Lagrangian is read on a scale: order one, mid-point, theta, your own
+#include "hilger/embedding/embedding.hpp"
 
-// Functions on them
-#include "hilger/function/exponential.hpp"
-#include "hilger/function/function.hpp"
-#include "hilger/function/interpolation.hpp"
-#include "hilger/function/pointwise.hpp"
+// From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and how they are written
+#include "hilger/mechanics/action.hpp"
+#include "hilger/mechanics/lagrangian.hpp"
+#include "hilger/mechanics/legendre.hpp"
+#include "hilger/mechanics/print.hpp"
+#include "hilger/mechanics/variation.hpp"
 
-// Operators between them: sigma, rho, Delta, extension, means, integrals
-#include "hilger/operator/antiderivative.hpp"
-#include "hilger/operator/integral.hpp"
-#include "hilger/operator/local.hpp"
-#include "hilger/operator/transfer.hpp"
+// Flows and solutions
+#include "hilger/integrator/flow.hpp"
+#include "hilger/integrator/solve.hpp"
 
-// Adjoints, equality of operators, integration by parts
-#include "hilger/adjoint/adjoint.hpp"
-#include "hilger/adjoint/normal_form.hpp"
+// Identities as checks, for your own scales and operators too
+#include "hilger/identity/registry.hpp"
+#include "hilger/identity/trial.hpp"

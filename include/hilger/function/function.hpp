@@ -46,6 +46,19 @@ struct by_array {
     }
 };
 
+namespace detail {
+template <class Domain>
+struct no_formula {
+    does_not_compile<text("a function on ") + Domain::name() +
+                     " is made from a formula that takes its points, or from a std::vector of its values">
+        wrong;
+    template <class Root>
+    constexpr auto get(Root const&, Domain const&, index) const {
+        return typename Root::scalar_type(0);
+    }
+};
+} // namespace detail
+
 template <class Root, class Domain, class Rule>
 class function : public function_interface<function<Root, Domain, Rule>> {
 public:
@@ -71,6 +84,11 @@ public:
                                                 " is NaN or infinite; a function on ", scale, " has finite values");
     }
 
+    /// Anything else is refused in one sentence.
+    template <time_scale_like Scale, class Other>
+        requires(not formula_on<Other, Scale>)
+    constexpr function(Scale const& scale, Other const&) : function(scale.root(), scale.domain(), Rule{}) {}
+
     [[nodiscard]] constexpr Root const& root() const { return root_; }
     [[nodiscard]] constexpr Domain const& domain() const { return domain_; }
     [[nodiscard]] constexpr decltype(auto) get(index i) const { return rule_.get(root_, domain_, i); }
@@ -90,6 +108,11 @@ private:
 
 template <time_scale_like Scale, formula_on<Scale> Formula>
 function(Scale const&, Formula) -> function<typename Scale::root_type, typename Scale::domain_type, by_formula<Formula>>;
+
+template <time_scale_like Scale, class Other>
+    requires(not formula_on<Other, Scale>)
+function(Scale const&, Other const&)
+    -> function<typename Scale::root_type, typename Scale::domain_type, detail::no_formula<typename Scale::domain_type>>;
 
 template <time_scale_like Scale, class Value>
 function(Scale const&, std::vector<Value>)

@@ -25,11 +25,16 @@ struct state {
     V p;
 };
 
-/// A step that could not be made. The trajectory up to `last` is right.
+/// Where a trajectory stopped: the states up to `last` are right.
 template <class S, class V>
-struct step_failure : error::no_convergence {
-    step_failure(std::string const& what, state<S, V> reached) : no_convergence(what), last(std::move(reached)) {}
+struct interrupted {
     state<S, V> last;
+};
+
+/// A step that could not be made, as the error that it met (no_convergence, singular, not_finite) and as interrupted<S, V>.
+template <class Cause, class S, class V>
+struct step_failure : Cause, interrupted<S, V> {
+    step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
 };
 
 template <class F, linear_map A, linear_map B, class W>
@@ -56,7 +61,7 @@ public:
     }
 
     /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked.
-    /// @throws error::not_finite at once when q0 or p0 is not finite; while walking, step_failure with the last good state.
+    /// @throws error::not_finite at once when q0 or p0 is not finite; while walking, a step_failure with the last good state.
     template <time_scale_like Scale, class V>
     auto along(Scale const& T, V q0, V p0) const {
         return trajectory<Scale, V>(*this, T, std::move(q0), std::move(p0));
@@ -94,11 +99,19 @@ public:
                     displacement_ = V(next.q - at_.q);
                     last_step_ = h;
                     at_ = std::move(next);
-                } catch (error::exception const& cause) {
-                    std::ostringstream message;
-                    message << "the step from t = " << at_.t << " with h = " << h << " failed: " << cause.what();
-                    throw step_failure<S, V>(message.str(), at_);
+                } catch (error::no_convergence const& cause) {
+                    stop(cause, h);
+                } catch (error::singular const& cause) {
+                    stop(cause, h);
+                } catch (error::not_finite const& cause) {
+                    stop(cause, h);
                 }
+            }
+            template <class Cause>
+            [[noreturn]] void stop(Cause const& cause, S const& h) const {
+                std::ostringstream message;
+                message << "the step from t = " << at_.t << " with h = " << h << " failed: " << cause.what();
+                throw step_failure<Cause, S, V>(message.str(), at_);
             }
             trajectory const* path_;
             value_type at_;

@@ -213,12 +213,12 @@ struct NumTraits<hilger::dual<S, N>> : NumTraits<S> {
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = N + 1, AddCost = N + 1, MulCost = 3 * N + 1 };
 };
 template <class S, int N, class C, class Operation>
-    requires(std::same_as<C, S> or std::is_arithmetic_v<C>)
+    requires hilger::constant_for<C, S>
 struct ScalarBinaryOpTraits<hilger::dual<S, N>, C, Operation> {
     using ReturnType = hilger::dual<S, N>;
 };
 template <class S, int N, class C, class Operation>
-    requires(std::same_as<C, S> or std::is_arithmetic_v<C>)
+    requires hilger::constant_for<C, S>
 struct ScalarBinaryOpTraits<C, hilger::dual<S, N>, Operation> {
     using ReturnType = hilger::dual<S, N>;
 };

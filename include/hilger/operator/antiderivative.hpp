@@ -24,7 +24,7 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     }
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
-        auto total = zero_like(value_of<F>(f.get(0)));
+        auto total = zero_of(f);
         for (index k = 0; k < i; ++k) total = total + f.get(k) * f.root().step(k);
         return total;
     }
@@ -47,7 +47,7 @@ struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
         index const last = f.domain().last(f.root());
-        auto total = zero_like(value_of<F>(f.get(last)));
+        auto total = zero_of(f);
         for (index k = i + 1; k <= last; ++k) total = total + f.get(k) * f.root().step(k - 1);
         return total;
     }
@@ -62,6 +62,7 @@ constexpr auto antiderivative_at<Lambda>::adjoint() const {
 /// int_a^t f Delta_half, from T_half to T.
 inline constexpr antiderivative_at<fraction<1, 2>> antiderivative_h{};
 template <int P, int Q>
+    requires detail::lambda_in_range<fraction<P, Q>>
 inline constexpr antiderivative_at<reduced<P, Q>> antiderivative_lambda{};
 /// int_a^t f Delta, from T^+ to T, and int_a^t f nabla, from T^- to T.
 inline constexpr auto antiderivative = antiderivative_at<fraction<0>>{} * projection<fraction<0>, true>{};

@@ -15,18 +15,14 @@ namespace hilger {
 template <class W, discrete_function F>
 constexpr auto weighted_sum(F const& f) {
     using S = typename F::root_type::scalar_type;
-    using value = value_of<F>;
-    if (f.size() == 0) {
-        if constexpr (std::constructible_from<value, int>)
-            return value(0);
-        else if constexpr (requires { value::Zero(); })
-            return value(value::Zero());
-        else
-            error::raise<error::outside_domain>("a sum over no points has no dimension: the function lives on an empty scale");
-    }
-    value total = f.get(f.first()) * S(weight_at<W>(f, f.first()));
-    for (index i = f.first() + 1; i <= f.last(); ++i) total = total + f.get(i) * S(weight_at<W>(f, i));
+    auto total = zero_of(f);
+    for (index i = f.first(); i <= f.last(); ++i) total = total + f.get(i) * S(weight_at<W>(f, i));
     return total;
+}
+
+template <class W, text Sentence>
+constexpr auto weighted_sum(does_not_compile<Sentence> wrong) { // it has been reported already
+    return wrong;
 }
 
 namespace detail {
@@ -48,7 +44,7 @@ template <class Wanted, discrete_function F>
 constexpr auto restrict_to(F f, Wanted wanted) {
     using D = typename F::domain_type;
     if constexpr (not std::same_as<typename D::base_type, typename Wanted::base_type> or D::front > Wanted::front or D::back > Wanted::back)
-        does_not_compile<text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
+        return does_not_compile<text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
     else {
         if (not(f.domain().base == wanted.base))
             error::raise<error::mismatch>("a function is used on its own scale: it lives on ", derived_scale(f.root(), f.domain()),
@@ -68,13 +64,19 @@ constexpr auto on_lambda_points(F f, between<Lambda> const& base) {
 
 template <class W, discrete_function F>
 constexpr auto sum_between(F const& f, index from, index to) {
-    auto total = zero_like(value_of<F>(f.get(std::min(std::max(from, f.first()), f.last()))));
+    auto total = zero_of(f);
     using S = typename F::root_type::scalar_type;
     for (index i = std::min(from, to); i < std::max(from, to); ++i) {
         index const k = std::same_as<W, nabla> ? i + 1 : i;
         total = total + f.get(k) * S(weight_at<W>(f, k));
     }
     return from <= to ? total : decltype(total)(-total);
+}
+
+/// A wrong integrand has been reported already.
+template <class W, text Sentence, class... Bounds>
+constexpr auto sum_between(does_not_compile<Sentence> wrong, Bounds const&...) {
+    return wrong;
 }
 
 template <class F, class Scale>

@@ -43,8 +43,7 @@ struct insertion : linear_operator<insertion<Lambda, ToNodes>> {
     constexpr auto evaluate(F const& f, index j) const {
         using value = value_of<F>;
         if ((j % 2 == 0) == ToNodes) return value(f.get(j / 2));
-        index const near = std::clamp(j / 2, f.domain().first(f.root()), f.domain().last(f.root()));
-        return zero_like(value(f.get(near)));
+        return zero_of(f);
     }
     constexpr auto adjoint() const;
 };
@@ -179,14 +178,18 @@ inline constexpr step_mean_at<fraction<1, 2>> step_mean{};
 /// [f]_o (Cresson-Safi (26))
 inline constexpr auto mean_o = on_T * (fraction<1, 2>{} * (sigma_o + rho_o));
 
-/// The same for any lambda = P/Q in the type.
+/// The same for any lambda = P/Q in the type: in ]0, 1[ where T_{o,lambda} is needed, in [0, 1[ for T_lambda.
 template <int P, int Q>
+    requires detail::lambda_inside<fraction<P, Q>>
 inline constexpr extension<reduced<P, Q>> extend_lambda{};
 template <int P, int Q>
+    requires detail::lambda_inside<fraction<P, Q>>
 inline constexpr restriction_to<reduced<P, Q>, false> on_lambda{};
 template <int P, int Q>
+    requires detail::lambda_in_range<fraction<P, Q>>
 inline constexpr projection<reduced<P, Q>, false> pi_lambda{};
 template <int P, int Q>
+    requires detail::lambda_in_range<fraction<P, Q>>
 inline constexpr projection<reduced<P, Q>, true> pi_lambda_inverse{};
 
 /// f -> f_{o,lambda} for a lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[.

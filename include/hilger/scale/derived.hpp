@@ -50,6 +50,8 @@ constexpr void require_lambda(S const& lambda, bool zero_allowed) {
 }
 template <class Lambda>
 concept lambda_in_range = Lambda::numerator >= 0 and Lambda::numerator < Lambda::denominator;
+template <class Lambda>
+concept lambda_inside = lambda_in_range<Lambda> and Lambda::numerator > 0;
 } // namespace detail
 
 /// T^+ = T without its last point.
@@ -96,7 +98,7 @@ constexpr auto at_lambda(Scale const& T, std::type_identity_t<S> lambda) {
 /// T_{o,lambda} = T u T_lambda with lambda = P/Q in the type; lambda = 0 is refused, because T_0 is already in T.
 template <int P, int Q, time_scale_like Scale>
 constexpr auto circ(Scale const& T) {
-    static_assert(detail::lambda_in_range<fraction<P, Q>> and P > 0, "lambda lies in ]0, 1[");
+    static_assert(detail::lambda_inside<fraction<P, Q>>, "lambda lies in ]0, 1[");
     detail::require_nodes<Scale>();
     return detail::derive(T, domain<joined<reduced<P, Q>>>{});
 }

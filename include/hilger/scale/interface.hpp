@@ -134,7 +134,7 @@ private:
     [[nodiscard]] constexpr index find(S const& given) const {
         using point_type = std::remove_cvref_t<decltype(element(0))>;
         point_type const t(given);
-        if (empty() or not(t == t)) return last() + 1; // NaN is no point
+        if (empty() or not is_finite(t)) return last() + 1;
         point_type const size = [&] {
             if constexpr (Derived::root_type::is_uniform)
                 return std::max(magnitude(element(first())), magnitude(element(last())));

@@ -12,6 +12,8 @@ template <class S>
 struct interval {
     S a, b;
 };
+template <class S>
+interval(S, S) -> interval<S>;
 
 /// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
 template <ordered_scalar S, index Steps = dynamic_extent>
@@ -81,14 +83,27 @@ constexpr auto uniform(S a, std::type_identity_t<S> h) {
     return uniform_scale<S, Steps>(std::move(a), std::move(h), std::move(b), Steps);
 }
 
-/// The quotient of two integers is cut off, so they are no scalars.
-template <std::integral A, class H>
-constexpr auto uniform(A, H const&, index) {
-    return does_not_compile<text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0")>{};
+namespace detail {
+template <class A>
+constexpr auto why_not_a_scalar() {
+    if constexpr (std::integral<A>)
+        return text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0");
+    else
+        return text("a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
+                    "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them");
 }
-template <index Steps, std::integral A, class H>
-constexpr auto uniform(A, H const&) {
-    return does_not_compile<text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0")>{};
+} // namespace detail
+
+/// A start that is no scalar is refused in one sentence.
+template <class A, class H>
+    requires(not ordered_scalar<A>)
+constexpr auto uniform(A const&, H const&, index) {
+    return does_not_compile<detail::why_not_a_scalar<A>()>{};
+}
+template <index Steps, class A, class H>
+    requires(not ordered_scalar<A>)
+constexpr auto uniform(A const&, H const&) {
+    return does_not_compile<detail::why_not_a_scalar<A>()>{};
 }
 
 } // namespace hilger

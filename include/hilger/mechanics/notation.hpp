@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+// How operators are written, for a terminal and in LaTeX. An operator is recognised by what it does (==), not by how it was composed:
+// whatever equals Delta_{1/2,-} is written as Delta_{1/2,-}.
+#pragma once
+
+#include <string>
+
+#include "hilger/adjoint/normal_form.hpp"
+
+namespace hilger {
+
+enum class style { terminal, latex };
+
+/// What stands before and after the argument.
+struct notation {
+    std::string before, after;
+    bool negative = false;
+
+    [[nodiscard]] std::string around(std::string const& argument) const { return before + argument + after; }
+};
+
+namespace detail {
+
+inline notation brackets(style s, std::string const& terminal, std::string const& latex) {
+    return s == style::latex ? notation{latex + "\\left[", "\\right]"} : notation{terminal + "[", "]"};
+}
+inline notation mean(style s, std::string const& terminal, std::string const& latex) {
+    return s == style::latex ? notation{"\\left[", "\\right]_{" + latex + "}"} : notation{"[", "]" + terminal};
+}
+
+/// The first of the named operators that equals op or its negative. Named is a list of (operator, notation) pairs.
+template <class Op>
+notation recognise(Op const&, style) {
+    return {};
+}
+template <class Op, linear_map Named, class... Rest>
+notation recognise(Op const& op, style s, Named const& named, notation const& written, Rest const&... rest) {
+    if constexpr (requires { op == named; }) {
+        if (op == named) return written;
+        if (op == -named) return {written.before, written.after, true};
+    }
+    return recognise(op, s, rest...);
+}
+
+template <class Op>
+auto bare_name(Op const&) {
+    return Op::name();
+}
+template <class A>
+auto bare_name(on_uniform<A> const&) {
+    return A::name();
+}
+
+} // namespace detail
+
+/// The notation of an operator, or its composition in words when it has no name of its own.
+template <class Op>
+notation notation_of(Op const& op, style s) {
+    using half_ = fraction<1, 2>;
+    using detail::brackets, detail::mean;
+    notation const found = detail::recognise(
+        op, s, identity, notation{"", ""}, sigma, brackets(s, "σ", "\\sigma"), rho, brackets(s, "ρ", "\\rho"), Delta_plus,
+        brackets(s, "Δ₊", "\\Delta_{+}"), Delta_minus, brackets(s, "Δ₋", "\\Delta_{-}"), Delta_h_minus,
+        brackets(s, "Δ½,₋", "\\Delta_{\\frac12,-}"), Delta_h_plus, brackets(s, "Δ½,₊", "\\Delta_{\\frac12,+}"), mean_h_minus,
+        mean(s, "½,₋", "\\frac12,-"), mean_h_plus, mean(s, "½,₊", "\\frac12,+"), pi_inverse * step_mean, mean(s, "μ", "\\mu"),
+        pi_inverse * reweight<nodes, nabla, mean_weight<half_>>{} * Delta_minus * pi, brackets(s, "Δ½,₋", "\\Delta_{\\frac12,-}"),
+        reweight<nodes, nabla, delta>{} * Delta_minus, brackets(s, "(ν/μ) Δ₋", "\\tfrac{\\nu}{\\mu}\\Delta_{-}"),
+        reweight<nodes, delta, nabla>{} * Delta_plus, brackets(s, "(μ/ν) Δ₊", "\\tfrac{\\mu}{\\nu}\\Delta_{+}"));
+    if (not found.before.empty() or not found.after.empty() or found.negative) return found;
+    if constexpr (requires { op == identity; })
+        if (op == identity) return found;
+    std::string const words(detail::bare_name(op).view());
+    return s == style::latex ? notation{"\\mathrm{" + words + "}\\left[", "\\right]"} : notation{words + "[", "]"};
+}
+
+/// The name of a domain: T½⁻, T^{\pm}, ...
+template <class Domain>
+std::string written_domain(style s) {
+    using Base = typename Domain::base_type;
+    std::string base = s == style::latex ? "\\mathbb{T}" : "T";
+    std::string const plus = s == style::latex ? "+" : "⁺", minus = s == style::latex ? "-" : "⁻";
+    if constexpr (std::same_as<Base, between<fraction<1, 2>>>)
+        base += s == style::latex ? "_{\\frac12}" : "½";
+    else if constexpr (std::same_as<Base, joined<fraction<1, 2>>>)
+        base += s == style::latex ? "_{\\circ}" : "∘";
+    else if constexpr (requires(Base b) { b.lambda; })
+        base += s == style::latex ? "_{\\lambda}" : "λ";
+    std::string marks;
+    if (Domain::front == 1 and Domain::back == 1)
+        marks = s == style::latex ? "\\pm" : "±";
+    else {
+        for (int k = 0; k < Domain::back; ++k) marks += plus;
+        for (int k = 0; k < Domain::front; ++k) marks += minus;
+    }
+    return marks.empty() ? base : s == style::latex ? base + "^{" + marks + "}" : base + marks;
+}
+
+} // namespace hilger

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// Draws orbits and energy errors from the demonstration's CSV files with gnuplot. Returns the name of the picture, or of the
+/// script when there is no gnuplot.
+std::string plot_solar_system(std::string const& directory, std::vector<std::string> const& bodies);
+
+} // namespace program

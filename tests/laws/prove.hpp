@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSL-1.0
+// Drives the product identity x scale x N for one kind of values: random data by RapidCheck, so that a failure shrinks, and a table
+// of what was proved.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <boost/hana/for_each.hpp>
+#include <boost/hana/tuple.hpp>
+
+#include "hilger/identity/registry.hpp"
+#include "hilger/scale/time_scale.hpp"
+#include "hilger/scale/uniform.hpp"
+
+namespace laws {
+
+using hilger::index;
+
+/// The numbers RapidCheck drew, handed out one after the other and then again.
+class drawn {
+public:
+    explicit drawn(std::vector<std::pair<int, int>> numbers) : numbers_(std::move(numbers)) {}
+    std::pair<int, int> operator()() {
+        auto const [p, q] = numbers_[next_++ % numbers_.size()];
+        return {p + static_cast<int>(next_ / numbers_.size()), q}; // not periodic
+    }
+    /// A positive step.
+    template <class S>
+    S step() {
+        auto const [p, q] = (*this)();
+        return S(1 + (p < 0 ? -p : p)) / S(4 * q);
+    }
+
+private:
+    std::vector<std::pair<int, int>> numbers_;
+    std::size_t next_ = 0;
+};
+
+/// One identity in one setting; run by RapidCheck `times` times, reported under name and source.
+using experiment = std::function<hilger::verdict(drawn&)>;
+void prove(std::string const& name, std::string const& source, std::string const& setting, bool exact, int times, experiment const& run);
+
+/// Prints the table of what prove() proved since the last call and checks that it was something.
+void report(char const* values);
+
+// The scales. Each makes one with N steps from random numbers.
+template <class S>
+struct uniform_steps {
+    static constexpr char const* name = "a + ih";
+    auto operator()(index N, drawn& d) const { return hilger::uniform(S(d.step<S>() - S(3)), d.step<S>(), N); }
+};
+template <class S>
+struct divided_interval {
+    static constexpr char const* name = "[a, b] in N";
+    auto operator()(index N, drawn& d) const {
+        S const a = -d.step<S>();
+        return hilger::uniform(hilger::interval<S>{a, a + d.step<S>()}, N);
+    }
+};
+template <class S>
+struct random_points {
+    static constexpr char const* name = "random points";
+    auto operator()(index N, drawn& d) const {
+        std::vector<S> points{S(-d.step<S>())};
+        for (index i = 0; i < N; ++i) points.push_back(points.back() + d.step<S>());
+        return hilger::time_scale<S>(std::move(points));
+    }
+};
+template <class S>
+struct quantum {
+    static constexpr char const* name = "q^Z";
+    auto operator()(index N, drawn& d) const { return hilger::powers(S(S(1) + d.step<S>() / S(8)), index(-1), N - 1); }
+};
+template <class S>
+struct harmonic {
+    static constexpr char const* name = "harmonic numbers";
+    auto operator()(index N, drawn&) const { return hilger::harmonic_numbers<S>(N); }
+};
+/// Two fine steps after every coarse one.
+template <class S>
+struct fine_and_coarse {
+    static constexpr char const* name = "fine and coarse";
+    auto operator()(index N, drawn& d) const {
+        S const h = d.step<S>();
+        std::vector<S> points{S(0)};
+        for (index i = 0; i < N; ++i) points.push_back(points.back() + (i % 3 == 0 ? h : S(h / S(100))));
+        return hilger::time_scale<S>(std::move(points));
+    }
+};
+/// T_o of random points as a T of its own.
+template <class S>
+struct own_circ {
+    static constexpr char const* name = "T_o as a T";
+    auto operator()(index N, drawn& d) const { return hilger::time_scale<S>(hilger::circ(random_points<S>{}(N, d))); }
+};
+
+template <class S>
+inline constexpr auto scales = boost::hana::make_tuple(uniform_steps<S>{}, divided_interval<S>{}, random_points<S>{}, quantum<S>{},
+                                                       harmonic<S>{}, fine_and_coarse<S>{}, own_circ<S>{});
+
+template <class Identity, class Scale, class Value>
+void try_on(Identity const& identity, Scale const& make, Value const& zero, int times) {
+    using S = typename decltype(make(1, std::declval<drawn&>()))::scalar_type;
+    if constexpr (not Identity::uniform_only or decltype(make(1, std::declval<drawn&>()))::is_uniform)
+        for (index const N : {1, 2, 3, 10})
+            prove(identity.name, identity.source, std::string(make.name) + ", N = " + std::to_string(N), std::numeric_limits<S>::is_exact,
+                  times, [&, N](drawn& d) { return hilger::check(identity, make(N, d), zero, d); });
+}
+
+/// All identities with values like zero, on every scale; the adjoint laws of every operator too.
+template <class S, class Value>
+void prove_all(Value const& zero, int times) {
+    namespace hana = boost::hana;
+    namespace id = hilger::identities;
+    hana::for_each(scales<S>, [&](auto const& make) {
+        auto const one = [&](auto const& identity) { try_on(identity, make, zero, times); };
+        hana::for_each(id::calculus, one);
+        hana::for_each(id::formulae, one);
+        // In a rounded scalar a uniform scale rounds no differently: the adjoint laws of all operators run on given points only.
+        if constexpr (std::numeric_limits<S>::is_exact or not decltype(make(1, std::declval<drawn&>()))::is_uniform)
+            hana::for_each(id::operators, [&](auto const& a) {
+                using A = std::remove_cvref_t<decltype(a)>;
+                one(id::by_parts_of<A>{a});
+                one(id::adjoint_is_involution<A>{a});
+            });
+    });
+}
+
+} // namespace laws
