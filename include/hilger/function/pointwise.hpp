@@ -74,14 +74,30 @@ public:
     using domain_type = decltype(common(std::declval<typename F::domain_type>(), std::declval<typename Gs::domain_type>()...));
 };
 
-/// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
-template <class Map, discrete_function F, discrete_function... Gs>
-constexpr auto apply(Map map, F f, Gs... gs) {
-    if constexpr ((detail::same_family<F, Gs> and ...))
-        return pointwise<Map, F, Gs...>(std::move(map), std::move(f), std::move(gs)...);
+namespace detail {
+template <text What, class F, class G, class... Gs>
+constexpr auto first_apart() {
+    if constexpr (not same_family<F, G>)
+        return apart<What, F, G>();
     else
-        return (detail::apart<"apply", F, Gs>(), ...);
+        return first_apart<What, F, Gs...>();
 }
+
+/// An object and not a function template: std::apply is found by argument-dependent lookup as soon as a type with a standard allocator
+/// is part of f, as in exact rationals, and would be taken for apply(map, f).
+struct apply_to_values {
+    template <class Map, discrete_function F, discrete_function... Gs>
+    constexpr auto operator()(Map map, F f, Gs... gs) const {
+        if constexpr ((same_family<F, Gs> and ...))
+            return pointwise<Map, F, Gs...>(std::move(map), std::move(f), std::move(gs)...);
+        else
+            return first_apart<"apply", F, Gs...>();
+    }
+};
+} // namespace detail
+
+/// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
+inline constexpr detail::apply_to_values apply{};
 
 template <discrete_function F, discrete_function G>
 constexpr auto operator+(F f, G g) {

@@ -57,36 +57,46 @@ bool all_finite(V const& x) {
 }
 } // namespace detail
 
-/// The root of `system` (iterate -> newton_system) near `guess`; `what` names the equation in messages.
+/// The root of `system` (iterate -> newton_system) near `guess`; `what` names the equation in messages. In an exact scalar the
+/// root must be reached exactly, which linear equations do in one iteration.
 /// @throws newton_failure, error::singular, error::not_finite
 template <class V, class System>
 V newton(System const& system, V guess, char const* what) {
-    using std::sqrt;
     using S = scalar_of<V>;
+    constexpr bool exact = std::numeric_limits<S>::is_exact;
+    constexpr int most = exact ? 4 : 50;
     // Convergence is quadratic: after a correction of size sqrt(eps) the error is of size eps.
-    S const small = sqrt(epsilon<S>()) / S(16);
-    constexpr int most = 50;
+    S const small = [] {
+        using std::sqrt;
+        if constexpr (exact)
+            return S(0);
+        else
+            return S(sqrt(epsilon<S>()) / S(16));
+    }();
     V x = std::move(guess);
-    S previous(-1);
+    S previous(-1), size(0);
+    V residual = zero_like(x);
     for (int iteration = 0; iteration < most; ++iteration) {
         auto const at = system(x);
         if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
-        V const correction = detail::solve(at.jacobian, at.residual, what);
+        residual = at.residual;
+        if (magnitude(residual) == S(0)) return x;
+        V const correction = detail::solve(at.jacobian, residual, what);
         x = x - correction;
-        S const size = magnitude(correction), scale = magnitude(x);
-        if (size <= small * scale or size == S(0)) return x;
-        // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink.
-        bool const stalled = not(previous < S(0)) and not(size < previous);
-        if (stalled and previous <= S(64) * epsilon<S>() * (S(1) + scale)) return x;
-        if (iteration + 1 == most) {
-            std::ostringstream message;
-            message << what << " did not converge in " << most << " Newton iterations; the last correction was " << size
-                    << ". A smaller step h brings the guess closer";
-            throw newton_failure<V>(message.str(), x, at.residual);
+        size = magnitude(correction);
+        if constexpr (not exact) {
+            S const scale = magnitude(x);
+            if (size <= small * scale) return x;
+            // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink.
+            bool const stalled = not(previous < S(0)) and not(size < previous);
+            if (stalled and previous <= S(64) * epsilon<S>() * (S(1) + scale)) return x;
         }
         previous = size;
     }
-    return x;
+    std::ostringstream message;
+    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << size;
+    message << (exact ? ". An exact scalar needs an equation that is linear in the unknown" : ". A smaller step h brings the guess closer");
+    throw newton_failure<V>(message.str(), x, residual);
 }
 
 } // namespace hilger

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSL-1.0
+// The flow of an embedded Lagrangian: it solves its equation, is symplectic, has its order, keeps what it should, and says what
+// went wrong.
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+
+using namespace hilger;
+
+namespace {
+
+constexpr lagrangian pendulum{[](auto const& x, auto const& v) {
+    using std::cos;
+    return v * v / 2 + cos(x);
+}};
+/// Non-separable: the mass depends on the position.
+constexpr lagrangian bead{[](auto const& x, auto const& v) { return v * v * (1 + x * x) / 2 - x * x / 2; }};
+/// Quadratic with a gyroscopic term: steps are exact in the rationals.
+constexpr lagrangian oscillator{[](auto const& x, auto const& v) { return v * v / 2 + v * x / 3 - x * x / 2; }};
+
+template <class L, class Embedding>
+float50 error_at_one(L const& lagrangian, Embedding const& how, int steps, float50 const& reference) {
+    float50 last;
+    for (auto const& at : embed(lagrangian, how).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2)) last = at.q;
+    return abs(last - reference);
+}
+/// The slope of log error against log h between two step sizes, with a reference of 64 times the finer one's accuracy.
+template <class L, class Embedding>
+double fitted_order(L const& lagrangian, Embedding const& how) {
+    // Richardson: two mid-point runs give a reference of order 4.
+    auto const run = [&](int steps) {
+        float50 last;
+        for (auto const& at : embed(lagrangian, midpoint).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2))
+            last = at.q;
+        return last;
+    };
+    float50 const coarse = run(800), fine = run(1600);
+    float50 const reference = fine + (fine - coarse) / 3;
+    return static_cast<double>(log(float50(error_at_one(lagrangian, how, 100, reference) / error_at_one(lagrangian, how, 200, reference))) /
+                               log(float50(2)));
+}
+
+/// M^T J M - J for the map (q, p) -> (q', p') in one degree of freedom is det M - 1; derivatives by central differences whose error is far
+/// below the tolerance.
+template <class Flow>
+float100 area_error(Flow const& flow, float100 const& h) {
+    using state_type = state<float100, float100>;
+    float100 const e("1e-30");
+    auto const step = [&](float100 const& q, float100 const& p) { return flow.step(state_type{0, q, p}, h); };
+    float100 const q0(1), p0 = float100(1) / 2;
+    auto const a = step(q0 + e, p0), b = step(q0 - e, p0), c = step(q0, p0 + e), d = step(q0, p0 - e);
+    float100 const det = (a.q - b.q) * (c.p - d.p) - (c.q - d.q) * (a.p - b.p);
+    return abs(det / (4 * e * e) - 1);
+}
+
+} // namespace
+
+TEST_CASE("a flow solves its discrete Euler-Lagrange equation to rounding") {
+    constexpr unknown q;
+    constexpr auto q_o = extend[q];
+    auto const T = uniform(0.0, 0.1, 1000);
+    auto const EL = variation(integral(pendulum(q_o, Delta_o_plus[q_o]), half(T)));
+    auto const x = solve(EL, T, {.q0 = 1.0, .v0 = 0.25});
+    // The residual divides values by h^2: its rounding is a few epsilons of |q| / h^2.
+    for (double const r : EL.residual(x)) CHECK(std::abs(r) <= 16 * epsilon<double>() * 2.0 / 0.01);
+    CHECK(x[0] == 1.0);
+    CHECK(x.size() == 1001);
+
+    time_scale<double> const U{0, 0.1, 0.15, 0.3, 0.5, 0.55, 0.8};
+    auto const uneven = variation(integral(bead(q_o, Delta_o_plus[q_o]), half(U)));
+    auto const y = solve(uneven, U, {.q0 = 1.0, .v0 = 0.25});
+    for (double const r : uneven.residual(y)) CHECK(std::abs(r) <= 16 * epsilon<double>() * 2.0 / (0.05 * 0.05));
+}
+
+TEST_CASE("orders, fitted in 50 digits") {
+    CHECK(fitted_order(pendulum, midpoint) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(pendulum, order_one) == doctest::Approx(1).epsilon(0.02));
+    CHECK(fitted_order(pendulum, order_one_left) == doctest::Approx(1).epsilon(0.02));
+    CHECK(fitted_order(pendulum, theta<1, 3>) == doctest::Approx(1).epsilon(0.02));
+    CHECK(fitted_order(bead, midpoint) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(oscillator, midpoint) == doctest::Approx(2).epsilon(0.01));
+}
+
+TEST_CASE("every flow preserves area") {
+    float100 const h = float100(1) / 10, tolerance("1e-55"); // the differences' own error is 1e-60
+    CHECK(area_error(embed(pendulum, midpoint), h) < tolerance);
+    CHECK(area_error(embed(pendulum, order_one), h) < tolerance);
+    CHECK(area_error(embed(pendulum, order_one_left), h) < tolerance);
+    CHECK(area_error(embed(bead, midpoint), h) < tolerance);
+    CHECK(area_error(embed(bead, order_one), h) < tolerance);
+    CHECK(area_error(embed(bead, theta<1, 3>), h) < tolerance);
+}
+
+TEST_CASE("quadratic Lagrangians step exactly in the rationals, and mid-point keeps their energy exactly") {
+    hamiltonian const H(oscillator);
+    Q const E0 = H(Q(1, 2), Q(1));
+    int steps = 0;
+    for (auto const& [t, q, p] : embed(oscillator, midpoint).along(uniform(Q(0), Q(1, 5), 12), Q(1), Q(1, 2))) {
+        CHECK(H(p, q) == E0);
+        CHECK(t == Q(steps, 5));
+        ++steps;
+    }
+    CHECK(steps == 13);
+}
+
+TEST_CASE("p_o = dL/dv(q_o, Delta_o_plus[q_o]): definition 12 satisfies the momentum constraint (82), exactly") {
+    auto const T = uniform(Q(0), Q(1, 5), 8);
+    std::vector<Q> qs, ps;
+    for (auto const& at : embed(oscillator, midpoint).along(T, Q(1), Q(1, 2))) {
+        qs.push_back(at.q);
+        ps.push_back(at.p);
+    }
+    auto const q = function(T, qs), p = function(T, ps);
+    auto const at = on_half[extend[q]];
+    auto const v = on_half[Delta_o_plus[extend[q]]];
+    auto const p_o = on_half[extend[p]];
+    hamiltonian const H(oscillator);
+    for (hilger::index i = 0; i < 8; ++i) {
+        CHECK(p_o[i] == gradient_second(oscillator, at[i], v[i])); // (82)
+        CHECK(v[i] == H.by_momentum(p_o[i], at[i]));               // the second line of (94), on all of T_half
+        CHECK(p[i + 1] == gradient_second(oscillator, at[i], v[i]) + Q(1, 10) * gradient_first(oscillator, at[i], v[i])); // (89)
+    }
+    CHECK(p[0] == gradient_second(oscillator, at[0], v[0]) - Q(1, 10) * gradient_first(oscillator, at[0], v[0])); // (90)
+    auto const left = Delta_h_minus[p_o];
+    auto const force = apply([&](Q const& x, Q const& y) { return Q(-H.by_position(x, y)); }, p_o, at);
+    for (hilger::index i = 1; i < 8; ++i) CHECK(left[i] == mean_h_minus[force][i]); // the first line of (94), on T_half^-
+}
+
+TEST_CASE("mid-point is its own inverse with -h; order one right and left are inverse to each other") {
+    state<float50, float50> const start{0, 1, float50(1) / 2};
+    float50 const h = float50(1) / 10, tolerance("1e-47");
+    auto const returns = [&](auto const& there, auto const& back) {
+        auto const end = back.step(there.step(start, h), float50(-h));
+        return abs(end.q - start.q) + abs(end.p - start.p) < tolerance;
+    };
+    CHECK(returns(embed(bead, midpoint), embed(bead, midpoint)));
+    CHECK(returns(embed(bead, order_one), embed(bead, order_one_left)));
+    CHECK_FALSE(returns(embed(bead, order_one), embed(bead, order_one)));
+}
+
+TEST_CASE("angular momentum of Kepler's ellipse is kept to rounding") {
+    using vector = Eigen::Vector2d;
+    lagrangian const kepler{[](auto const& x, auto const& v) {
+        using std::sqrt;
+        return v.dot(v) / 2 + 1 / sqrt(x.dot(x));
+    }};
+    auto const worst = [&](auto const& how) {
+        double most = 0;
+        for (auto const& [t, q, p] : embed(kepler, how).along(uniform(0.0, 0.02, 1000), vector(0.4, 0), vector(0, 2)))
+            most = std::max(most, std::abs(q(0) * p(1) - q(1) * p(0) - 0.8));
+        return most;
+    };
+    CHECK(worst(midpoint) < 1000 * epsilon<double>());
+    CHECK(worst(order_one) < 1000 * epsilon<double>());
+}
+
+TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
+    auto const T = uniform(0.0, 0.1, 10);
+    double const infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH_AS((void)embed(pendulum, midpoint).along(T, std::nan(""), 0.0),
+                         "the initial position and momentum are finite numbers, and these contain NaN or infinity", error::not_finite);
+    CHECK_THROWS_AS((void)embed(pendulum, midpoint).along(T, 0.0, infinity), error::not_finite);
+
+    lagrangian const massless{[](auto const& x, auto const& v) { return x * v; }};
+    auto const walk = [&](auto const& L, auto const& scale, double q0, double p0) {
+        for (auto const& at : embed(L, midpoint).along(scale, q0, p0)) (void)at;
+    };
+    CHECK_THROWS_AS(walk(massless, T, 1.0, 0.0), error::singular);
+
+    // Falls into the singularity of log: the states before are right and kept.
+    lagrangian const falling{[](auto const& x, auto const& v) {
+        using std::sqrt;
+        return v * v / 2 - 1 / sqrt(x);
+    }};
+    try {
+        walk(falling, uniform(0.0, 0.5, 100), 1.0, -4.0);
+        FAIL("a particle that runs into its singularity must be reported");
+    } catch (interrupted<double, double> const& stopped) {
+        CHECK(is_finite(stopped.last.q));
+        CHECK(is_finite(stopped.last.p));
+        CHECK(stopped.last.t < 50);
+    }
+    // y - 1 = 5 ((1 + y)/2)^2 has no real solution.
+    lagrangian const cubic{[](auto const& x, auto const& v) { return v * v / 2 + 10 * x * x * x / 3; }};
+    try {
+        walk(cubic, uniform(0.0, 1.0, 3), 1.0, 0.0);
+        FAIL("an equation without a solution must be reported");
+    } catch (error::no_convergence const& e) {
+        CHECK(std::string(e.what()).find("the step from t = 0 with h = 1 failed: the step p = -d_1 L_h(q, y) did not converge in 50 Newton "
+                                         "iterations") == 0);
+        CHECK(dynamic_cast<interrupted<double, double> const&>(e).last.q == 1.0);
+    }
+    CHECK_THROWS_AS((void)embed(cubic, midpoint).step(state<Q, Q>{0, 1, 0}, Q(1, 10)), error::no_convergence);
+}

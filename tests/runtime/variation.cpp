@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSL-1.0
+// The discrete Euler-Lagrange equation against the definition of a critical point: the derivative of the action along every variation
+// of one inner value, exactly, in dual numbers over the rationals.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+
+using namespace hilger;
+
+namespace {
+
+using D = dual<Q, 1>;
+
+// Polynomial, so that rationals stay rational; neither separable nor quadratic.
+constexpr auto scalar_L = [](auto const& x, auto const& v) { return v * v / 2 + v * x * x / 3 - x * x * x / 5 + v * v * x / 7; };
+constexpr auto plane_L = [](auto const& x, auto const& v) {
+    return v.dot(v) / 2 + x(0) * v(1) - x(1) * x(1) * v(0) / 3 - x.dot(x) * x(0) / 5;
+};
+
+template <class V>
+V some_value(int i, int component) {
+    return V(3 * i * i - 2 * i + component) / V(5 + i + component);
+}
+
+/// d/de S(x + e e_k), exactly, for scalar values.
+template <class Action>
+Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index k) {
+    std::vector<D> moved;
+    for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(static_cast<hilger::index>(i) == k ? D::variable(x[i], 0) : D(x[i]));
+    auto const T = derived_scale(S.T, domain<nodes>{});
+    auto const f = function(S.T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
+    return S(f).partial[0];
+}
+
+/// The residual at t_k times the weight of t_k in the sum that the equation is written in is the derivative of the action.
+template <class Weight, class Action>
+void is_the_derivative_of(Action const& S) {
+    std::vector<Q> x;
+    for (int i = 0; i <= S.T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
+    auto const f = function(S.T, x);
+    auto const residual = variation(S).residual(f);
+    REQUIRE(residual.first() == 1);
+    REQUIRE(residual.last() == S.T.steps() - 1);
+    for (hilger::index k = 1; k < S.T.steps(); ++k) {
+        CAPTURE(k);
+        CHECK(residual[k] * weight_at<Weight>(f, k) == along_variation(S, x, k));
+    }
+}
+
+constexpr unknown q;
+constexpr auto q_o = extend[q];
+constexpr auto q_third = extend_lambda<1, 3>[q];
+constexpr auto velocity_third = (pi_lambda_inverse<1, 3> * Delta_plus)[q];
+using trapezoid = mean_weight<fraction<1, 2>>;
+
+} // namespace
+
+TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", Scale, uniform_scale<Q>, time_scale<Q>) {
+    auto const T = [] {
+        if constexpr (Scale::is_uniform)
+            return uniform(Q(-1, 3), Q(2, 7), 6);
+        else
+            return time_scale<Q>{Q(0), Q(1, 3), Q(1), Q(7, 5), Q(2), Q(9, 4), Q(3)};
+    }();
+    constexpr lagrangian L{scalar_L};
+    SUBCASE("order one") { is_the_derivative_of<delta>(integral(L(q, Delta_plus[q]), T)); }
+    SUBCASE("mid-point") { is_the_derivative_of<trapezoid>(integral(L(q_o, Delta_o_plus[q_o]), half(T))); }
+    SUBCASE("lambda = 1/3") {
+        is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(on_lambda<1, 3>[q_third], velocity_third), at_lambda<1, 3>(T)));
+    }
+    SUBCASE("an integrand on T_o is read on T_half") {
+        auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T));
+        auto const same = integral(L(on_half[q_o], (pi_inverse * Delta_plus)[q]), half(T));
+        auto const f = function(T, [](Q t) { return Q(t * t - t); });
+        CHECK(S(f) == same(f));
+        CHECK(S(f) != 0);
+    }
+}
+
+TEST_CASE("vectors: the residual of a plane system is the derivative of its action") {
+    using V = Eigen::Matrix<Q, 2, 1>;
+    time_scale<Q> const T{Q(0), Q(1, 3), Q(1), Q(7, 5), Q(2)};
+    auto const S = integral(lagrangian{plane_L}(q_o, Delta_o_plus[q_o]), half(T));
+    std::vector<V> x;
+    for (int i = 0; i <= T.steps(); ++i) x.push_back(V(some_value<Q>(i, 0), some_value<Q>(i, 2)));
+    auto const f = function(T, x);
+    auto const residual = variation(S).residual(f);
+    for (hilger::index k = 1; k < T.steps(); ++k)
+        for (int c = 0; c < 2; ++c) {
+            std::vector<Eigen::Matrix<D, 2, 1>> moved;
+            for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(detail::lifted<D>(x[i]));
+            moved[static_cast<std::size_t>(k)](c).partial[0] = Q(1);
+            auto const g = function(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
+            CHECK(residual[k](c) * weight_at<trapezoid>(f, k) == S(g).partial[0]);
+        }
+}
+
+TEST_CASE("the operators of the equation are those of the papers, by type") {
+    constexpr lagrangian L{scalar_L};
+    constexpr auto T = uniform(0.0, 0.1, 10);
+    constexpr auto order_one_EL = variation(integral(L(q, Delta_plus[q]), T));
+    static_assert(order_one_EL.force() == identity and order_one_EL.momentum() == -Delta_minus); // S (14)
+    constexpr auto midpoint_EL = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
+    static_assert(midpoint_EL.force() == mean_h_minus and midpoint_EL.momentum() == -Delta_h_minus); // S (56)
+    static_assert(not(midpoint_EL.force() == mean_h_plus) and not(midpoint_EL.momentum() == Delta_h_minus));
+    static_assert(not(order_one_EL.force() == rho) and not(order_one_EL.momentum() == -Delta_plus));
+    static_assert(midpoint.position == theta<1, 2>.position and midpoint.velocity == theta<1, 2>.velocity);
+    static_assert(midpoint.velocity == on_half * Delta_o_plus * extend);
+    CHECK(midpoint_EL.action().T.steps() == 10);
+}
+
+TEST_CASE("the mid-point equation is Wendlandt and Marsden's, S (64)") {
+    auto const T = uniform(Q(0), Q(1, 4), 4);
+    auto const EL = variation(integral(lagrangian{scalar_L}(q_o, Delta_o_plus[q_o]), half(T)));
+    Q const h = T.h();
+    auto const L_h = [&](auto const& x, auto const& y) { return scalar_L((x + y) / 2, (y - x) / h) * h; };
+    auto const f = function(T, [](Q t) { return Q(1 + t - 2 * t * t); });
+    for (hilger::index i = 1; i < 4; ++i)
+        CHECK(h * EL.residual(f)[i] == gradient_first(L_h, f[i], f[i + 1]) + gradient_second(L_h, f[i - 1], f[i]));
+}
+
+TEST_CASE("equations are printed as the papers write them") {
+    constexpr lagrangian L{scalar_L};
+    auto const printed = [](auto const& x) {
+        std::ostringstream out;
+        out << x;
+        return out.str();
+    };
+    auto const T = uniform(0.0, 0.1, 10);
+    auto const mid = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
+    CHECK(printed(mid) == "[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = 0   on T½⁻,   ⋆ = (q∘, Δ∘,₊[q∘])\n");
+    CHECK(printed(hamiltonian_form(mid)) == "Δ½,₋[p∘] = [−∂H/∂q(p∘, q∘)]½,₋   on T½⁻\nΔ∘,₊[q∘] = ∂H/∂p(p∘, q∘)   on T½,   p∘ = ∂L/∂v(⋆)\n");
+    auto const right = variation(integral(L(q, Delta_plus[q]), T));
+    CHECK(printed(right) == "∂L/∂q(⋆) − Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₊[q])\n");
+    CHECK(printed(hamiltonian_form(right)) == "Δ₋[p] = −∂H/∂q(p, q)   on T±\nΔ₊[q] = ∂H/∂p(p, q)   on T⁺,   p = ∂L/∂v(⋆)\n");
+    CHECK(latex(right).find("\\frac{\\partial L}{\\partial q}(\\star) - \\Delta_{-}\\left[") != std::string::npos);
+    time_scale<double> const U{0, 1, 3, 4};
+    auto const uneven = variation(integral(L(q, Delta_plus[q]), U));
+    CHECK(printed(uneven) == "∂L/∂q(⋆) − (ν/μ) Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₊[q])\n");
+}
