@@ -14,8 +14,8 @@ int main() {
     constexpr auto q_o = extend[q];           // q∘ ∈ C(T∘)
     constexpr lagrangian L{[](auto x, auto v) { return v * v / 2 - (1 - cos(x)); }};
 
-    constexpr auto S = integral(L(q_o, Delta_o_plus[q_o]), half(uniform(0.0, 0.1, 10'000))); // ∫ L(q∘, Δ∘,+[q∘]) Δ½t
-    constexpr auto EL = variation(S);
+    auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T));                   // ∫ L(q∘, Δ∘,+[q∘]) Δ½t
+    auto const EL = variation(S);                                                  // [∂L/∂q]½,− − Δ½,−[∂L/∂v] = 0
     static_assert(EL.force() == mean_h_minus and EL.momentum() == -Delta_h_minus); // the scheme is a theorem about types
 
     std::cout << EL << hamiltonian_form(EL) << latex(EL);

@@ -69,6 +69,16 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
     SUBCASE("lambda = 1/3") {
         is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(on_lambda<1, 3>[q_third], velocity_third), at_lambda<1, 3>(T)));
     }
+    SUBCASE("lambda = 1/3, velocity as the derivative of the extension") {
+        auto const v = Delta_plus_on<joined<fraction<1, 3>>>[q_third];
+        is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(q_third, v), at_lambda<1, 3>(T)));
+    }
+    SUBCASE("lambda known at run time") {
+        Q const lambda(2, 7);
+        auto const q_lambda = extend_at(lambda)[q];
+        auto const v = Delta_plus_on<joined<run_time<Q>>>[q_lambda];
+        is_the_derivative_of<delta>(integral(L(q_lambda, v), at_lambda(T, lambda))); // the Delta sum: see natural_weight
+    }
     SUBCASE("an integrand on T_o is read on T_half") {
         auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T));
         auto const same = integral(L(on_half[q_o], (pi_inverse * Delta_plus)[q]), half(T));

@@ -85,16 +85,20 @@ constexpr auto uniformly(A a) {
     return on_uniform<A>{std::move(a)};
 }
 
+/// An operator that can be compared: nothing about it is known at run time only.
+template <class A>
+concept comparable_operator = linear_map<A> and known_by_type<A>;
+
 /// A and B make the same of every function on every scale, and lose the same points at the ends.
-template <linear_map A, linear_map B>
+template <comparable_operator A, comparable_operator B>
 constexpr bool operator==(A const& a, B const& b) {
     return detail::equal<false>(a, b);
 }
-template <linear_map A, linear_map B>
+template <comparable_operator A, comparable_operator B>
 constexpr bool operator==(on_uniform<A> const& a, B const& b) {
     return detail::equal<true>(a.op, b);
 }
-template <linear_map A, linear_map B>
+template <comparable_operator A, comparable_operator B>
 constexpr bool operator==(on_uniform<A> const& a, on_uniform<B> const& b) {
     return detail::equal<true>(a.op, b.op);
 }

@@ -12,7 +12,7 @@ namespace detail {
 /// The number i of the cell [t_i, t_{i+1}[ of T that holds t; the last cell holds b too. @throws error::outside_domain
 template <class Scale, class S>
 constexpr index cell_of(Scale const& T, S const& t) {
-    if (t < T.element(T.first()) or T.element(T.last()) < t)
+    if (not(T.element(T.first()) <= t) or not(t <= T.element(T.last()))) // NaN is outside too
         error::raise<error::outside_domain>(t, " is outside the interval [", T.element(T.first()), ", ", T.element(T.last()), "]");
     index low = T.first(), high = T.last();
     while (high - low > 1) {

@@ -3,6 +3,7 @@
 // whatever equals Delta_{1/2,-} is written as Delta_{1/2,-}.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "hilger/adjoint/normal_form.hpp"
@@ -30,17 +31,26 @@ inline notation mean(style s, std::string const& terminal, std::string const& la
 
 /// The first of the named operators that equals op or its negative. Named is a list of (operator, notation) pairs.
 template <class Op>
-notation recognise(Op const&, style) {
-    return {};
+std::optional<notation> recognise(Op const&, style) {
+    return std::nullopt;
 }
 template <class Op, linear_map Named, class... Rest>
-notation recognise(Op const& op, style s, Named const& named, notation const& written, Rest const&... rest) {
+std::optional<notation> recognise(Op const& op, style s, Named const& named, notation const& written, Rest const&... rest) {
     if constexpr (requires { op == named; }) {
         if (op == named) return written;
-        if (op == -named) return {written.before, written.after, true};
+        if (op == -named) return notation{written.before, written.after, true};
     }
     return recognise(op, s, rest...);
 }
+
+template <class Op>
+struct from_of_ {
+    using type = typename Op::from;
+};
+template <class A>
+struct from_of_<on_uniform<A>> : from_of_<A> {};
+template <class Op>
+using from_of = typename from_of_<Op>::type;
 
 template <class Op>
 auto bare_name(Op const&) {
@@ -58,7 +68,7 @@ template <class Op>
 notation notation_of(Op const& op, style s) {
     using half_ = fraction<1, 2>;
     using detail::brackets, detail::mean;
-    notation const found = detail::recognise(
+    std::optional<notation> found = detail::recognise(
         op, s, identity, notation{"", ""}, sigma, brackets(s, "σ", "\\sigma"), rho, brackets(s, "ρ", "\\rho"), Delta_plus,
         brackets(s, "Δ₊", "\\Delta_{+}"), Delta_minus, brackets(s, "Δ₋", "\\Delta_{-}"), Delta_h_minus,
         brackets(s, "Δ½,₋", "\\Delta_{\\frac12,-}"), Delta_h_plus, brackets(s, "Δ½,₊", "\\Delta_{\\frac12,+}"), mean_h_minus,
@@ -66,9 +76,18 @@ notation notation_of(Op const& op, style s) {
         pi_inverse * reweight<nodes, nabla, mean_weight<half_>>{} * Delta_minus * pi, brackets(s, "Δ½,₋", "\\Delta_{\\frac12,-}"),
         reweight<nodes, nabla, delta>{} * Delta_minus, brackets(s, "(ν/μ) Δ₋", "\\tfrac{\\nu}{\\mu}\\Delta_{-}"),
         reweight<nodes, delta, nabla>{} * Delta_plus, brackets(s, "(μ/ν) Δ₊", "\\tfrac{\\mu}{\\nu}\\Delta_{+}"));
-    if (not found.before.empty() or not found.after.empty() or found.negative) return found;
-    if constexpr (requires { op == identity; })
-        if (op == identity) return found;
+    // On T_lambda: the difference, and the mean with weights 1 - lambda and lambda.
+    using from = detail::from_of<Op>;
+    if constexpr (requires(from base) { base.lambda.numerator; }) {
+        using L = std::remove_cvref_t<decltype(from{}.lambda)>;
+        constexpr identity_on<from, delta> here{};
+        constexpr shift<from, side::minus> back{};
+        if (not found)
+            found = detail::recognise(op, s, derivative<from, side::minus>{}, brackets(s, "Δλ,₋", "\\Delta_{\\lambda,-}"),
+                                      fraction<L::denominator - L::numerator, L::denominator>{} * here + L{} * back,
+                                      mean(s, "λ,₋", "\\lambda,-"));
+    }
+    if (found) return *found;
     std::string const words(detail::bare_name(op).view());
     return s == style::latex ? notation{"\\mathrm{" + words + "}\\left[", "\\right]"} : notation{words + "[", "]"};
 }

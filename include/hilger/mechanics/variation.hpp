@@ -12,14 +12,23 @@ namespace hilger {
 
 namespace detail {
 
-/// A without its reweightings, which do nothing on a uniform scale.
+/// T_{o,lambda} of a uniform T is uniform for lambda = 1/2 only.
+template <class Base>
+inline constexpr bool has_equal_steps = true;
+template <class Lambda>
+inline constexpr bool has_equal_steps<joined<Lambda>> = std::is_same_v<Lambda, fraction<1, 2>>;
+
+/// A without the reweightings that do nothing on a uniform T.
 template <linear_map A>
 constexpr auto on_equal_steps(A const& a) {
     return a;
 }
 template <class Base, class From, class To>
-constexpr auto on_equal_steps(reweight<Base, From, To> const&) {
-    return identity_on<Base, From, To>{};
+constexpr auto on_equal_steps(reweight<Base, From, To> const& a) {
+    if constexpr (has_equal_steps<Base>)
+        return identity_on<Base, From, To>{};
+    else
+        return a;
 }
 template <class C, linear_map A>
 constexpr auto on_equal_steps(multiple<C, A> const& a) {
@@ -51,6 +60,10 @@ class euler_lagrange {
     using Root = typename Action::root_type;
     using P = typename A::from_weight; // the sum over T in which the equation is written
 
+    // An operator without run-time parameters is its type: then the equation's operators are known to static_assert even when
+    // the scale is known at run time only.
+    static constexpr bool by_type = std::conjunction_v<std::is_empty<A>, std::is_empty<B>>;
+
     /// The adjoint of a, written on T.
     template <linear_map Op>
     static constexpr auto adjoint_on_T(Op const& a) {
@@ -60,11 +73,11 @@ class euler_lagrange {
             return adjoint_between<P, W>(a);
     }
     /// The same written where the paper writes it: on T_lambda^- when the integral is over T_lambda, else on T.
-    template <linear_map Op>
-    constexpr auto as_written(Op const& a) const {
+    template <linear_map Op, class Scale>
+    static constexpr auto as_written(Op const& a, Scale const& scale) {
         auto const there = [&] {
-            if constexpr (requires(typename A::to to) { to.lambda; })
-                return projection<std::remove_cvref_t<decltype(std::declval<typename A::to>().lambda)>, true>{} * adjoint_on_T(a);
+            if constexpr (requires { scale.lambda; })
+                return projection<std::remove_cvref_t<decltype(scale.lambda)>, true>{{}, scale.lambda} * adjoint_on_T(a);
             else
                 return adjoint_on_T(a);
         }();
@@ -79,8 +92,10 @@ public:
 
     [[nodiscard]] constexpr Action const& action() const { return action_; }
     /// The operator on dL/dq and the one on dL/dv. On a uniform T they compare with == as operators on uniform scales.
-    [[nodiscard]] constexpr auto force() const { return as_written(action_.position); }
-    [[nodiscard]] constexpr auto momentum() const { return as_written(action_.velocity); }
+    [[nodiscard]] static constexpr auto force() requires by_type { return as_written(A{}, typename A::to{}); }
+    [[nodiscard]] static constexpr auto momentum() requires by_type { return as_written(B{}, typename B::to{}); }
+    [[nodiscard]] constexpr auto force() const requires(not by_type) { return as_written(action_.position, base()); }
+    [[nodiscard]] constexpr auto momentum() const requires(not by_type) { return as_written(action_.velocity, base()); }
 
     /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation.
     template <discrete_function X>
@@ -93,6 +108,7 @@ public:
     }
 
 private:
+    [[nodiscard]] constexpr auto base() const { return action_.position.image(domain<nodes>{}).base; }
     Action action_;
 };
 

@@ -65,9 +65,10 @@ struct multiple : linear_operator<multiple<C, A>> {
     using to_weight = typename A::to_weight;
     [[no_unique_address]] C c;
     [[no_unique_address]] A a;
+    constexpr multiple() = default;
     constexpr multiple(C constant, A op) : c(std::move(constant)), a(std::move(op)) {}
 
-    static constexpr auto name() { return "c " + A::name(); }
+    static constexpr auto name() { return factor_name() + A::name(); }
     template <class D>
     constexpr auto image(D const& d) const {
         return a.image(d);
@@ -80,6 +81,22 @@ struct multiple : linear_operator<multiple<C, A>> {
             return evaluated(a.evaluate(f, i) * as_factor<C, typename F::root_type::scalar_type>(c));
     }
     constexpr auto adjoint() const { return multiple<C, decltype(a.adjoint())>(c, a.adjoint()); }
+
+private:
+    static constexpr auto factor_name() {
+        if constexpr (not requires { C::denominator; })
+            return text("c ");
+        else if constexpr (C::numerator < 0)
+            return "-" + multiple<fraction<-C::numerator, C::denominator>, A>::factor_name();
+        else if constexpr (C::denominator > 1)
+            return digits<C::numerator>() + "/" + digits<C::denominator>() + " ";
+        else if constexpr (C::numerator != 1)
+            return digits<C::numerator>() + " ";
+        else
+            return text("");
+    }
+    template <class D, linear_map B>
+    friend struct multiple;
 };
 
 /// A B: first B, then A.
@@ -91,6 +108,7 @@ struct composition : linear_operator<composition<A, B>> {
     using to_weight = typename A::to_weight;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
+    constexpr composition() = default;
     constexpr composition(A outer, B inner) : a(std::move(outer)), b(std::move(inner)) {}
 
     static constexpr auto name() { return A::name() + "[" + B::name() + "]"; }
@@ -120,6 +138,7 @@ struct sum : linear_operator<sum<A, B>> {
     using to_weight = typename A::to_weight;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
+    constexpr sum() = default;
     constexpr sum(A first, B second) : a(std::move(first)), b(std::move(second)) {}
 
     static constexpr auto name() { return "(" + A::name() + " + " + B::name() + ")"; }
@@ -182,6 +201,20 @@ template <factor C, linear_map A>
 constexpr auto operator*(C c, A a) {
     return multiple<C, A>(std::move(c), std::move(a));
 }
+
+/// True when nothing about the operator is known at run time only, so that operators compare by what they do; whole-number
+/// factors are allowed.
+template <class A>
+inline constexpr bool known_by_type = std::is_empty_v<A>;
+template <class C, class A>
+inline constexpr bool known_by_type<multiple<C, A>> =
+    std::conjunction_v<std::disjunction<std::is_empty<C>, std::is_integral<C>>, std::bool_constant<known_by_type<A>>>;
+template <class A, class B>
+inline constexpr bool known_by_type<composition<A, B>> =
+    std::conjunction_v<std::bool_constant<known_by_type<A>>, std::bool_constant<known_by_type<B>>>;
+template <class A, class B>
+inline constexpr bool known_by_type<sum<A, B>> =
+    std::conjunction_v<std::bool_constant<known_by_type<A>>, std::bool_constant<known_by_type<B>>>;
 
 template <class A>
 inline constexpr bool is_identity = false;

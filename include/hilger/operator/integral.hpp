@@ -82,8 +82,8 @@ constexpr auto sum_between(does_not_compile<Sentence> wrong, Bounds const&...) {
 template <class F, class Scale>
 constexpr void require_root(F const& f, Scale const& scale) {
     if constexpr (not std::same_as<typename F::root_type, typename Scale::root_type>)
-        does_not_compile<text("a function is used on its own scale, and this one lives on ") + F::root_type::kind() +
-                         " and is needed on " + Scale::root_type::kind() + " of another type">{};
+        does_not_compile<text("a function is used on its own scale, and this one lives on ") + F::root_type::kind() + " and is needed on " +
+                         Scale::root_type::kind() + " of another type">{};
     else if (not f.root().same_points(scale.root()))
         error::raise<error::mismatch>("a function is used on its own scale: it lives on ", f.scale(), ", and is needed on ", scale);
 }
