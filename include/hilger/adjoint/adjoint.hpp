@@ -56,24 +56,31 @@ constexpr auto sum_outside(F const& f, G const& g, Domain const& inner) {
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;
-    auto const& T = f.root();
-    auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());
-    auto const image = intersect(a.image(f.domain()), g.domain());
-    S total(0);
-    for (index j = f.domain().first(T); j <= f.domain().last(T); ++j) {
-        if (inner.first(T) <= j and j <= inner.last(T)) continue;
-        indicator<F> const e(f, j);
-        for (index i = image.first(T); i <= image.last(T); ++i) {
-            S const entry = a.evaluate(e, i);
-            if (not(entry == S(0))) total = total + weight_at<typename A::to_weight>(g, i) * entry * dot_product(f.get(j), g.get(i));
+    using image_type = decltype(a.image(f.domain()));
+    using G_domain = typename G::domain_type;
+    if constexpr (G_domain::front < image_type::front or G_domain::back < image_type::back)
+        // adjoint(A) would use values of g that <A f, g> does not have
+        return does_not_compile<"the end terms of " + A::name() + " need g where A f lives, on " + image_type::name() + ", and it lives on " +
+                                G_domain::name()>{};
+    else {
+        auto const& T = f.root();
+        auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());
+        S total(0);
+        for (index j = f.domain().first(T); j <= f.domain().last(T); ++j) {
+            if (inner.first(T) <= j and j <= inner.last(T)) continue;
+            indicator<F> const e(f, j);
+            for (index i = g.domain().first(T); i <= g.domain().last(T); ++i) {
+                S const entry = a.evaluate(e, i);
+                if (not(entry == S(0))) total = total + weight_at<typename A::to_weight>(g, i) * entry * dot_product(f.get(j), g.get(i));
+            }
         }
+        return total;
     }
-    return total;
 }
 
 } // namespace detail
 
-/// What the end points add to <f, adjoint(A) g>. g lives where A f does.
+/// What the end points add to <f, adjoint(A) g>. g lives where A f does, or on a part of it; by_parts restricts g by itself.
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto boundary_form(A const& a, F const& f, G const& g) {
     return detail::boundary_rows(a, f, g);
@@ -87,15 +94,27 @@ template <linear_map A, linear_map B, discrete_function F, discrete_function G>
 constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g) {
     // <A B f, g> = <B f, A* g> + (end terms of A), then the same for B; between them the sum may change its weights.
     auto const Bf = ab.b[f];
-    auto const inner = detail::paired(ab.b, f, ab.a.adjoint()[g]);
+    auto const A_g = ab.a.adjoint()[g];
+    auto const inner = detail::paired(ab.b, f, A_g);
     auto const ends_of_a = boundary_form(ab.a, Bf, g);
     using P = typename A::from_weight;
     using Q = typename B::to_weight;
+    auto const with_ends_of_b = [&](auto const& reweighted, auto const& not_paired) {
+        auto const ends = ends_of_a + boundary_form(ab.b, f, reweighted);
+        if constexpr (std::same_as<typename decltype(inner)::domain_type, typename decltype(A_g)::domain_type>)
+            return ends;
+        else { // f is known on a part of its scale: B* A* g takes values of A* g where B f has none
+            using W = typename B::from_weight;
+            auto const adjoint_of_b = ab.b.adjoint();
+            return ends + inner_product<W>(f, adjoint_of_b[reweighted]) - inner_product<W>(f, adjoint_of_b[not_paired]);
+        }
+    };
     if constexpr (std::same_as<P, Q>)
-        return ends_of_a + boundary_form(ab.b, f, inner);
+        return with_ends_of_b(inner, A_g);
     else {
-        auto const reweighted = reweight<typename A::from, P, Q>{}[inner];
-        return ends_of_a + detail::sum_outside<P>(Bf, inner, reweighted.domain()) + boundary_form(ab.b, f, reweighted);
+        constexpr reweight<typename A::from, P, Q> R{};
+        auto const reweighted = R[inner];
+        return with_ends_of_b(reweighted, R[A_g]) + detail::sum_outside<P>(Bf, inner, reweighted.domain());
     }
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect: Delta_plus acts on functions on T, and this one lives on T_half
+// The derivative of T does not know T_half.
+#include "hilger/calculus.hpp"
+
+using namespace hilger;
+
+int main() {
+    auto const T = uniform(0.0, 0.1, 10);
+    auto const f = function(half(T), [](double t) { return t * t; });
+#ifdef MUST_NOT_COMPILE
+    [[maybe_unused]] auto const g = Delta_plus[f];
+#else
+    [[maybe_unused]] auto const g = Delta_h_plus[f];
+#endif
+}
