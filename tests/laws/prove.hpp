@@ -118,12 +118,13 @@ void try_on(Identity const& identity, Scale const& make, Value const& zero, int 
                   times, [&, N](drawn& d) { return hilger::check(identity, make(N, d), zero, d); });
 }
 
-template <class Try>
+/// The laws of every operator. The adjoint of the adjoint is the operator by type; that is tried where it is exact.
+template <bool Exact, class Try>
 void for_each_operator_law(Try const& one) {
     boost::hana::for_each(hilger::identities::operators, [&](auto const& a) {
         using A = std::remove_cvref_t<decltype(a)>;
         one(hilger::identities::by_parts_of<A>{a});
-        one(hilger::identities::adjoint_is_involution<A>{a});
+        if constexpr (Exact) one(hilger::identities::adjoint_is_involution<A>{a});
     });
 }
 
@@ -136,7 +137,7 @@ void prove_all(Value const& zero, int times) {
         auto const one = [&](auto const& identity) { try_on(identity, make, zero, times); };
         hana::for_each(id::calculus, one);
         hana::for_each(id::formulae, one);
-        for_each_operator_law(one);
+        for_each_operator_law<std::numeric_limits<S>::is_exact>(one);
     });
     hana::for_each(uniform_scales<S>, [&](auto const& make) {
         auto const one = [&](auto const& identity) {
@@ -156,7 +157,7 @@ void prove_all_on_uniform_scales(int times) {
         auto const one = [&](auto const& identity) { try_on(identity, make, S(0), times); };
         hana::for_each(id::calculus, one);
         hana::for_each(id::formulae, one);
-        for_each_operator_law(one);
+        for_each_operator_law<std::numeric_limits<S>::is_exact>(one);
     });
 }
 

@@ -24,8 +24,9 @@ std::string message_of(auto const& throwing) {
 
 } // namespace
 
-TEST_CASE_TEMPLATE("every error can be caught by its type, as hilger's and as the standard's", Error, error::invalid_scale, error::outside_domain,
-                   error::mismatch, error::invalid_parameter, error::not_finite, error::unreadable, error::singular, error::no_convergence) {
+TEST_CASE_TEMPLATE("every error can be caught by its type, as hilger's and as the standard's", Error, error::invalid_scale,
+                   error::outside_domain, error::mismatch, error::invalid_parameter, error::not_finite, error::unreadable, error::singular,
+                   error::no_convergence) {
     auto const raise = [] { error::raise<Error>("what"); };
     CHECK_THROWS_WITH_AS(raise(), "what", Error);
     CHECK_THROWS_AS(raise(), error::exception);
@@ -42,7 +43,8 @@ TEST_CASE("the types are different") {
 }
 
 TEST_CASE("a message is its parts, and its numbers can be read back") {
-    CHECK(message_of<error::exception>([] { error::raise<error::exception>("n = ", 3, ", x = ", 0.5, " and ", Q(1, 3)); }) == "n = 3, x = 0.5 and 1/3");
+    CHECK(message_of<error::exception>([] { error::raise<error::exception>("n = ", 3, ", x = ", 0.5, " and ", Q(1, 3)); }) ==
+          "n = 3, x = 0.5 and 1/3");
     double const x = 0.1 + 0.2;
     std::string const text = message_of<error::exception>([&] { error::raise<error::exception>(x); });
     CHECK(std::stod(text) == x);

@@ -60,7 +60,8 @@ TEST_CASE("apply takes any map of any number of functions") {
 
 TEST_CASE("functions on different scales of one type do not combine") {
     auto const other = function(time_scale<Q>{Q(0), Q(1), Q(3), Q(8)}, [](Q const& t) { return t; });
-    CHECK_THROWS_WITH_AS(f + other, "functions combine on one scale, and these live on T = {0, 1, 3, 7} (4 points) and on T = {0, 1, 3, 8} (4 points)",
+    CHECK_THROWS_WITH_AS(f + other,
+                         "functions combine on one scale, and these live on T = {0, 1, 3, 7} (4 points) and on T = {0, 1, 3, 8} (4 points)",
                          error::mismatch);
     CHECK_THROWS_AS(f - other, error::mismatch);
     CHECK_THROWS_AS(f * other, error::mismatch);
@@ -80,7 +81,9 @@ TEST_CASE("functions on different scales of one type do not combine") {
 TEST_CASE("nor do functions at different lambdas known at run time") {
     auto const identity_of = [](Q const& t) { return t; };
     auto const a = function(at_lambda(T, Q(1, 3)), identity_of), b = function(at_lambda(T, Q(1, 4)), identity_of);
-    CHECK_THROWS_WITH_AS(a + b, "functions combine on one scale, and these live on T_lambda = {1/3, 5/3, 13/3} (3 points) and on T_lambda = {1/4, 3/2, 4} (3 points)",
+    CHECK_THROWS_WITH_AS(a + b,
+                         "functions combine on one scale, and these live on T_lambda = {1/3, 5/3, 13/3} (3 points) and on T_lambda = {1/4, "
+                         "3/2, 4} (3 points)",
                          error::mismatch);
     CHECK_THROWS_AS(restrict_to(a, at_lambda(T, Q(1, 4))), error::mismatch);
     CHECK_THROWS_AS(integral(a, at_lambda(T, Q(1, 4))), error::mismatch);
@@ -139,7 +142,8 @@ TEST_CASE("restrict_to forgets points and keeps values") {
     CHECK(values(restrict_to(extend[f], interior(circ(T)))) == "T_o^{+-}: 3/2, 2, 4, 6, 2");
     CHECK(values(Delta_plus[restrict_to(f, minus(T))]) == "T^{+-}: 2, -2");
     CHECK_THROWS_AS((void)restrict_to(f, interior(T))[0], error::outside_domain);
-    CHECK_THROWS_WITH_AS(restrict_to(f, plus(time_scale<Q>{Q(0), Q(1), Q(3), Q(8)})),
-                         "a function is used on its own scale: it lives on T = {0, 1, 3, 7} (4 points), and is needed on T^{+} = {0, 1, 3} (3 points)",
-                         error::mismatch);
+    CHECK_THROWS_WITH_AS(
+        restrict_to(f, plus(time_scale<Q>{Q(0), Q(1), Q(3), Q(8)})),
+        "a function is used on its own scale: it lives on T = {0, 1, 3, 7} (4 points), and is needed on T^{+} = {0, 1, 3} (3 points)",
+        error::mismatch);
 }

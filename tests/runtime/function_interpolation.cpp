@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// From discrete functions to functions on [a, b] (Cresson-Safi (30), (33), (34)): piecewise linear through the values, steps with them, and the
-// diagrams that commute: differentiate or integrate before or after.
+// From discrete functions to functions on [a, b] (Cresson-Safi (30), (33), (34)): piecewise linear through the values, steps with them, and
+// the diagrams that commute: differentiate or integrate before or after.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>

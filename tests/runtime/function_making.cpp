@@ -56,8 +56,8 @@ TEST_CASE("a table of another size is refused") {
     auto const T = steps_1_2_4();
     CHECK_THROWS_WITH_AS(function(T, std::vector<Q>{1, 2, 3}), "a function on T = {0, 1, 3, 7} (4 points) needs 4 values, and was given 3",
                          error::mismatch);
-    CHECK_THROWS_WITH_AS(function(half(T), std::vector<Q>(4)), "a function on T_half = {1/2, 2, 5} (3 points) needs 3 values, and was given 4",
-                         error::mismatch);
+    CHECK_THROWS_WITH_AS(function(half(T), std::vector<Q>(4)),
+                         "a function on T_half = {1/2, 2, 5} (3 points) needs 3 values, and was given 4", error::mismatch);
     CHECK_THROWS_AS(function(T, std::vector<Q>{}), error::mismatch);
     CHECK_THROWS_AS(function(plus(T), std::vector<Q>(4)), error::mismatch);
 }
@@ -66,9 +66,11 @@ TEST_CASE("NaN and infinity are no values of a table") {
     auto const T = uniform(0.0, 0.5, 2);
     double const not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH_AS(function(T, std::vector<double>{1.0, not_a_number, 2.0}),
-                         "the value at 0.5 is NaN or infinite; a function on T = {0, 0.5, 1} (3 points) has finite values", error::not_finite);
+                         "the value at 0.5 is NaN or infinite; a function on T = {0, 0.5, 1} (3 points) has finite values",
+                         error::not_finite);
     CHECK_THROWS_WITH_AS(function(minus(T), std::vector<double>{1.0, infinity}),
-                         "the value at 1 is NaN or infinite; a function on T^{-} = {0.5, 1} (2 points) has finite values", error::not_finite);
+                         "the value at 1 is NaN or infinite; a function on T^{-} = {0.5, 1} (2 points) has finite values",
+                         error::not_finite);
     CHECK_THROWS_AS(function(T, std::vector<double>{-infinity, 1.0, 2.0}), error::not_finite);
     Eigen::Vector2d const bad(1.0, not_a_number), good(1.0, 2.0);
     CHECK_THROWS_AS(function(T, std::vector<Eigen::Vector2d>{good, good, bad}), error::not_finite);

@@ -69,8 +69,8 @@ TEST_CASE("the product rules of the derivative and of the shift") {
 }
 
 TEST_CASE("reweighting multiplies by the ratio of two weights where there is one") {
-    CHECK(values(reweight<nodes, delta, nabla>{}[f]) == "T^{-}: 4, 12, 0");  // mu / nu = 2, 2, 0
-    CHECK(values(reweight<nodes, nabla, delta>{}[f]) == "T^{+}: 0, 1, 3");   // nu / mu = 0, 1/2, 1/2
+    CHECK(values(reweight<nodes, delta, nabla>{}[f]) == "T^{-}: 4, 12, 0");                            // mu / nu = 2, 2, 0
+    CHECK(values(reweight<nodes, nabla, delta>{}[f]) == "T^{+}: 0, 1, 3");                             // nu / mu = 0, 1/2, 1/2
     CHECK(values(reweight<nodes, mean_weight<fraction<1, 2>>, delta>{}[f]) == "T^{+}: 1/2, 3/2, 9/2"); // 1/2, 3/4, 3/4
     CHECK(values(reweight<nodes, delta, delta>{}[f]) == "T^{+}: 1, 2, 6");
     CHECK(values(identity_on<nodes, delta, nabla>{}[f]) == "T: 1, 2, 6, -2"); // between two sums, and no factor

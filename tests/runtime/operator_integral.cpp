@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Antiderivatives, integrals over a whole scale and between two points in either order, and weighted sums, against sums done by hand on a scale with
-// the steps 1, 2, 4.
+// Antiderivatives, integrals over a whole scale and between two points in either order, and weighted sums, against sums done by hand on a
+// scale with the steps 1, 2, 4.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
@@ -33,7 +33,7 @@ TEST_CASE("antiderivatives start at 0 in a and gain a step times a value at each
 }
 
 TEST_CASE("the tail integral sums what comes after a mid-point") {
-    CHECK(values(adjoint(antiderivative_h)[f]) == "T_half: 6, 4, -8"); // 1*2 + 2*6 - 4*2, ...
+    CHECK(values(adjoint(antiderivative_h)[f]) == "T_half: 6, 4, -8");                        // 1*2 + 2*6 - 4*2, ...
     CHECK(values(adjoint(antiderivative_h)[restrict_to(f, minus(T))]) == "T_half: 6, 4, -8"); // f(a) does not count
     CHECK(values(adjoint(antiderivative_h)[restrict_to(f, plus(T))]) == "T_half: 14, 12, 0"); // nor does what is not there
     CHECK(values(adjoint(antiderivative_h)[restrict_to(f, interior(T))]) == "T_half: 14, 12, 0");
@@ -71,7 +71,8 @@ TEST_CASE("the integral of 1 is the length, on every kind of scale") {
         CHECK(integral(function(at_lambda(S, Q(2, 7)), one), at_lambda(S, Q(2, 7))) == length);
         CHECK(integral(function(S, one), S.min(), S.max()) == length);
     };
-    check(T), check(uniform(Q(-1), Q(1, 3), 7)), check(uniform(Q(0), Q(1), 1)), check(powers(Q(2), -3, 3)), check(uniform<2>(Q(0), Q(1, 7)));
+    check(T), check(uniform(Q(-1), Q(1, 3), 7)), check(uniform(Q(0), Q(1), 1)), check(powers(Q(2), -3, 3)),
+        check(uniform<2>(Q(0), Q(1, 7)));
 }
 
 TEST_CASE("integrals between two points, in either order") {
@@ -107,9 +108,10 @@ TEST_CASE("bounds that are no points are errors") {
 
 TEST_CASE("a function is integrated over its own scale only") {
     auto const other = time_scale<Q>{Q(0), Q(1), Q(3), Q(8)};
-    CHECK_THROWS_WITH_AS((void)integral(f, other),
-                         "a function is used on its own scale: it lives on T = {0, 1, 3, 7} (4 points), and is needed on T = {0, 1, 3, 8} (4 points)",
-                         error::mismatch);
+    CHECK_THROWS_WITH_AS(
+        (void)integral(f, other),
+        "a function is used on its own scale: it lives on T = {0, 1, 3, 7} (4 points), and is needed on T = {0, 1, 3, 8} (4 points)",
+        error::mismatch);
     CHECK_THROWS_AS((void)integral(g, half(other)), error::mismatch);
     CHECK_THROWS_AS((void)nabla_integral(f, other), error::mismatch);
     CHECK(integral(f, steps_1_2_4()) == 29); // the same points given twice are the same scale
@@ -124,8 +126,8 @@ TEST_CASE("weighted sums: Delta, nabla, mean, steps and split weights") {
     CHECK(weighted_sum<split_weight<mean_weight<fraction<1, 2>>>>(k) == Q(55, 4)); // half of 13/2 on T and of 21 on T_half
     CHECK(weighted_sum<delta>(restrict_to(f, interior(T))) == 28);
     CHECK(weighted_sum<delta>(Delta_plus[Delta_plus[function(uniform(Q(0), Q(1), 1), std::vector<Q>{1, 2})]]) == 0); // over no points
-    CHECK(inner_product<delta>(f, f) == 153);                                                                       // 1 + 2*4 + 4*36
-    CHECK(inner_product<nabla>(f, Delta_minus[f]) == 42);                                                           // 1*2 + 2*12 + 4*4
+    CHECK(inner_product<delta>(f, f) == 153);                                                                        // 1 + 2*4 + 4*36
+    CHECK(inner_product<nabla>(f, Delta_minus[f]) == 42);                                                            // 1*2 + 2*12 + 4*4
 }
 
 TEST_CASE("the bracket f(b) - f(a) is taken at the ends of f's own domain") {

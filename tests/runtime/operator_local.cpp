@@ -11,9 +11,9 @@ using namespace hilger::testing;
 namespace {
 auto const T = steps_1_2_4();
 auto const f = function(T, std::vector<Q>{1, 2, 6, -2});
-auto const g = function(half(T), std::vector<Q>{4, 1, 7});                  // at 1/2, 2, 5: steps 3/2, 3
-auto const k = function(circ(T), std::vector<Q>{0, 3, 1, 5, -1, 2, 4});     // steps 1/2, 1/2, 1, 1, 2, 2
-auto const l = function(at_lambda<1, 3>(T), std::vector<Q>{1, 5, -3});      // at 1/3, 5/3, 13/3: steps 4/3, 8/3
+auto const g = function(half(T), std::vector<Q>{4, 1, 7});                       // at 1/2, 2, 5: steps 3/2, 3
+auto const k = function(circ(T), std::vector<Q>{0, 3, 1, 5, -1, 2, 4});          // steps 1/2, 1/2, 1, 1, 2, 2
+auto const l = function(at_lambda<1, 3>(T), std::vector<Q>{1, 5, -3});           // at 1/3, 5/3, 13/3: steps 4/3, 8/3
 auto const m = function(circ(T, Q(1, 4)), std::vector<Q>{0, 3, 1, 5, -1, 2, 5}); // steps 1/4, 3/4, 1/2, 3/2, 1, 3
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Every operator on functions with values in R^d, of a fixed dimension and of one known at run time, equals the operator on each component. Eigen's
-// expressions refer to their operands: run with the address sanitizer this is also the proof that none outlives them.
+// Every operator on functions with values in R^d, of a fixed dimension and of one known at run time, equals the operator on each component.
+// Eigen's expressions refer to their operands: run with the address sanitizer this is also the proof that none outlives them.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
@@ -47,26 +47,30 @@ void check_componentwise(A const& a, Root const& T) {
     for (auto i = Au.first(); i <= Au.last(); ++i) CHECK((expression[i] - 2.5 * Au[i]).norm() < 1e-12);
 }
 
-template <class Vector, class Root>
-void check_all(Root const& T) {
-    auto const check = [&T](auto const&... a) { (check_componentwise<Vector>(a, T), ...); };
-    check(sigma, rho, sigma_h, rho_h, sigma_o, rho_o, identity, identity_h, identity_o);
-    check(Delta_plus, Delta_minus, Delta_h_plus, Delta_h_minus, Delta_o_plus, Delta_o_minus);
-    check(extend, on_T, on_half, pi, pi_inverse, step_mean, mean_o, mean_h_minus, mean_h_plus, extend_lambda<1, 4>);
-    check(antiderivative, antiderivative_nabla, antiderivative_h, adjoint(antiderivative_h), adjoint(extend), adjoint(on_T), adjoint(on_half));
-    check(fraction<1, 2>{} * sigma, -Delta_plus, 3 * rho, sigma + rho, sigma - Delta_plus);
-    check(Delta_minus * Delta_plus, Delta_plus * Delta_plus * Delta_plus, sigma * sigma, on_half * Delta_o_plus * extend, mean_o * extend);
-    check(reweight<nodes, delta, nabla>{}, adjoint(Delta_plus * Delta_plus), step_mean * on_half * sigma_o * extend);
-    check(extend_at(0.25), Delta_plus_on<joined<run_time<double>>> * extend_at(0.25), adjoint(extend_at(0.25)) * extend_at(0.25));
+template <class Vector, class Root, class... As>
+void check_each(Root const& T, As const&... a) {
+    (check_componentwise<Vector>(a, T), ...);
 }
+
+auto const given = time_scale<double>{0.0, 1.0, 3.0, 7.0, 7.5};
 
 } // namespace
 
-TEST_CASE("operators act on each component of a vector") {
-    SUBCASE("of fixed dimension, on a uniform scale") { check_all<Eigen::Vector3d>(uniform(0.0, 0.5, 5)); }
-    SUBCASE("of fixed dimension, on given points") { check_all<Eigen::Vector3d>(time_scale<double>{0.0, 1.0, 3.0, 7.0, 7.5}); }
-    SUBCASE("of run-time dimension, on a uniform scale") { check_all<Eigen::VectorXd>(uniform(0.0, 0.5, 5)); }
-    SUBCASE("of run-time dimension, on given points") { check_all<Eigen::VectorXd>(time_scale<double>{0.0, 1.0, 3.0, 7.0, 7.5}); }
+TEST_CASE("the primitives act on each component of a vector") {
+    check_each<Eigen::VectorXd>(given, sigma, rho_h, Delta_plus, Delta_h_minus, Delta_o_plus, extend, extend_lambda<1, 4>, on_T, on_half,
+                                pi, pi_inverse, step_mean, antiderivative_h, adjoint(antiderivative_h), adjoint(on_T), identity,
+                                reweight<nodes, delta, nabla>{});
+}
+
+TEST_CASE("and so does what is made of them") {
+    check_each<Eigen::VectorXd>(given, -Delta_plus, 3 * rho, sigma - Delta_plus, mean_o, antiderivative, adjoint(extend),
+                                Delta_plus * Delta_plus * Delta_plus, on_half * Delta_o_plus * extend, adjoint(Delta_plus * Delta_plus),
+                                adjoint(extend_at(0.25)) * extend_at(0.25));
+}
+
+TEST_CASE("vectors of fixed dimension") {
+    check_each<Eigen::Vector3d>(uniform(0.0, 0.5, 5), Delta_plus, extend, step_mean, antiderivative_h, adjoint(on_half), mean_h_minus,
+                                on_half * Delta_o_plus * extend, Delta_minus * Delta_plus);
 }
 
 TEST_CASE("vectors with exact components") {

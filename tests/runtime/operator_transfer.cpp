@@ -74,7 +74,8 @@ TEST_CASE("the adjoints of the restrictions insert zeros, and a factor 2 for the
     CHECK(values(insertion<fraction<1, 2>, false>{}[g]) == "T_o: 0, 4, 0, 1, 0, 7, 0");
     CHECK(values(adjoint(on_T)[f]) == "T_o: 2, 0, 4, 0, 12, 0, -4");
     CHECK(values(adjoint(on_half)[g]) == "T_o: 0, 8, 0, 2, 0, 14, 0");
-    CHECK(values(insertion<fraction<1, 2>, true>{}[Delta_plus[f]]) == "T_o^{+}: 1, 0, 2, 0, -2, 0"); // the mid-point after T^+ is known to be 0
+    CHECK(values(insertion<fraction<1, 2>, true>{}[Delta_plus[f]]) ==
+          "T_o^{+}: 1, 0, 2, 0, -2, 0"); // the mid-point after T^+ is known to be 0
     CHECK(values(insertion<fraction<1, 2>, false>{}[rho_h[g]]) == "T_o^{--}: 0, 4, 0, 1, 0");
     CHECK(values(insertion<fraction<1, 3>, true>{}[f]) == "T_{o,1/3}: 1, 0, 2, 0, 6, 0, -2");
 }

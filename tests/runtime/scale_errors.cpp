@@ -32,12 +32,14 @@ TEST_CASE("a step is positive") {
     CHECK_THROWS_WITH_AS(uniform(0.0, 0.0, 10), "the step h of a time scale is positive, and this one is 0", error::invalid_scale);
     CHECK_THROWS_WITH_AS(uniform(1.0, -0.5, 10), "the step h of a time scale is positive, and this one is -0.5", error::invalid_scale);
     CHECK_THROWS_AS(uniform(Q(1), Q(-1, 3), 10), error::invalid_scale);
-    CHECK_THROWS_WITH_AS(uniform(interval{1.0, 0.0}, 4), "the step h of a time scale is positive, and this one is -0.25", error::invalid_scale);
+    CHECK_THROWS_WITH_AS(uniform(interval{1.0, 0.0}, 4), "the step h of a time scale is positive, and this one is -0.25",
+                         error::invalid_scale);
     CHECK_THROWS_AS(uniform(interval{1.0, 1.0}, 4), error::invalid_scale);
 }
 
 TEST_CASE("points are finite") {
-    CHECK_THROWS_WITH_AS(uniform(not_a_number, 0.1, 10), "the points of a time scale are finite, and these start at nan with step 0.10000000000000001",
+    CHECK_THROWS_WITH_AS(uniform(not_a_number, 0.1, 10),
+                         "the points of a time scale are finite, and these start at nan with step 0.10000000000000001",
                          error::invalid_scale);
     CHECK_THROWS_AS(uniform(0.0, not_a_number, 10), error::invalid_scale);
     CHECK_THROWS_AS(uniform(infinity, 0.1, 10), error::invalid_scale);
@@ -46,7 +48,8 @@ TEST_CASE("points are finite") {
     CHECK_THROWS_AS(uniform(0.0, 1e308, 10), error::invalid_scale); // b overflows
     CHECK_THROWS_AS(uniform(interval{0.0, not_a_number}, 10), error::invalid_scale);
     CHECK_THROWS_AS(uniform(interval{-infinity, 0.0}, 10), error::invalid_scale);
-    CHECK_THROWS_WITH_AS((time_scale<double>{0.0, 1.0, not_a_number}), "the points of a time scale are finite, and point 2 is nan", error::invalid_scale);
+    CHECK_THROWS_WITH_AS((time_scale<double>{0.0, 1.0, not_a_number}), "the points of a time scale are finite, and point 2 is nan",
+                         error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{not_a_number, 1.0}), error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{0.0, 1.0, infinity}), error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{-infinity, 1.0}), error::invalid_scale);
@@ -55,8 +58,8 @@ TEST_CASE("points are finite") {
 TEST_CASE("given points increase and none is repeated") {
     CHECK_THROWS_WITH_AS((time_scale<Q>{Q(0), Q(1), Q(2, 3)}), "the points of a time scale increase, and point 2 = 2/3 comes after 1",
                          error::invalid_scale);
-    CHECK_THROWS_WITH_AS((time_scale<Q>{Q(0), Q(1, 3), Q(1, 3), Q(1)}), "the points of a time scale are distinct, and points 1 and 2 are both 1/3",
-                         error::invalid_scale);
+    CHECK_THROWS_WITH_AS((time_scale<Q>{Q(0), Q(1, 3), Q(1, 3), Q(1)}),
+                         "the points of a time scale are distinct, and points 1 and 2 are both 1/3", error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{1.0, 0.0}), error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{0.0, 0.0}), error::invalid_scale);
     CHECK_THROWS_AS((time_scale<double>{0.0, -0.0, 1.0}), error::invalid_scale);

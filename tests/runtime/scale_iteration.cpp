@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A scale and a function are ranges of their points and values: forward, backward, by jumps, with the standard algorithms. Equality and printing.
+// A scale and a function are ranges of their points and values: forward, backward, by jumps, with the standard algorithms. Equality and
+// printing.
 #include <doctest/doctest.h>
 
 #include <algorithm>

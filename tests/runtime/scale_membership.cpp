@@ -102,8 +102,8 @@ TEST_CASE("the point with a number that is not one is an error") {
     auto const T = steps_1_2_4();
     CHECK_THROWS_WITH_AS((void)T.point(4), "point number 4 is outside T = {0, 1, 3, 7} (4 points), whose points are numbered 0 to 3",
                          error::outside_domain);
-    CHECK_THROWS_WITH_AS((void)minus(T).point(0), "point number 0 is outside T^{-} = {1, 3, 7} (3 points), whose points are numbered 1 to 3",
-                         error::outside_domain);
+    CHECK_THROWS_WITH_AS((void)minus(T).point(0),
+                         "point number 0 is outside T^{-} = {1, 3, 7} (3 points), whose points are numbered 1 to 3", error::outside_domain);
     CHECK_THROWS_AS((void)T.point(-1), error::outside_domain);
     CHECK_THROWS_AS((void)uniform(0.0, 0.1, 10).point(11), error::outside_domain);
     CHECK_THROWS_AS((void)uniform(0.0, 0.1, 10).point(-1), error::outside_domain);

@@ -88,11 +88,11 @@ TEST_CASE("a part of a scale has the neighbours that lie in it") {
 
 TEST_CASE("in floating scalars the neighbour of a point is the scale's own point, not the argument moved by h") {
     auto const T = uniform(0.0, 0.1, 10);
-    CHECK(T.sigma(0.3) == T.point(4));              // 0.3 is not 3 * 0.1, and is found
-    CHECK(T.sigma(0.1 + 0.2) == T.point(4));        // 0.1 + 0.2 is 3 * 0.1, and is found too
-    CHECK(T.rho(0.7) == T.point(6));                // 7 * 0.1 is 0.7000000000000001
-    CHECK(T.mu(0.5) == 0.1);                        // h itself, not a difference of rounded points
-    CHECK(T.nu(1) == 0.1);                          // an integer is a point too
+    CHECK(T.sigma(0.3) == T.point(4));       // 0.3 is not 3 * 0.1, and is found
+    CHECK(T.sigma(0.1 + 0.2) == T.point(4)); // 0.1 + 0.2 is 3 * 0.1, and is found too
+    CHECK(T.rho(0.7) == T.point(6));         // 7 * 0.1 is 0.7000000000000001
+    CHECK(T.mu(0.5) == 0.1);                 // h itself, not a difference of rounded points
+    CHECK(T.nu(1) == 0.1);                   // an integer is a point too
     CHECK(T.sigma(0) == 0.1);
     CHECK(uniform(0.0f, 0.1f, 10).sigma(0.3) == 0.4f); // and so is a double on a scale of floats
     CHECK(circ(T).sigma(0.15) == 0.2);

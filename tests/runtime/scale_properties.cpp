@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What holds for every time scale, on scales that RapidCheck makes: exact ones with any steps, and floating ones whose steps differ by many orders
-// of magnitude.
+// What holds for every time scale, on scales that RapidCheck makes: exact ones with any steps, and floating ones whose steps differ by many
+// orders of magnitude.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -15,8 +15,9 @@ namespace {
 
 /// 2 to 12 increasing rationals.
 time_scale<Q> any_scale() {
-    auto const steps = *rc::gen::suchThat(rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(rc::gen::inRange(1, 50), rc::gen::inRange(1, 12))),
-                                          [](auto const& s) { return not s.empty() and s.size() <= 11; });
+    auto const steps = *rc::gen::suchThat(
+        rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(rc::gen::inRange(1, 50), rc::gen::inRange(1, 12))),
+        [](auto const& s) { return not s.empty() and s.size() <= 11; });
     std::vector<Q> points{Q(*rc::gen::inRange(-20, 20), *rc::gen::inRange(1, 9))};
     for (auto const& [p, q] : steps) points.push_back(points.back() + Q(p, q));
     return time_scale<Q>(std::move(points));

@@ -71,7 +71,8 @@ TEST_CASE("points that make no scale are named with their line too") {
                          error::invalid_scale);
     CHECK_THROWS_WITH_AS(from<double>("0\n0.5\n0.5\n"), "the points of a time scale increase, and line 3 of the input is 0.5 after 0.5",
                          error::invalid_scale);
-    CHECK_THROWS_WITH_AS(from<double>("0\nnan\n"), "the points of a time scale are finite, and line 2 of the input is 'nan'", error::invalid_scale);
+    CHECK_THROWS_WITH_AS(from<double>("0\nnan\n"), "the points of a time scale are finite, and line 2 of the input is 'nan'",
+                         error::invalid_scale);
     CHECK_THROWS_AS(from<double>("0\ninf\n"), error::invalid_scale);
     CHECK_THROWS_AS(from<double>("0\n1e400\n"), error::invalid_scale); // finite in the file, infinite in double
     CHECK_THROWS_WITH_AS(from<double>("1\n"), "a time scale needs two points, and the input has 1", error::invalid_scale);
@@ -82,7 +83,8 @@ TEST_CASE("points that make no scale are named with their line too") {
 TEST_CASE("the message says which file") {
     temporary_file const file("0\n1\n2 3\n");
     auto const path = file.path.string();
-    CHECK_THROWS_WITH_AS(read_time_scale<double>(path), ("line 3 of '" + path + "' should be one number and is '2 3'").c_str(), error::unreadable);
+    CHECK_THROWS_WITH_AS(read_time_scale<double>(path), ("line 3 of '" + path + "' should be one number and is '2 3'").c_str(),
+                         error::unreadable);
     temporary_file const decreasing("0\n1\n0.5\n");
     CHECK_THROWS_WITH_AS(read_time_scale<double>(decreasing.path.string()),
                          ("the points of a time scale increase, and line 3 of '" + decreasing.path.string() + "' is 0.5 after 1").c_str(),
@@ -90,6 +92,7 @@ TEST_CASE("the message says which file") {
 }
 
 TEST_CASE("a file that is not there, and a directory, cannot be read") {
-    CHECK_THROWS_WITH_AS(read_time_scale<double>("/no/such/file"), "cannot open '/no/such/file' to read a time scale from it", error::unreadable);
+    CHECK_THROWS_WITH_AS(read_time_scale<double>("/no/such/file"), "cannot open '/no/such/file' to read a time scale from it",
+                         error::unreadable);
     CHECK_THROWS_AS(read_time_scale<double>(std::filesystem::temp_directory_path().string()), error::unreadable);
 }

@@ -88,7 +88,8 @@ TEST_CASE("the derivative at the last isolated point is made up: here it is unde
     CHECK(Delta_plus[f](Q(3)) == 13); // sigma(t) + t
     CHECK(Delta_plus[f](Q(1)) == 3);
     CHECK(Delta_plus[f](Q(9, 10)) == Q(19, 10));
-    CHECK_THROWS_WITH_AS((void)Delta_plus[f](Q(10)), "10 is not a point of T^{+} = {0, 1/10, 1/5, ..., 3} (13 points)", error::outside_domain);
+    CHECK_THROWS_WITH_AS((void)Delta_plus[f](Q(10)), "10 is not a point of T^{+} = {0, 1/10, 1/5, ..., 3} (13 points)",
+                         error::outside_domain);
     CHECK_THROWS_AS((void)Delta_minus[f](Q(0)), error::outside_domain);
     CHECK(Delta_minus[f](Q(10)) == 13); // the backward derivative is defined there
     CHECK_THROWS_AS((void)Delta_plus[Delta_plus[f]](Q(3)), error::outside_domain);

@@ -18,13 +18,14 @@ static_assert(adjoint(identity) == identity and adjoint(identity_h) == identity_
 // Multiples, sums and compositions: (c A)* = c A*, (A + B)* = A* + B*, (A B)* = B* A*.
 static_assert(adjoint(-sigma) == -rho and adjoint(fraction<2, 3>{} * Delta_plus) == fraction<-2, 3>{} * Delta_minus);
 static_assert(adjoint(sigma + Delta_plus) == rho - Delta_minus);
-static_assert(adjoint(Delta_minus * Delta_plus) == Delta_minus * Delta_plus); // the discrete Laplacian is self-adjoint,
-static_assert(adjoint(Delta_minus * Delta_plus) != Delta_plus * Delta_minus); // and on a non-uniform scale it is not Delta_plus Delta_minus,
-static_assert(uniformly(adjoint(Delta_minus * Delta_plus)) == Delta_plus * Delta_minus); // which on a uniform one it is.
+// The discrete Laplacian is self-adjoint; Delta_plus Delta_minus is the same on uniform scales only.
+static_assert(adjoint(Delta_minus * Delta_plus) == Delta_minus * Delta_plus);
+static_assert(adjoint(Delta_minus * Delta_plus) != Delta_plus * Delta_minus);
+static_assert(uniformly(adjoint(Delta_minus * Delta_plus)) == Delta_plus * Delta_minus);
 static_assert(adjoint(rho * sigma) == rho * sigma and adjoint(rho * Delta_plus) == -Delta_minus * sigma);
 
-// Between the two sums of a composition the weights may change, and the adjoint says where: Delta_plus ends in the Delta sum and starts in the
-// nabla sum, so between two of them stands nu -> mu.
+// Between the two sums of a composition the weights may change, and the adjoint says where: Delta_plus ends in the Delta sum and starts in
+// the nabla sum, so between two of them stands nu -> mu.
 static_assert(adjoint(Delta_plus * Delta_plus) == Delta_minus * reweight<nodes, nabla, delta>{} * Delta_minus);
 static_assert(uniformly(adjoint(Delta_plus * Delta_plus)) == uniformly(Delta_minus * reweight<nodes, nabla, delta>{} * Delta_minus));
 static_assert(adjoint(Delta_plus * Delta_plus) != Delta_minus * Delta_minus);
@@ -35,11 +36,12 @@ static_assert(uniformly(adjoint(on_half * extend)) == pi * mean_h_minus);
 static_assert(adjoint(on_half * extend) != pi * mean_h_minus);
 static_assert(uniformly(adjoint(on_half * sigma_o * extend)) != adjoint(on_half * extend)); // sigma_o is not the identity
 static_assert(adjoint(extend) == fraction<1, 2>{} * (on_T + step_mean * on_half));
-static_assert(adjoint(on_T * extend) == pi * pi_inverse * rho * sigma); // on_T extend is the identity; where its adjoint loses points, both do
+static_assert(adjoint(on_T * extend) == pi * pi_inverse * rho * sigma); // the identity, on the inner points
 
 // What puts values on T_half back on T, and the integral with its tail.
 static_assert(adjoint(pi) == pi_inverse and adjoint(pi_inverse) == pi);
-static_assert(adjoint(antiderivative_h) == tail_integral_at<fraction<1, 2>>{} and adjoint(tail_integral_at<fraction<1, 2>>{}) == antiderivative_h);
+static_assert(adjoint(antiderivative_h) == tail_integral_at<fraction<1, 2>>{} and
+              adjoint(tail_integral_at<fraction<1, 2>>{}) == antiderivative_h);
 
 // The velocity of the mid-point embedding, and its adjoint: the difference of neighbouring mid-points.
 static_assert(uniformly(adjoint(on_half * Delta_o_plus * extend)) == -(pi * Delta_h_minus));
@@ -55,14 +57,15 @@ static_assert(adjoint_is_an_involution(sigma, rho, sigma_h, rho_h, sigma_o, rho_
 static_assert(adjoint_is_an_involution(Delta_plus, Delta_minus, Delta_h_plus, Delta_h_minus, Delta_o_plus, Delta_o_minus));
 static_assert(adjoint_is_an_involution(identity, identity_h, identity_o, extend, on_T, on_half, pi, pi_inverse, step_mean));
 static_assert(adjoint_is_an_involution(mean_h_minus, mean_h_plus, mean_o, antiderivative_h, antiderivative, antiderivative_nabla));
-static_assert(adjoint_is_an_involution(insertion<fraction<1, 2>, true>{}, insertion<fraction<1, 2>, false>{}, reweight<nodes, delta, nabla>{}));
-// for what is made of them,
-static_assert(adjoint_is_an_involution(-Delta_plus, fraction<2, 7>{} * sigma, sigma + Delta_plus, Delta_minus - rho, pi * pi_inverse));
-static_assert(adjoint_is_an_involution(Delta_minus * Delta_plus, Delta_plus * Delta_minus, rho * sigma, sigma * rho, Delta_plus * rho));
-static_assert(adjoint_is_an_involution(on_half * extend, on_half * Delta_o_plus * extend, on_T * Delta_o_minus * extend, mean_o * extend));
-static_assert(adjoint_is_an_involution(pi * mean_h_minus * on_half * extend, Delta_plus * step_mean, pi_inverse * Delta_plus * antiderivative_h));
+static_assert(adjoint_is_an_involution(insertion<fraction<1, 2>, true>{}, insertion<fraction<1, 2>, false>{},
+                                       reweight<nodes, delta, nabla>{}));
+// for what is made of them, composed by brackets,
+static_assert(adjoint_is_an_involution(-Delta_plus, fraction<2, 7>{} * sigma, sigma + Delta_plus, Delta_minus - rho, pi[pi_inverse]));
+static_assert(adjoint_is_an_involution(Delta_minus[Delta_plus], Delta_plus[Delta_minus], rho[sigma], sigma[rho], Delta_plus[rho]));
+static_assert(adjoint_is_an_involution(on_half[extend], on_half[Delta_o_plus[extend]], on_T[Delta_o_minus[extend]], mean_o[extend]));
+static_assert(adjoint_is_an_involution(pi[mean_h_minus[on_half[extend]]], Delta_plus[step_mean], pi_inverse[Delta_plus[antiderivative_h]]));
 // and where the weights change on the way.
-static_assert(adjoint_is_an_involution(Delta_plus * Delta_plus, sigma * sigma, Delta_plus * Delta_plus * Delta_plus, sigma * Delta_plus * rho));
-static_assert(adjoint_is_an_involution(sigma_o * extend, Delta_o_plus * Delta_o_plus * extend, extend * Delta_plus, sigma + identity));
+static_assert(adjoint_is_an_involution(Delta_plus[Delta_plus], sigma[sigma], Delta_plus[Delta_plus[Delta_plus]], sigma[Delta_plus[rho]]));
+static_assert(adjoint_is_an_involution(sigma_o[extend], Delta_o_plus[Delta_o_plus[extend]], extend[Delta_plus], sigma + identity));
 
 } // namespace

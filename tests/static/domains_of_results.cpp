@@ -56,19 +56,24 @@ static_assert(lives_on<T_half, 0, 0>(adjoint(antiderivative_h)[f]) and lives_on<
 // Sums of operators and of functions live on the common points.
 static_assert(lives_on<nodes, 1, 1>((sigma + rho)[f]) and lives_on<nodes, 1, 1>(Delta_plus[f] + Delta_minus[f]));
 static_assert(lives_on<nodes, 0, 1>(Delta_plus[f] * f) and lives_on<nodes, 0, 2>(Delta_plus[Delta_plus[f]] - Delta_plus[f]));
-static_assert(lives_on<T_o, 0, 1>(Delta_o_plus[f_o] * f_o) and lives_on<nodes, 1, 1>(f_plus / f_minus) and lives_on<nodes, 0, 1>(2 * f_plus));
-static_assert(lives_on<nodes, 1, 1>(dot(f_plus, f_minus)) and lives_on<nodes, 1, 2>(apply([](auto x, auto, auto) { return x; }, f_minus, sigma[f], Delta_plus[Delta_plus[f]])));
-static_assert(lives_on<nodes, 1, 1>(restrict_to(f, interior(T))) and lives_on<nodes, 0, 1>(tabulate(Delta_plus[function(uniform<3>(0.0, 1.0), formula)])));
+static_assert(lives_on<T_o, 0, 1>(Delta_o_plus[f_o] * f_o) and lives_on<nodes, 1, 1>(f_plus / f_minus) and
+              lives_on<nodes, 0, 1>(2 * f_plus));
+static_assert(lives_on<nodes, 1, 1>(dot(f_plus, f_minus)) and
+              lives_on<nodes, 1, 2>(apply([](auto x, auto, auto) { return x; }, f_minus, sigma[f], Delta_plus[Delta_plus[f]])));
+static_assert(lives_on<nodes, 1, 1>(restrict_to(f, interior(T))) and
+              lives_on<nodes, 0, 1>(tabulate(Delta_plus[function(uniform<3>(0.0, 1.0), formula)])));
 
 // Any lambda has families of its own; one that is known at run time is a value.
-static_assert(lives_on<joined<fraction<1, 3>>, 0, 0>(extend_lambda<1, 3>[f]) and lives_on<joined<run_time<double>>, 0, 0>(extend_at(0.3)[f]));
+static_assert(lives_on<joined<fraction<1, 3>>, 0, 0>(extend_lambda<1, 3>[f]) and
+              lives_on<joined<run_time<double>>, 0, 0>(extend_at(0.3)[f]));
 static_assert(lives_on<between<fraction<1, 3>>, 0, 0>(on_lambda<1, 3>[extend_lambda<1, 3>[f]]));
 static_assert(extend_at(0.3)[f].domain().base.lambda.value == 0.3);
 
 // What lives where is said in words, too.
 static_assert(domain<nodes>::name().view() == "T" and domain<T_half>::name().view() == "T_half" and domain<T_o>::name().view() == "T_o");
 static_assert(domain<nodes, 1, 2>::name().view() == "T^{++-}" and domain<T_o, 0, 1>::name().view() == "T_o^{+}");
-static_assert(domain<between<fraction<12, 35>>>::name().view() == "T_12/35" and domain<joined<fraction<1, 3>>>::name().view() == "T_{o,1/3}");
+static_assert(domain<between<fraction<12, 35>>>::name().view() == "T_12/35" and
+              domain<joined<fraction<1, 3>>>::name().view() == "T_{o,1/3}");
 static_assert((Delta_minus * Delta_plus).name().view() == "Delta_minus[Delta_plus]" and Delta_h_plus.name().view() == "Delta_h_plus");
 static_assert(rho_o.name().view() == "rho_o" and sigma_on<between<fraction<1, 3>>>.name().view() == "sigma_on<T_1/3>");
 

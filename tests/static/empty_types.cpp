@@ -27,7 +27,8 @@ static_assert(weighs_nothing(fraction<1, 2>{} * (sigma_o + rho_o)) and weighs_no
 
 // Two subobjects of one type may not share an address, so these are as small as C++ allows: empty, one byte for each repetition.
 static_assert(std::is_empty_v<decltype(Delta_plus * Delta_plus)> and sizeof(Delta_plus * Delta_plus) == 2);
-static_assert(std::is_empty_v<decltype(mean_o)> and std::is_empty_v<decltype(antiderivative)> and std::is_empty_v<decltype(adjoint(extend))>);
+static_assert(std::is_empty_v<decltype(mean_o)> and std::is_empty_v<decltype(antiderivative)> and
+              std::is_empty_v<decltype(adjoint(extend))>);
 
 // An order known at run time is carried, and nothing else is.
 static_assert(sizeof(extend_at(0.3)) == sizeof(double) and sizeof(extend_at(0.3f)) == sizeof(float));
@@ -37,13 +38,16 @@ using T = uniform_scale<double>;
 constexpr auto uniform_T = uniform(0.0, 0.1, 10);
 static_assert(sizeof(T) == 3 * sizeof(double) + sizeof(index) and std::is_trivially_copyable_v<T>);
 static_assert(sizeof(plus(uniform_T)) == sizeof(T) and sizeof(minus(uniform_T)) == sizeof(T) and sizeof(interior(uniform_T)) == sizeof(T));
-static_assert(sizeof(half(uniform_T)) == sizeof(T) and sizeof(circ(uniform_T)) == sizeof(T) and sizeof(at_lambda<1, 3>(uniform_T)) == sizeof(T));
+static_assert(sizeof(half(uniform_T)) == sizeof(T) and sizeof(circ(uniform_T)) == sizeof(T) and
+              sizeof(at_lambda<1, 3>(uniform_T)) == sizeof(T));
 static_assert(sizeof(circ<1, 3>(uniform_T)) == sizeof(T) and sizeof(interior(circ(uniform_T))) == sizeof(T));
-static_assert(sizeof(at_lambda(uniform_T, 0.3)) == sizeof(T) + sizeof(double) and sizeof(circ(uniform_T, 0.3)) == sizeof(T) + sizeof(double));
+static_assert(sizeof(at_lambda(uniform_T, 0.3)) == sizeof(T) + sizeof(double) and
+              sizeof(circ(uniform_T, 0.3)) == sizeof(T) + sizeof(double));
 static_assert(std::is_trivially_copyable_v<decltype(half(uniform_T))>);
 
 // A scale of given points is a handle to them.
-static_assert(sizeof(time_scale<double>) == 2 * sizeof(void*) and sizeof(derived_scale<time_scale<double>, domain<nodes>>) == 2 * sizeof(void*));
+static_assert(sizeof(time_scale<double>) == 2 * sizeof(void*) and
+              sizeof(derived_scale<time_scale<double>, domain<nodes>>) == 2 * sizeof(void*));
 
 // A formula without state adds nothing to its scale, and an operator adds nothing to its function.
 constexpr auto f = function(uniform_T, [](double t) { return t * t; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The family of T_lambda and T_{o,lambda} (Cresson-Safi, definition 7): what holds for T_half holds for every lambda, with the weights of that lambda.
+// The family of T_lambda and T_{o,lambda} (Cresson-Safi, definition 7): what holds for T_half holds for every lambda, with the weights of
+// that lambda.
 #include "hilger/calculus.hpp"
 
 using namespace hilger;
@@ -29,6 +30,8 @@ constexpr bool the_lambda_family_is_sound() {
     static_assert(on_l * Delta_l_minus * extend_l == pi_l_inverse * Delta_plus and on_T_l * Delta_l_minus * extend_l == Delta_minus);
     // the adjoint of the average, on every scale and on uniform ones (J (11) has gamma = 1 - lambda)
     static_assert(adjoint(on_l * extend_l) == step_mean_at<l>{} and adjoint(step_mean_at<l>{}) == on_l * extend_l);
+    using W = mean_weight<l>;
+    static_assert(step_mean_at<l>{} == rest{} * (reweight<nodes, delta, W>{} * pi_l) + l{} * (reweight<nodes, nabla, W>{} * rho * pi_l));
     static_assert(uniformly(step_mean_at<l>{}) == pi_l * (rest{} * identity_l + l{} * rho_l));
     static_assert(step_mean_at<l>{} != pi_l * (rest{} * identity_l + l{} * rho_l));
     static_assert(adjoint(extend_l) == fraction<1, 2>{} * (on_T_l + step_mean_at<l>{} * on_l) and adjoint(adjoint(extend_l)) == extend_l);
@@ -46,17 +49,21 @@ static_assert(the_lambda_family_is_sound<1, 10>() and the_lambda_family_is_sound
 // lambda = 0: T_0 is T^+ in all but name, and its integral is the Delta integral.
 static_assert(pi_lambda_inverse<0, 1> * Delta_plus * antiderivative_lambda<0, 1> == identity_on<between<fraction<0>>, steps>{});
 static_assert(antiderivative_lambda<0, 1> * pi_lambda_inverse<0, 1> == antiderivative);
-static_assert(antiderivative_lambda<1, 3> * pi_lambda_inverse<1, 3> == antiderivative); // lambda says where the values are taken, not their weights
+// Lambda says where the values are taken, not their weights.
+static_assert(antiderivative_lambda<1, 3> * pi_lambda_inverse<1, 3> == antiderivative);
 
 // The step of T_lambda is a mean of two steps of T, (1 - lambda) mu_i + lambda mu_{i+1}: on a uniform scale that is h for every lambda.
 template <int P, int Q>
-inline constexpr auto difference = pi_lambda<P, Q> * Delta_plus_on<between<fraction<P, Q>>> * pi_lambda_inverse<P, Q>;
-static_assert(difference<1, 3> != difference<1, 2> and uniformly(difference<1, 3>) == difference<1, 2> and difference<0, 1> != difference<1, 2>);
+inline constexpr auto difference = pi_lambda<P, Q>[Delta_plus_on<between<fraction<P, Q>>>[pi_lambda_inverse<P, Q>]];
+static_assert(difference<1, 3> != difference<1, 2> and uniformly(difference<1, 3>) == difference<1, 2> and
+              difference<0, 1> != difference<1, 2>);
 static_assert(difference<0, 1> == Delta_plus * sigma * rho); // on T_0 the steps are those of T^+
 
 // lambda outside its interval names nothing.
 template <int P, int Q>
-concept names_an_extension = requires { extend_lambda<P, Q>; };
+concept names_an_extension = requires {
+    extend_lambda<P, Q>;
+};
 static_assert(names_an_extension<1, 3> and not names_an_extension<0, 1> and not names_an_extension<1, 1> and not names_an_extension<3, 2>);
 static_assert(not names_an_extension<-1, 2>);
 

@@ -9,7 +9,7 @@ namespace {
 // sigma and rho are inverse to each other where both shifts exist: sigma rho lives on T^+, rho sigma on T^-, so neither is the
 // identity of T. The identity of T^+ is what is left of a function after T_half and back.
 static_assert(sigma * rho == pi * pi_inverse and sigma * rho != identity and rho * sigma != identity);
-static_assert(sigma * rho != rho * sigma);                         // they live on different points,
+static_assert(sigma * rho != rho * sigma);                             // they live on different points,
 static_assert(sigma * rho * rho * sigma == rho * sigma * sigma * rho); // and agree where both live
 static_assert(pi_inverse * pi == identity_h and pi_inverse * sigma * rho == pi_inverse);
 static_assert(sigma * rho * sigma == sigma and rho * sigma * rho == rho and rho * rho * sigma * sigma != rho * sigma);
@@ -33,6 +33,9 @@ static_assert(on_T * extend == identity and on_T * sigma_o * extend == fraction<
 // The means (25), (26): mean_o at t_i is the mean of the two neighbouring mid-points.
 static_assert(mean_o == pi * mean_h_minus * on_half and mean_o != step_mean * on_half);
 static_assert(uniformly(mean_o) == step_mean * on_half and uniformly(step_mean) == pi * mean_h_minus and step_mean != pi * mean_h_minus);
+// step_mean is the mean of the two with the steps as weights, (mu g + nu g^rho) / (mu + nu).
+using mean = mean_weight<fraction<1, 2>>;
+static_assert(step_mean == fraction<1, 2>{} * (reweight<nodes, delta, mean>{} * pi + reweight<nodes, nabla, mean>{} * rho * pi));
 static_assert(mean_h_minus == rho_h * mean_h_plus and mean_h_plus == sigma_h * mean_h_minus and mean_h_minus != mean_h_plus);
 static_assert(mean_h_minus * pi_inverse == fraction<1, 2>{} * (pi_inverse * (rho * sigma + rho) * pi * pi_inverse));
 static_assert(on_half * extend == fraction<1, 2>{} * (pi_inverse + pi_inverse * sigma));

@@ -16,14 +16,15 @@ static_assert(adjoint(on_T) == fraction<2>{} * insertion<fraction<1, 2>, true>{}
 // indices
 static_assert(sigma != rho and sigma * sigma != sigma and Delta_plus != Delta_minus and Delta_plus * sigma != Delta_plus);
 static_assert(mean_h_minus != fraction<1, 2>{} * (identity_h + rho_h * rho_h));
-static_assert(on_half * sigma_o * extend != on_half * extend and pi_inverse != pi_inverse * sigma and pi_inverse * rho != pi_inverse * sigma);
+static_assert(on_half * sigma_o * extend != on_half * extend and pi_inverse != pi_inverse * sigma and
+              pi_inverse * rho != pi_inverse * sigma);
 static_assert(antiderivative_h * pi_inverse * sigma != antiderivative_h * pi_inverse);
 
 // steps: the same differences, divided by something else
 static_assert(on_half * Delta_o_plus * extend != fraction<2>{} * (pi_inverse * Delta_plus));
-static_assert(pi * Delta_h_minus != Delta_minus * pi);                                                // on any scale mu_{1/2} is not nu
-static_assert(uniformly(pi * Delta_h_minus * pi_inverse) == Delta_minus * pi * pi_inverse);           // on a uniform one both are h
-static_assert(uniformly(Delta_o_plus * extend * rho * sigma) != extend * Delta_plus * rho * sigma);   // h/2 steps to a mean, not h
+static_assert(pi * Delta_h_minus != Delta_minus * pi);                                              // on any scale mu_{1/2} is not nu
+static_assert(uniformly(pi * Delta_h_minus * pi_inverse) == Delta_minus * pi * pi_inverse);         // on a uniform one both are h
+static_assert(uniformly(Delta_o_plus * extend * rho * sigma) != extend * Delta_plus * rho * sigma); // h/2 steps to a mean, not h
 
 // scales: from, to, and the family
 static_assert(Delta_plus != Delta_h_plus and Delta_plus != Delta_o_plus and sigma != sigma_h and sigma_h != sigma_o);

@@ -12,9 +12,11 @@ static_assert(p == 2'305'843'009'213'693'951ULL and scalar<F> and not ordered_sc
 constexpr auto number = [](std::uint64_t n) { return F::residue(n); };
 
 // residues, from both sides of zero and from beyond the prime
-static_assert(F(0) == F() and F(-1) == number(p - 1) and F(-1) + F(1) == F(0) and F(7) - F(9) == F(-2) and -F(0) == F(0) and -F(5) == F(-5));
+static_assert(F(0) == F() and F(-1) == number(p - 1) and F(-1) + F(1) == F(0) and F(7) - F(9) == F(-2) and -F(0) == F(0) and
+              -F(5) == F(-5));
 static_assert(number(p) == F(0) and number(p + 5) == F(5) and number(2 * p) == F(0) and number(~std::uint64_t(0)) == F(7)); // 2^64 - 1 = 7
-static_assert(F(static_cast<long long>(p)) == F(0) and F(-static_cast<long long>(p)) == F(0) and F(-static_cast<long long>(p) - 3) == F(-3));
+static_assert(F(static_cast<long long>(p)) == F(0) and F(-static_cast<long long>(p)) == F(0) and
+              F(-static_cast<long long>(p) - 3) == F(-3));
 static_assert(number(p - 1) + number(p - 1) == F(-2) and number(p - 1) - F(0) == F(-1) and F(0) - number(p - 1) == F(1));
 
 // products, where every partial product carries: against doubling and adding, which cannot
@@ -25,10 +27,13 @@ constexpr F slow_product(F a, std::uint64_t b) {
     return sum;
 }
 static_assert(number(p - 1) * number(p - 1) == F(1) and number(p - 1) * number(p - 2) == F(2) and F(0) * number(p - 1) == F(0));
-static_assert(number(1ULL << 60) * F(2) == F(1) and number(1ULL << 31) * number(1ULL << 30) == F(1) and number(1ULL << 60) * number(1ULL << 60) == number(1ULL << 59));
+static_assert(number(1ULL << 60) * F(2) == F(1) and number(1ULL << 31) * number(1ULL << 30) == F(1) and
+              number(1ULL << 60) * number(1ULL << 60) == number(1ULL << 59));
 static_assert(number((1ULL << 31) - 1) * number((1ULL << 31) - 1) == slow_product(number((1ULL << 31) - 1), (1ULL << 31) - 1));
-static_assert(number(0x1fffffff80000000ULL) * number(0x1fffffff80000000ULL) == slow_product(number(0x1fffffff80000000ULL), 0x1fffffff80000000ULL));
-static_assert(number(0x1555555555555555ULL) * number(0x0aaaaaaaaaaaaaaaULL) == slow_product(number(0x1555555555555555ULL), 0x0aaaaaaaaaaaaaaaULL));
+static_assert(number(0x1fffffff80000000ULL) * number(0x1fffffff80000000ULL) ==
+              slow_product(number(0x1fffffff80000000ULL), 0x1fffffff80000000ULL));
+static_assert(number(0x1555555555555555ULL) * number(0x0aaaaaaaaaaaaaaaULL) ==
+              slow_product(number(0x1555555555555555ULL), 0x0aaaaaaaaaaaaaaaULL));
 
 constexpr bool products_agree() {
     std::uint64_t a = 1, b = p - 2;
@@ -47,7 +52,8 @@ constexpr bool is_a_field() {
     for (int i = 0; i < 20; ++i) {
         F const a = detail::random_element(static_cast<std::uint64_t>(i)), b = detail::random_element(static_cast<std::uint64_t>(i) + 77);
         F const c = detail::random_element(static_cast<std::uint64_t>(i) + 1000);
-        bool const ring = a * (b + c) == a * b + a * c and a * b == b * a and (a * b) * c == a * (b * c) and a - b == -(b - a) and a + (b - a) == b;
+        bool const ring =
+            a * (b + c) == a * b + a * c and a * b == b * a and (a * b) * c == a * (b * c) and a - b == -(b - a) and a + (b - a) == b;
         bool const field = (a / b) * b == a and (a / b) * (b / a) == F(1) and a != F(0) and a / b + c / b == (a + c) / b;
         if (not ring or not field) return false;
     }

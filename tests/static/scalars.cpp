@@ -24,10 +24,12 @@ static_assert(not scalar<mp::number<mp::cpp_bin_float<50>, mp::et_on>>);
 static_assert(scalar<boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>>);
 
 // The integers are not closed under division: half(T) of an integer scale would be T itself.
-static_assert(not scalar<int> and not scalar<long long> and not scalar<unsigned> and not scalar<bool> and not scalar<char> and not scalar<short>);
+static_assert(not scalar<int> and not scalar<long long> and not scalar<unsigned> and not scalar<bool> and not scalar<char> and
+              not scalar<short>);
 static_assert(not scalar<mp::number<mp::cpp_int_backend<>, mp::et_off>>);
 // Complex numbers may be values and not points, for they have no order. A text, a pointer and a reference are no numbers.
-static_assert(scalar<std::complex<double>> and not ordered_scalar<std::complex<double>> and not scalar<std::string> and not scalar<double*> and not scalar<double const>);
+static_assert(scalar<std::complex<double>> and not ordered_scalar<std::complex<double>> and not scalar<std::string> and
+              not scalar<double*> and not scalar<double const>);
 static_assert(not scalar<double&>);
 
 // The distance from 1 to the next number, 0 where there is none.
@@ -37,7 +39,8 @@ static_assert(epsilon<prime_field>() == prime_field(0));
 // Constants in the type are exact in every scalar.
 static_assert(fraction<1, 4>::as<double>() == 0.25 and fraction<-3>::as<float>() == -3.0f and fraction<3, 1>::as<double>() == 3.0);
 static_assert(fraction<1, 3>::as<prime_field>() * prime_field(3) == prime_field(1) and fraction<-2, 7>::as<double>() == -2.0 / 7.0);
-static_assert(std::same_as<reduced<6, 4>, fraction<3, 2>> and std::same_as<reduced<-6, 4>, fraction<-3, 2>> and std::same_as<reduced<0, 9>, fraction<0>>);
+static_assert(std::same_as<reduced<6, 4>, fraction<3, 2>> and std::same_as<reduced<-6, 4>, fraction<-3, 2>> and
+              std::same_as<reduced<0, 9>, fraction<0>>);
 static_assert(run_time<double>{0.3}.as<double>() == 0.3 and run_time<double>{0.3} != run_time<double>{0.4});
 
 // Integers as values of functions become scalars; vectors and other scalars stay what they are.

@@ -29,9 +29,10 @@ constexpr auto make_embedding(Position position, Velocity velocity, char const* 
 inline constexpr auto order_one = make_embedding<delta>(identity, Delta_plus, "order one");
 inline constexpr auto order_one_left = make_embedding<nabla>(identity_on<nodes, nabla>{}, Delta_minus, "order one, left");
 
-/// The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one difference.
+/// 0 < P/Q < 1; lambda = 0 is order_one. The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one
+/// difference.
 template <int P, int Q>
-    requires detail::lambda_in_range<fraction<P, Q>>
+    requires detail::lambda_inside<fraction<P, Q>>
 inline constexpr auto theta = make_embedding<steps>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
 inline constexpr auto midpoint = make_embedding<steps>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
 
