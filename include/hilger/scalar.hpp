@@ -18,8 +18,8 @@ using index = std::ptrdiff_t;
 /// (Boost.Multiprecision's default) are refused: their results refer to temporaries, and a lambda that returns one dangles. Use et_off, as
 /// hilger/multiprecision.hpp does.
 template <class S>
-concept scalar = std::copyable<S> and std::constructible_from<S, int> and not std::numeric_limits<S>::is_integer and
-                 requires(S const a, S const b) {
+concept scalar =
+    std::copyable<S> and std::constructible_from<S, int> and not std::numeric_limits<S>::is_integer and requires(S const a, S const b) {
     { a + b } -> std::same_as<S>;
     { a - b } -> std::same_as<S>;
     { a* b } -> std::same_as<S>;

@@ -60,8 +60,8 @@ constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
     using G_domain = typename G::domain_type;
     if constexpr (G_domain::front < image_type::front or G_domain::back < image_type::back)
         // adjoint(A) would use values of g that <A f, g> does not have
-        return does_not_compile<"the end terms of " + A::name() + " need g where A f lives, on " + image_type::name() + ", and it lives on " +
-                                G_domain::name()>{};
+        return does_not_compile<"the end terms of " + A::name() + " need g where A f lives, on " + image_type::name() +
+                                ", and it lives on " + G_domain::name()>{};
     else {
         auto const& T = f.root();
         auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());

@@ -37,6 +37,15 @@ concept symbolic_function = function_expression<F> and not discrete_function<F>;
 template <class F>
 using value_of = plain_t<decltype(std::declval<F const&>().get(0))>;
 
+namespace detail {
+/// How many components an Eigen type has by its type; -1 when dynamic, 0 for other values.
+template <class V>
+inline constexpr int fixed_size = 0;
+template <class V>
+    requires requires { V::SizeAtCompileTime; }
+inline constexpr int fixed_size<V> = V::SizeAtCompileTime;
+} // namespace detail
+
 /// The value zero in the shape of f's values. @throws error::outside_domain when f has no value and its type does not say how
 /// long its vectors are.
 template <class F>
@@ -46,7 +55,7 @@ constexpr value_of<F> zero_of(F const& f) {
     if (d.size(f.root()) > 0) return zero_like(f.get(d.first(f.root())));
     if constexpr (std::constructible_from<value, int> and not requires { value::Zero(); })
         return value(0);
-    else if constexpr (requires { requires value::SizeAtCompileTime > 0; })
+    else if constexpr (detail::fixed_size<value> > 0)
         return value(value::Zero());
     else
         error::raise<error::outside_domain>("a sum over no points of vectors has no dimension: the function lives on an empty scale");
@@ -68,7 +77,8 @@ public:
     }
     template <std::floating_point S>
     constexpr auto operator[](S) const {
-        return does_not_compile<text("f[i] takes the number i of a point of ") + Derived::domain_type::name() + "; the value at t is f(t)">{};
+        return does_not_compile<text("f[i] takes the number i of a point of ") + Derived::domain_type::name() +
+                                "; the value at t is f(t)">{};
     }
     /// The value at t. @throws error::outside_domain when t is not a point of the function's scale.
     template <class S>

@@ -112,7 +112,7 @@ function(Scale const&, Formula) -> function<typename Scale::root_type, typename 
 template <time_scale_like Scale, class Other>
     requires(not formula_on<Other, Scale>)
 function(Scale const&, Other const&)
-    -> function<typename Scale::root_type, typename Scale::domain_type, detail::no_formula<typename Scale::domain_type>>;
+->function<typename Scale::root_type, typename Scale::domain_type, detail::no_formula<typename Scale::domain_type>>;
 
 template <time_scale_like Scale, class Value>
 function(Scale const&, std::vector<Value>)

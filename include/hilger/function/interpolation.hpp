@@ -56,9 +56,7 @@ class piecewise_constant {
 
 public:
     explicit constexpr piecewise_constant(F f) : f_(std::move(f)) {}
-    constexpr auto operator()(S const& t) const {
-        return f_.element(detail::cell_of(T(), t));
-    }
+    constexpr auto operator()(S const& t) const { return f_.element(detail::cell_of(T(), t)); }
     /// int_a^t ds, the continuous integral of the step function.
     constexpr auto integral_to(S const& t) const {
         auto const scale = T();

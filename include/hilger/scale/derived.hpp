@@ -51,7 +51,8 @@ constexpr void require_lambda(S const& lambda, bool zero_allowed) {
 template <class Lambda>
 concept lambda_in_range = Lambda::numerator >= 0 and Lambda::numerator < Lambda::denominator;
 template <class Lambda>
-concept lambda_inside = lambda_in_range<Lambda> and Lambda::numerator > 0;
+concept lambda_inside = lambda_in_range<Lambda> and Lambda::numerator >
+0;
 } // namespace detail
 
 /// T^+ = T without its last point.

@@ -156,8 +156,9 @@ private:
             if (best > last() or magnitude(point_type(element(i) - t)) < magnitude(point_type(element(best) - t))) best = i;
         if (best > last()) return best;
         index const next = t < element(best) ? best - 1 : best + 1;
-        bool const between = first() <= next and next <= last() and not(t == element(best)) and
-                             magnitude(point_type(element(next) - element(best))) < point_type(4) * magnitude(point_type(t - element(best)));
+        bool const between =
+            first() <= next and next <= last() and not(t == element(best)) and
+            magnitude(point_type(element(next) - element(best))) < point_type(4) * magnitude(point_type(t - element(best)));
         return between ? last() + 1 : best;
     }
     template <class S>

@@ -43,14 +43,14 @@ time_scale<S> read_time_scale(std::istream& in, std::string const& source = "the
             error::raise<error::unreadable>("line ", number, " of ", source, " should be one number and is '", line, "'");
         }
         if (not is_finite(points.back()))
-            error::raise<error::invalid_scale>("the points of a time scale are finite, and line ", number, " of ", source, " is '", line, "'");
+            error::raise<error::invalid_scale>("the points of a time scale are finite, and line ", number, " of ", source, " is '", line,
+                                               "'");
         if (points.size() > 1 and not(points[points.size() - 2] < points.back()))
             error::raise<error::invalid_scale>("the points of a time scale increase, and line ", number, " of ", source, " is ",
                                                points.back(), " after ", points[points.size() - 2]);
     }
     if (in.bad()) error::raise<error::unreadable>(source, " could not be read to its end");
-    if (points.size() < 2)
-        error::raise<error::invalid_scale>("a time scale needs two points, and ", source, " has ", points.size());
+    if (points.size() < 2) error::raise<error::invalid_scale>("a time scale needs two points, and ", source, " has ", points.size());
     return time_scale<S>(std::move(points));
 }
 

@@ -97,13 +97,9 @@ constexpr auto why_not_a_scalar() {
 /// A start that is no scalar is refused in one sentence.
 template <class A, class H>
     requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&, index) {
-    return does_not_compile<detail::why_not_a_scalar<A>()>{};
-}
+constexpr auto uniform(A const&, H const&, index) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
 template <index Steps, class A, class H>
     requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&) {
-    return does_not_compile<detail::why_not_a_scalar<A>()>{};
-}
+constexpr auto uniform(A const&, H const&) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
 
 } // namespace hilger
