@@ -75,7 +75,8 @@ TEST_CASE("a derivative is the quotient of the differences of any function, on a
     auto const check = [](auto const& scale) {
         using Base = typename std::remove_cvref_t<decltype(scale)>::domain_type::base_type;
         auto const cube = function(scale, [](Q const& t) { return Q(t * t * t - t); });
-        auto const right = Delta_plus_on<Base>[cube], left = Delta_minus_on<Base>[cube];
+        auto const right = Delta_plus_on<Base>[cube];
+        auto const left = Delta_minus_on<Base>[cube];
         for (auto i = scale.first(); i < scale.last(); ++i) {
             Q const quotient = (cube[i + 1] - cube[i]) / (scale.point(i + 1) - scale.point(i));
             CHECK(right[i] == quotient);

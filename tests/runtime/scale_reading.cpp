@@ -2,9 +2,9 @@
 // Time scales from text: what is read, and for each thing that can be wrong the line that is.
 #include <doctest/doctest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "values.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 struct temporary_file {
     std::filesystem::path path;
     explicit temporary_file(std::string const& content)
-        : path(std::filesystem::temp_directory_path() / ("hilger_" + std::to_string(std::rand()) + ".txt")) {
+        : path(std::filesystem::temp_directory_path() / ("hilger_" + std::to_string(std::random_device()()) + ".txt")) {
         std::ofstream(path) << content;
     }
     temporary_file(temporary_file const&) = delete;
