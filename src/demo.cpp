@@ -32,7 +32,7 @@ using hilger::index;
 class observer {
 public:
     observer(solar_system const& system, std::string const& path, bool orbits)
-        : system_(system), energy_(system.lagrangian()), E0_(energy_(momenta(), system.q)),
+        : system_(system), L_(system.lagrangian()), E0_(system.energy(L_, system.q, momenta())),
           L0_(system.angular_momentum(system.q, momenta())), orbits_(orbits), out_(path) {
         if (not out_) hilger::error::raise<hilger::error::unreadable>("cannot write '", path, "'");
         out_ << "# t in days, relative errors of energy and angular momentum";
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] positions momenta() const { return system_.mass.cwiseProduct(system_.v); }
 
     void operator()(double t, positions const& q, positions const& p) {
-        double const energy = std::abs((energy_(p, q) - E0_) / E0_);
+        double const energy = std::abs((system_.energy(L_, q, p) - E0_) / E0_);
         double const angular = (system_.angular_momentum(q, p) - L0_).norm() / L0_.norm();
         worst_energy_ = std::max(worst_energy_, energy);
         worst_angular_ = std::max(worst_angular_, angular);
@@ -58,7 +58,7 @@ public:
 
 private:
     solar_system const& system_;
-    hilger::hamiltonian<decltype(std::declval<solar_system const&>().lagrangian())> energy_;
+    decltype(std::declval<solar_system const&>().lagrangian()) L_;
     double E0_;
     Eigen::Vector3d L0_;
     bool orbits_;

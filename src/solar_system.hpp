@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "hilger/mechanics/mechanical.hpp"
+
 namespace program {
 
 constexpr int bodies = 6;
@@ -23,18 +25,17 @@ struct solar_system {
 
     /// L(q, v) = sum m |v|^2 / 2 + sum_{i<j} G m_i m_j / |q_i - q_j|, in any number type.
     [[nodiscard]] auto lagrangian() const {
-        return [m = mass](auto const& x, auto const& w) {
-            using std::sqrt;
-            using number = typename std::remove_cvref_t<decltype(x)>::Scalar;
-            number sum(0);
-            for (int k = 0; k < dimension; ++k) sum += w(k) * w(k) * (m(k) / 2);
-            for (int i = 0; i < bodies; ++i)
-                for (int j = 0; j < i; ++j) {
-                    number const dx = x(3 * i) - x(3 * j), dy = x(3 * i + 1) - x(3 * j + 1), dz = x(3 * i + 2) - x(3 * j + 2);
-                    sum += (gravity * m(3 * i) * m(3 * j)) / sqrt(dx * dx + dy * dy + dz * dz);
-                }
-            return sum;
-        };
+        auto const list = hilger::all_pairs(bodies);
+        std::vector<double> strength;
+        for (auto const& [a, b] : list) strength.push_back(gravity * mass(3 * a) * mass(3 * b));
+        return hilger::mechanical(mass, hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
+                                      return -strength[static_cast<std::size_t>(k)] / r.norm();
+                                  }));
+    }
+    /// H(p, q) = sum |p|^2 / (2 m) + U(q)
+    template <class L>
+    [[nodiscard]] double energy(L const& l, positions const& x, positions const& p) const {
+        return p.dot(p.cwiseQuotient(mass)) / 2 + l.potential()(x);
     }
     /// sum q x p
     [[nodiscard]] Eigen::Vector3d angular_momentum(positions const& x, positions const& p) const {

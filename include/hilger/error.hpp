@@ -43,6 +43,10 @@ struct unreadable : exception {
 struct singular : exception {
     using exception::exception;
 };
+/// A callable that is no single formula in its arguments: it compares them, or has a constant that is not a finite double.
+struct no_formula : exception {
+    using exception::exception;
+};
 /// A Newton iteration that stopped before its residual reached the rounding floor.
 struct no_convergence : exception {
     using exception::exception;

@@ -7,19 +7,23 @@
 // Scales, functions on them, operators between those, adjoints and equality of operators
 #include "hilger/calculus.hpp"
 
-// How a Lagrangian is read on a scale: order one, mid-point, theta, your own
+// How a Lagrangian is read on a scale: order one, mid-point, theta, Galerkin, your own
 #include "hilger/embedding/embedding.hpp"
+#include "hilger/embedding/galerkin.hpp"
 
 // From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and how they are written
 #include "hilger/mechanics/action.hpp"
 #include "hilger/mechanics/lagrangian.hpp"
 #include "hilger/mechanics/legendre.hpp"
+#include "hilger/mechanics/legendre_transform.hpp"
+#include "hilger/mechanics/mechanical.hpp"
 #include "hilger/mechanics/print.hpp"
 #include "hilger/mechanics/variation.hpp"
 
 // Flows and solutions
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
+
 
 // Identities as checks, for your own scales and operators too
 #include "hilger/identity/registry.hpp"

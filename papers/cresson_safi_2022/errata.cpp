@@ -45,13 +45,13 @@ TEST_CASE("(13): the derivative of the action is the integral of [-Delta_minus d
     auto const Lv = apply([](auto const& x, auto const& y) { return gradient_second(L, x, y); }, f, v);
     auto const w = function(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t * t); });
     // The Frechet derivative, exactly: the coefficient of e in S(f + e w).
-    using D = dual<Q, 1>;
+    using D = jet<Q, 0, 1, 1>;
     D total(Q(0));
     for (hilger::index i = 0; i < N; ++i) {
-        auto const along = [&](hilger::index j) { return D(f[j]) + D::variable(Q(0), 0) * w[j]; };
+        auto const along = [&](hilger::index j) { return D(f[j]) + D::variable(Q(0), 0, {1, 0}) * w[j]; };
         total += L(along(i), (along(i + 1) - along(i)) / h) * h;
     }
-    Q const derivative = total.partial[0];
+    Q const derivative = total.by<0>();
     CHECK(derivative != weighted_sum<delta>(-(Delta_minus[Lv] + Lq) * w)); // as printed
     CHECK(derivative == weighted_sum<delta>((Lq - Delta_minus[Lv]) * w));  // corrected, as (14) has it
     CHECK(derivative == weighted_sum<delta>(variation(S).residual(f) * w));
@@ -133,4 +133,39 @@ TEST_CASE("(56): the equation holds on T_half^-, one instance per inner point of
     auto const x = function(two, [](Q t) { return Q(1 + t); });
     CHECK(EL.residual(x).size() == 1);
     CHECK(EL.residual(x)[1] != 0);
+}
+
+TEST_CASE("(36): the integral of f_o over T_half is the trapezoidal rule of f; the mid-point rule is the one of f itself") {
+    auto const square = [](Q t) { return Q(t * t); };
+    Q const printed = integral(extend[function(T, square)], half(T));
+    Q trapezoid(0), midpoints(0);
+    for (hilger::index i = 0; i < N; ++i) {
+        trapezoid += h * (square(T.element(i)) + square(T.element(i + 1))) / 2;
+        midpoints += h * square(Q((T.element(i) + T.element(i + 1)) / 2));
+    }
+    CHECK(printed == trapezoid);
+    CHECK(printed != midpoints);
+    CHECK(integral(function(half(T), square), half(T)) == midpoints);
+}
+
+TEST_CASE("(47) to (50) exchange the arguments of (64), (65): L_h(x, y) = h L((x + y)/2, (y - x)/h), x the earlier one") {
+    auto const printed = [](auto const& a, auto const& b) { return h * L((a + b) / 2, (a - b) / h); }; // (47): L_h(q_{i+1}, q_i)
+    auto const corrected = [](auto const& a, auto const& b) { return h * L((a + b) / 2, (b - a) / h); };
+    constexpr auto q_o = extend[q];
+    auto const EL = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
+    auto const of_64 = [](auto const& L_h, hilger::index i) {
+        return Q(gradient_first(L_h, f[i], f[i + 1]) + gradient_second(L_h, f[i - 1], f[i]));
+    };
+    for (hilger::index i = 1; i < N; ++i) {
+        CHECK(of_64(printed, i) != h * EL.residual(f)[i]);
+        CHECK(of_64(corrected, i) == h * EL.residual(f)[i]);
+    }
+}
+
+TEST_CASE("(67), (68), (108), (112): the sum runs over the inner points, where [.]_{1/2,-} o sigma_o exists") {
+    constexpr auto q_o = extend[q];
+    auto const EL = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
+    auto const integrand = EL.residual(f) * g;
+    CHECK(integrand.scale() == interior(T));
+    CHECK_THROWS_AS((void)integrand[0], error::outside_domain); // the first term of int_a^b . Delta t
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-# Compiles one case: cmake -D source= -D must= -D compiler= -D compiler_id= -D includes= -P check.cmake
+# Compiles one case: cmake -D source= -D must= -D compiler= -D compiler_id= -D includes= -D system= -P check.cmake
 # must=compile      the twin, compiled as it is, compiles
 # must=not_compile  with MUST_NOT_COMPILE defined it does not; on g++ the message contains the text of each "// expect: <text>" line
 #                   and is at most 20 lines long, not counting those that say who included whom. (clang 14 writes a text that is a
@@ -10,6 +10,9 @@ set(longest 20)
 set(command ${compiler} -std=c++20 -fsyntax-only ${source})
 foreach(directory IN LISTS includes)
   list(APPEND command -I${directory})
+endforeach()
+foreach(directory IN LISTS system)
+  list(APPEND command -isystem ${directory})
 endforeach()
 if(must STREQUAL "not_compile")
   list(APPEND command -DMUST_NOT_COMPILE)

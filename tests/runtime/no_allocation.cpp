@@ -7,6 +7,7 @@
 #include <new>
 
 #include "hilger/hilger.hpp"
+#include "hilger/integrator/composition_methods.hpp"
 
 namespace {
 long allocations = 0;
@@ -103,4 +104,57 @@ TEST_CASE("integration by parts allocates nothing") {
               auto const parts = by_parts(on_half * Delta_o_plus * extend, f, on_half[extend[f]]);
               if (not(parts.left > 0)) throw 0;
           }) == 0);
+}
+
+TEST_CASE("nor do the steps of composed flows, once their memories are made") {
+    lagrangian const kepler{[](auto const& x, auto const& v) {
+        using std::sqrt;
+        return v.dot(v) / 2 + 1 / sqrt(x.dot(x));
+    }};
+    auto const steps = [](auto const& flow) {
+        auto const path = flow.along(uniform(0.0, 0.01, 1000), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1));
+        auto at = path.begin();
+        long const count = allocations_in([&] {
+            for (int i = 0; i < 1000; ++i) ++at;
+        });
+        CHECK(at->q.norm() == doctest::Approx(1).epsilon(1e-4));
+        return count;
+    };
+    CHECK(steps(stoermer_verlet(kepler)) == 0);
+    CHECK(steps(compose(kahan_li<6>, embed(kepler, midpoint))) == 0);
+    CHECK(steps(compose(suzuki<4>, stoermer_verlet(kepler, compensated))) == 0);
+}
+
+namespace {
+/// Allocations while a trajectory of a thousand steps is walked, its first two points aside.
+template <class Path>
+long allocations_along(Path const& path) {
+    auto i = path.begin();
+    ++i;
+    ++i;
+    return allocations_in([&] {
+        for (; not(i == std::default_sentinel); ++i) (void)*i;
+    });
+}
+} // namespace
+
+TEST_CASE("no step allocates: small systems, a chain of 128, bodies in space, friction") {
+    auto const T = uniform(0.0, 0.01, 1000);
+    Eigen::Vector2d const q(0.4, 0.0), p(0.0, 2.0);
+    auto const kepler = [](auto const& x, auto const& v) { return v.dot(v) / 2 + 1 / x.norm(); };
+    CHECK(allocations_along(embed(kepler, midpoint).along(T, q, p)) == 0);
+    CHECK(allocations_along(embed(kepler, midpoint, compensated).along(T, q, p)) == 0);
+    CHECK(allocations_along(embed(kepler, order_one).along(T, q, p)) == 0);
+    CHECK(allocations_along(embed(with_force(kepler, [](auto const&, auto const& v) { return (-v).eval(); }), midpoint).along(T, q, p)) ==
+          0);
+    CHECK(allocations_along(embed(kepler, galerkin<2, gauss>).along(T, q, p)) == 0);
+
+    Eigen::VectorXd const x = Eigen::VectorXd::LinSpaced(128, -1, 1), y = Eigen::VectorXd::Zero(128);
+    auto const chain_of_128 = mechanical(1.0, chain([](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; }));
+    CHECK(allocations_along(embed(chain_of_128, midpoint).along(T, x, y)) == 0);
+    CHECK(allocations_along(embed(chain_of_128, order_one).along(T, x, y)) == 0);
+    CHECK(allocations_along(embed(chain_of_128, midpoint).along(uniform(0.0, 1.0, 1000), x, y)) == 0); // by Newton
+    auto const bodies = mechanical(1.0, pairs<3>(all_pairs(4), [](hilger::index, auto const& r) { return r.dot(r) / 2; }));
+    Eigen::VectorXd const z = Eigen::VectorXd::LinSpaced(12, -1, 1);
+    CHECK(allocations_along(embed(bodies, midpoint).along(T, z, z)) == 0);
 }

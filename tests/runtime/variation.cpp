@@ -10,7 +10,7 @@ using namespace hilger;
 
 namespace {
 
-using D = dual<Q, 1>;
+using D = jet<Q, 0, 1, 1>;
 
 // Polynomial, so that rationals stay rational; neither separable nor quadratic.
 constexpr auto scalar_L = [](auto const& x, auto const& v) { return v * v / 2 + v * x * x / 3 - x * x * x / 5 + v * v * x / 7; };
@@ -27,10 +27,10 @@ V some_value(int i, int component) {
 template <class Action>
 Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index k) {
     std::vector<D> moved;
-    for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(static_cast<hilger::index>(i) == k ? D::variable(x[i], 0) : D(x[i]));
+    for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(static_cast<hilger::index>(i) == k ? D::variable(x[i], 0, {1, 0}) : D(x[i]));
     auto const T = derived_scale(S.T, domain<nodes>{});
     auto const f = function(S.T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
-    return S(f).partial[0];
+    return D(S(f)).by<0>();
 }
 
 /// The residual at t_k times the weight of t_k in the sum that the equation is written in is the derivative of the action.
@@ -99,10 +99,10 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
     for (hilger::index k = 1; k < T.steps(); ++k)
         for (int c = 0; c < 2; ++c) {
             std::vector<Eigen::Matrix<D, 2, 1>> moved;
-            for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(detail::lifted<D>(x[i]));
-            moved[static_cast<std::size_t>(k)](c).partial[0] = Q(1);
+            for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(x[i].cast<D>());
+            moved[static_cast<std::size_t>(k)](c) = D::variable(x[static_cast<std::size_t>(k)](c), 0, {1, 0});
             auto const g = function(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
-            CHECK(residual[k](c) * weight_at<trapezoid>(f, k) == S(g).partial[0]);
+            CHECK(residual[k](c) * weight_at<trapezoid>(f, k) == D(S(g)).by<0>());
         }
 }
 

@@ -34,6 +34,13 @@ inline constexpr auto order_one_left = make_embedding<nabla>(identity_on<nodes, 
 template <int P, int Q>
     requires detail::lambda_inside<fraction<P, Q>>
 inline constexpr auto theta = make_embedding<steps>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
+/// The same for a lambda known at run time only. @throws error::invalid_parameter outside 0 < lambda < 1.
+template <class S>
+constexpr auto theta_at(S const& lambda) {
+    using at = run_time<S>;
+    return make_embedding<steps>(restriction_to<at, false>{{}, at{lambda}} * extend_at(lambda),
+                                 projection<at, true>{{}, at{lambda}} * Delta_plus, "theta");
+}
 inline constexpr auto midpoint = make_embedding<steps>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
 
 } // namespace hilger

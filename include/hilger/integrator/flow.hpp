@@ -6,152 +6,131 @@
 //   for (auto [t, q, p] : flow.along(T, q0, p0)) ...        one state at a time, nothing stored
 #pragma once
 
-#include <optional>
-
-#include "hilger/embedding/embedding.hpp"
-#include "hilger/mechanics/interval.hpp"
+#include "hilger/integrator/many_nodes.hpp"
+#include "hilger/integrator/one_node.hpp"
+#include "hilger/integrator/structured.hpp"
+#include "hilger/integrator/trajectory.hpp"
 #include "hilger/mechanics/legendre.hpp"
 #include "hilger/mechanics/variation.hpp"
-#include "hilger/scale/time_scale.hpp"
-#include "hilger/scale/uniform.hpp"
 
 namespace hilger {
 
-/// A point of a trajectory: time, position, momentum.
-template <class S, class V>
-struct state {
-    S t;
-    V q;
-    V p;
-};
+template <class F, class Force, class E, sums Sums>
+class flow : public stepping<flow<F, Force, E, Sums>> {
+    using problem_type = problem<F, Force>;
 
-/// Where a trajectory stopped: the states up to `last` are right.
-template <class S, class V>
-struct interrupted {
-    state<S, V> last;
-};
-
-/// A step that could not be made, as the error that it met (no_convergence, singular, not_finite) and as interrupted<S, V>.
-template <class Cause, class S, class V>
-struct step_failure : Cause, interrupted<S, V> {
-    step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
-};
-
-template <class F, linear_map A, linear_map B, class W>
-class flow {
 public:
-    constexpr flow(F lagrangian, A position, B velocity)
-        : lagrangian_(std::move(lagrangian)), position_(std::move(position)), velocity_(std::move(velocity)) {}
+    constexpr flow(F lagrangian, Force force, E embedding)
+        : problem_{std::move(lagrangian), std::move(force)}, embedding_(std::move(embedding)) {}
 
-    /// One step of length h. `guess` is a first estimate of the next position.
-    /// @throws error::no_convergence, error::singular, error::not_finite
+    /// What a trajectory of states V over times S needs to be advanced: coefficients of the embedding, last velocities, factorizations.
     template <class S, class V>
-    state<S, V> step(state<S, V> const& from, S const& h, V const& guess) const {
-        interval_lagrangian<F, A, B, W, S> const Lh{lagrangian_, position_, velocity_, {h}};
-        auto const equation = [&](V const& y) {
-            auto const d = mixed_second(Lh, from.q, y);
-            return newton_system<V>{V(d.first + from.p), d.mixed};
-        };
-        V const q = newton(equation, guess, "the step p = -d_1 L_h(q, y)");
-        return {S(from.t + h), q, gradient_second(Lh, from.q, q)};
-    }
-    template <class S, class V>
-    state<S, V> step(state<S, V> const& from, S const& h) const {
-        return step(from, h, V(from.q + velocity_of(lagrangian_, from.q, from.p) * h));
-    }
-
-    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked.
-    /// @throws error::not_finite at once when q0 or p0 is not finite; while walking, a step_failure with the last good state.
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, V q0, V p0) const {
-        return trajectory<Scale, V>(*this, T, std::move(q0), std::move(p0));
-    }
-
-    template <time_scale_like Scale, class V>
-    class trajectory {
-        using S = typename Scale::root_type::scalar_type;
+    class memory {
+        using s = detail::shape<V>;
+        static constexpr bool small = facts_of<E>.one_node and s::size != Eigen::Dynamic and s::size <= detail::one_evaluation;
+        static constexpr bool carried = Sums == sums::compensated;
+        static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
+        static auto choose(flow const& f, S const& h, V const& like) {
+            if constexpr (known)
+                return detail::structured<F, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like);
+            else if constexpr (small)
+                return detail::one_node<problem_type, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, like);
+            else
+                return detail::many_nodes<problem_type, carried, S, V>(tableau_of(f.embedding_, h), h, like);
+        }
 
     public:
-        class iterator {
-        public:
-            using iterator_concept = std::input_iterator_tag;
-            using value_type = state<S, V>;
-            using difference_type = index;
-            explicit iterator(trajectory const& path) : path_(&path), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
-            value_type const& operator*() const { return at_; }
-            value_type const* operator->() const { return &at_; }
-            iterator& operator++() {
-                advance();
-                return *this;
-            }
-            void operator++(int) { advance(); }
-            friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }
+        memory(flow const& f, S const& h, V const& like) : stepper_(choose(f, h, like)) {}
 
-        private:
-            void advance() {
-                if (number_++ >= last_) return;
-                S const h = path_->T_.domain().base.step(path_->T_.root(), number_ - 1);
-                try {
-                    // The last displacement, scaled to this step, is the guess; the first one comes from the velocity.
-                    value_type next = displacement_ ? path_->flow_.step(at_, h, V(at_.q + *displacement_ * S(h / last_step_)))
-                                                    : path_->flow_.step(at_, h);
-                    next.t = path_->T_.element(number_);
-                    displacement_ = V(next.q - at_.q);
-                    last_step_ = h;
-                    at_ = std::move(next);
-                } catch (error::no_convergence const& cause) {
-                    stop(cause, h);
-                } catch (error::singular const& cause) {
-                    stop(cause, h);
-                } catch (error::not_finite const& cause) {
-                    stop(cause, h);
-                }
-            }
-            template <class Cause>
-            [[noreturn]] void stop(Cause const& cause, S const& h) const {
-                std::ostringstream message;
-                message << "the step from t = " << at_.t << " with h = " << h << " failed: " << cause.what();
-                throw step_failure<Cause, S, V>(message.str(), at_);
-            }
-            trajectory const* path_;
-            value_type at_;
-            std::optional<V> displacement_;
-            S last_step_{1};
-            index number_, last_;
-        };
-
-        trajectory(flow f, Scale T, V q0, V p0) : flow_(std::move(f)), T_(std::move(T)), start_{T_.min(), std::move(q0), std::move(p0)} {
-            if (not detail::all_finite(start_.q) or not detail::all_finite(start_.p))
-                error::raise<error::not_finite>("the initial position and momentum are finite numbers, and these contain NaN or infinity");
+        /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
+        void advance(flow const& f, state<S, V>& x, S const& h) {
+            begin(f, x, h);
+            advance_equally(f, x);
         }
-        [[nodiscard]] iterator begin() const { return iterator(*this); }
-        [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+        /// What the next step from x needs, when it has length h.
+        void begin(flow const& f, state<S, V> const& x, S const& h) {
+            if (not(h == stepper_.h())) [[unlikely]]
+                stepper_.prepare(tableau_of(f.embedding_, h), h);
+            if constexpr (not known)
+                if (stepper_.needs_guess()) [[unlikely]]
+                    stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p));
+        }
+        /// x one step further, of the length that there was before. Nothing here takes an address that stays taken, so that state and
+        /// stepper can live in registers.
+        [[gnu::always_inline]] void advance_equally(flow const& f, state<S, V>& x) {
+            if constexpr (known)
+                stepper_.advance(f.problem_.lagrangian, x);
+            else
+                stepper_.advance(f.problem_, x);
+        }
+        /// Calls each(label, number) for everything that later steps depend on; `each` may change the numbers, as reading them back does.
+        template <class Visit>
+        void visit(flow const& f, Visit& each) {
+            S h = stepper_.h();
+            each("step", h);
+            if (not(h == stepper_.h())) stepper_.prepare(tableau_of(f.embedding_, h), h);
+            stepper_.visit(each);
+        }
 
     private:
-        flow flow_;
-        Scale T_;
-        state<S, V> start_;
+        decltype(choose(std::declval<flow const&>(), std::declval<S const&>(), std::declval<V const&>())) stepper_;
     };
 
+    /// Why these mechanics have no trajectory of states V; nullptr where they have.
+    template <class S, class V>
+    static constexpr auto refusal() {
+        return detail::refusal<F, S, V>();
+    }
+    /// p_i = -d_1 L_h(q0, q1), forces included: the momentum with which the step from q0 arrives at q1.
+    template <class S, class V>
+    [[nodiscard]] V momentum_between(S const& t, V const& q0, V const& q1, S const& h) const {
+        static_assert(controls_of<E> == 2, "two positions give a momentum where a step has no inner control values");
+        using s = detail::shape<V>;
+        tableau<S> const b = tableau_of(embedding_, h);
+        V p = s::zero(s::dimension(q0));
+        for (int k = 0; k < b.nodes; ++k) {
+            auto const e =
+                detail::expand_at(problem_, b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
+            p = p - (e.e.by_q * S(b.w(k) * b.a(k, 0)) + e.e.by_v * S(b.w(k) * b.b(k, 0)));
+        }
+        return p;
+    }
+    /// p = dL/dv(t, q, v)
+    template <class S, class V>
+    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
+        return momentum_of(detail::at_time{problem_.lagrangian, t}, q, v);
+    }
+    [[nodiscard]] problem_type const& mechanics() const { return problem_; }
+    [[nodiscard]] E const& embedding() const { return embedding_; }
+
 private:
-    [[no_unique_address]] F lagrangian_;
-    [[no_unique_address]] A position_;
-    [[no_unique_address]] B velocity_;
+    problem_type problem_;
+    [[no_unique_address]] E embedding_;
 };
 
-/// The flow of L under an embedding: embed(L, midpoint).
-template <class F, linear_map A, linear_map B, class W>
-constexpr auto embed(lagrangian<F> const& L, embedding<A, B, W> const& how) {
-    return flow<F, A, B, W>(L.function, how.position, how.velocity);
-}
-template <class F, linear_map A, linear_map B, class W>
+/// The flow of L under an embedding: embed(L, midpoint), or embed(L, midpoint, compensated).
+template <class F, class E>
     requires(not function_expression<F>)
-constexpr auto embed(F const& L, embedding<A, B, W> const& how) { return embed(lagrangian(L), how); }
+constexpr auto embed(F const& L, E const& how) { return flow<F, no_force, E, sums::plain>(L, {}, how); }
+template <class F, class E>
+constexpr auto embed(lagrangian<F> const& L, E const& how) {
+    return flow<F, no_force, E, sums::plain>(L.function, {}, how);
+}
+template <class F, class Force, class E>
+constexpr auto embed(problem<F, Force> const& forced, E const& how) {
+    return flow<F, Force, E, sums::plain>(forced.lagrangian, forced.force, how);
+}
+template <class L, class E>
+constexpr auto embed(L const& l, E const& how, std::integral_constant<sums, sums::compensated>) {
+    auto const plain = embed(l, how);
+    auto const& [F, Force] = plain.mechanics();
+    return flow<std::remove_cvref_t<decltype(F)>, std::remove_cvref_t<decltype(Force)>, E, sums::compensated>(F, Force, how);
+}
 /// The flow of a discrete Euler-Lagrange equation.
 template <class F, linear_map A, linear_map B, class W, class Root>
 constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation) {
     auto const& S = equation.action();
-    return flow<F, A, B, W>(S.function, S.position, S.velocity);
+    return embed(lagrangian(S.function), make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
 }
 
 } // namespace hilger

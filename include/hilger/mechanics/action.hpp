@@ -2,7 +2,9 @@
 // The discrete action  q -> int L(A q, B q)  of an embedding (A, B, int) on a scale T (Cresson-Safi (10), (43), definition 8).
 #pragma once
 
+#include "hilger/function/function.hpp"
 #include "hilger/mechanics/lagrangian.hpp"
+#include "hilger/mechanics/problem.hpp"
 
 namespace hilger {
 
@@ -21,7 +23,15 @@ struct action {
     /// The action of a function on T.
     template <discrete_function X>
     constexpr auto operator()(X const& x) const {
-        return weighted_sum<Weight>(apply(function, position[x], velocity[x]));
+        return weighted_sum<Weight>(at_nodes(x, [L = function](auto const& t, auto const& q, auto const& v) {
+            return detail::at_time{L, t}(q, v);
+        }));
+    }
+    /// what(t, q, v) at the nodes of x, where t is the position operator's value of the time itself (t_{i+1/2} for mid-point).
+    template <discrete_function X, class What>
+    constexpr auto at_nodes(X const& x, What what) const {
+        auto const time = hilger::function(x.root(), [](typename Root::scalar_type const& t) { return t; });
+        return apply(std::move(what), position[time], position[x], velocity[x]);
     }
 };
 

@@ -1,139 +1,238 @@
 // SPDX-License-Identifier: BSL-1.0
-// Exact first and second derivatives of a generic function of two arguments x and y, scalars or Eigen vectors of fixed size d, by
-// dual numbers. Gradients are columns like x; Hessian blocks are d x d, entry (j, k) = second derivative by component j of the
-// first and k of the second named argument. For scalars all of them are scalars.
+// Exact first and second derivatives of a generic function of two arguments x and y, scalars or Eigen vectors of size d (fixed or dynamic),
+// by jets. Gradients are columns like x; blocks are d x d, entry (j, k) = second derivative by component j of the first and k of the second
+// named argument. For scalars all of them are scalars.
+//
+// Up to d = 4 one evaluation gives everything. Beyond, the Hessian is put together from evaluations with eight variables at a time:
+// right for any d, and as slow as d^2; a system of that size has a structure that its author knows (hilger/mechanics/mechanical.hpp).
 #pragma once
 
-#include "hilger/mechanics/dual.hpp"
+#include "hilger/mechanics/jet_functions.hpp"
+#include "hilger/mechanics/shape.hpp"
 
 namespace hilger {
 
+/// The expansion of f(q, v) to second order.
+template <class V>
+struct expansion {
+    V by_q, by_v;
+    block_of<V> qq, qv, vv;
+    dependence on{dependence::no_polynomial, dependence::no_polynomial, true};
+};
+
 namespace detail {
 
-template <class V>
-struct shape { // scalars
-    using scalar_type = V;
-    using block = V;
-    static constexpr int size = 1;
-    template <class D>
-    using with = D;
-    static constexpr V const& component(V const& x, int) { return x; }
-    template <class D>
-    static constexpr D& component(D& x, int) {
-        return x;
-    }
-    static constexpr V& entry(block& b, int, int) { return b; }
-};
-template <class S, int D>
-struct shape<Eigen::Matrix<S, D, 1>> {
-    static_assert(D != Eigen::Dynamic, "a state has a fixed dimension: use Eigen::Matrix<S, d, 1>");
-    using scalar_type = S;
-    using block = Eigen::Matrix<S, D, D>;
-    static constexpr int size = D;
-    template <class T>
-    using with = Eigen::Matrix<T, D, 1>;
-    template <class X>
-    static decltype(auto) component(X& x, int k) {
-        return x(k);
-    }
-    static S& entry(block& b, int j, int k) { return b(j, k); }
-};
+inline constexpr int one_evaluation = 4; ///< the largest d for which one evaluation has all second derivatives
+inline constexpr int chunk = 4;
 
-/// x with component k replaced by x_k + e_k, in dual numbers over Inner.
-template <class Outer, class V>
-auto seeded(V const& x) {
+/// What a formula returns when given jets; plain numbers are constants.
+template <class Jet, class R>
+[[gnu::always_inline]] constexpr Jet as_jet(R const& r) {
+    static_assert(std::constructible_from<Jet, plain_t<R>>,
+                  "a Lagrangian or Hamiltonian returns a number, and this one returns something else");
+    return Jet(r);
+}
+
+template <bool Callable>
+constexpr void require_callable() {
+    static_assert(Callable, "a Lagrangian or Hamiltonian takes two states of any number type, as [](auto const& q, auto const& v) does, "
+                            "or the time before them: derivatives pass through it");
+}
+template <class F, class X, class Y>
+[[gnu::always_inline]] constexpr decltype(auto) call(F const& f, X const& x, Y const& y) {
+    require_callable<std::invocable<F const&, X const&, Y const&>>();
+    return f(x, y);
+}
+
+template <class S, int N>
+using q_jet = jet<S, 0, N, 2>;
+template <class S, int N>
+using v_jet = jet<S, N, N, 2>;
+template <class S, int N>
+using qv_jet = jet<S, 0, 2 * N, 2>;
+
+/// f(q, v), or f(t, q, v), and all its first and second derivatives by q and v, d = N small. For the processor's own numbers this is
+/// flattened: the body of f is inlined here before anything is optimised, and then most derivatives of a formula turn out to be zeros and
+/// cost nothing. That takes f being called from here on variables made here, and its result being built in place: with the variables made
+/// by a function of their own a step takes several times as long. A wide number's arithmetic is too long to be flattened.
+template <bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
+[[gnu::flatten]] inline qv_jet<S, static_cast<int>(Size)>
+flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v, std::integer_sequence<int, K...>, Time const&... t) {
+    constexpr int N = static_cast<int>(Size);
+    using J = qv_jet<S, N>;
+    if constexpr (Scalar) {
+        auto const x = q_jet<S, N>::variable(q[0], 0, {1, 0});
+        auto const y = v_jet<S, N>::variable(v[0], N, {0, 1});
+        if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
+            return f(t..., x, y);
+        else
+            return as_jet<J>(f(t..., x, y));
+    } else {
+        Eigen::Matrix<q_jet<S, N>, N, 1> x;
+        Eigen::Matrix<v_jet<S, N>, N, 1> y;
+        ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
+        if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
+            return f(t..., x, y);
+        else
+            return as_jet<J>(f(t..., x, y));
+    }
+}
+template <bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
+qv_jet<S, static_cast<int>(Size)> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
+                                          std::integer_sequence<int, K...> all, Time const&... t) {
+    if constexpr (std::is_floating_point_v<S>)
+        return flat_jets_of<Scalar>(f, q, v, all, t...);
+    else {
+        constexpr int N = static_cast<int>(Size);
+        using J = qv_jet<S, N>;
+        if constexpr (Scalar)
+            return as_jet<J>(f(t..., q_jet<S, N>::variable(q[0], 0, {1, 0}), v_jet<S, N>::variable(v[0], N, {0, 1})));
+        else {
+            Eigen::Matrix<q_jet<S, N>, N, 1> x;
+            Eigen::Matrix<v_jet<S, N>, N, 1> y;
+            ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
+            return as_jet<J>(f(t..., x, y));
+        }
+    }
+}
+
+/// The vector x in jets of any kind: components first ... first + C - 1 are the variables number at ... at + C - 1.
+template <class Jet, int C, class V>
+auto with_variables(V const& x, int first, int at, dependence on) {
     using s = shape<V>;
-    typename s::template with<Outer> y;
-    for (int k = 0; k < s::size; ++k) s::component(y, k) = Outer::variable(s::component(x, k), k);
+    typename s::template with<Jet> y;
+    if constexpr (s::size == Eigen::Dynamic) y.resize(s::dimension(x));
+    for (int k = 0; k < s::dimension(x); ++k)
+        s::component(y, k) = k >= first and k < first + C ? Jet::variable(s::component(x, k), at + k - first, on) : Jet(s::component(x, k));
     return y;
 }
-/// x as constants of type Number.
-template <class Number, class V>
-auto lifted(V const& x) {
+
+/// The gradient of f by the variables that `make` puts into its arguments.
+template <class V, class Evaluate>
+V gradient_by(V const& x, Evaluate const& evaluate) {
     using s = shape<V>;
-    typename s::template with<Number> y;
-    for (int k = 0; k < s::size; ++k) s::component(y, k) = Number(s::component(x, k));
-    return y;
-}
-template <class V, class D>
-V partials(D const& value) {
-    using s = shape<V>;
-    V g;
-    for (int k = 0; k < s::size; ++k) s::component(g, k) = value.partial[static_cast<std::size_t>(k)];
+    constexpr int C = s::size == Eigen::Dynamic or s::size > 8 ? 8 : s::size;
+    using J = jet<scalar_of<V>, 0, C, 1>;
+    V g = s::zero(s::dimension(x));
+    for (int first = 0; first < s::dimension(x); first += C) {
+        J const value = as_jet<J>(evaluate(with_variables<J, C>(x, first, 0, {})));
+        [&]<int... K>(std::integer_sequence<int, K...>) {
+            ((first + K < s::dimension(x) ? void(s::component(g, first + K) = value.template by<K>()) : void()), ...);
+        }
+        (std::make_integer_sequence<int, C>{});
+    }
     return g;
+}
+
+/// Second derivatives by components j ... of the one argument and k ... of the other, in blocks of chunk x chunk. Evaluate takes the two
+/// numbers of the first components (-1: none) and returns a jet in 2 * chunk variables.
+template <class Jet, class Block>
+void copy_block(Jet const& value, Block& to, int j, int k, int d) {
+    for (int a = 0; a < chunk and j + a < d; ++a)
+        for (int b = 0; b < chunk and k + b < d; ++b) to(j + a, k + b) = value.derivative(chunk + b, a);
+}
+template <class F, class V>
+expansion<V> expand_in_chunks(F const& f, V const& q, V const& v) {
+    using s = shape<V>;
+    using J = jet<scalar_of<V>, 0, 2 * chunk, 2>;
+    int const d = s::dimension(q);
+    expansion<V> e{s::zero(d), s::zero(d), s::zero_block(d), s::zero_block(d), s::zero_block(d), {}};
+    dependence const of_q{1, 0}, of_v{0, 1};
+    auto const gradient = [&](J const& value, int j, V& to) {
+        for (int a = 0; a < chunk and j + a < d; ++a) to(j + a) = value.derivative(a);
+    };
+    // Two different chunks of variables at a time; on the diagonal the second copy is taken from a shifted evaluation.
+    for (int j = 0; j < d; j += chunk) {
+        for (int k = 0; k < d; k += chunk) {
+            auto y = with_variables<J, chunk>(v, k, chunk, of_v);
+            auto const value = as_jet<J>(call(f, with_variables<J, chunk>(q, j, 0, of_q), y));
+            copy_block(value, e.qv, j, k, d);
+            e.on = e.on + value.on;
+            if (k == 0) gradient(value, j, e.by_q);
+        }
+        for (int k = j; k < d; k += chunk) {
+            auto const both = [&](V const& z, dependence on) {
+                auto y = with_variables<J, chunk>(z, j, 0, on);
+                for (int b = 0; b < chunk and k + b < d; ++b)
+                    if (k != j) y(k + b) = J::variable(z(k + b), chunk + b, on);
+                return y;
+            };
+            auto const in_q = as_jet<J>(call(f, both(q, of_q), with_variables<J, chunk>(v, d, 0, {})));
+            auto const in_v = as_jet<J>(call(f, with_variables<J, chunk>(q, d, 0, {}), both(v, of_v)));
+            e.on = e.on + in_q.on + in_v.on;
+            if (k == j) {
+                gradient(in_v, j, e.by_v);
+                for (int a = 0; a < chunk and j + a < d; ++a)
+                    for (int b = 0; b <= a; ++b) {
+                        e.qq(j + a, j + b) = e.qq(j + b, j + a) = in_q.derivative(a, b);
+                        e.vv(j + a, j + b) = e.vv(j + b, j + a) = in_v.derivative(a, b);
+                    }
+            } else {
+                copy_block(in_q, e.qq, j, k, d);
+                copy_block(in_v, e.vv, j, k, d);
+                for (int a = 0; a < chunk and j + a < d; ++a)
+                    for (int b = 0; b < chunk and k + b < d; ++b) {
+                        e.qq(k + b, j + a) = e.qq(j + a, k + b);
+                        e.vv(k + b, j + a) = e.vv(j + a, k + b);
+                    }
+            }
+        }
+    }
+    return e;
+}
+
+template <class V, class Jet, int... K>
+expansion<V> unpacked(Jet const& z, std::integer_sequence<int, K...>) {
+    using s = shape<V>;
+    constexpr int N = s::size;
+    expansion<V> e;
+    e.on = z.on;
+    auto const row = [&]<int J>(std::integral_constant<int, J>) {
+        s::component(e.by_q, J) = z.template by<J>();
+        s::component(e.by_v, J) = z.template by<N + J>();
+        ((s::entry(e.qq, J, K) = z.template by<std::max(J, K), std::min(J, K)>(), s::entry(e.qv, J, K) = z.template by<N + K, J>(),
+          s::entry(e.vv, J, K) = z.template by<N + std::max(J, K), N + std::min(J, K)>()),
+         ...);
+    };
+    (row(std::integral_constant<int, K>{}), ...);
+    return e;
+}
+template <class V, int... K>
+auto components(V const& x, std::integer_sequence<int, K...>) {
+    return std::array<scalar_of<V>, sizeof...(K)>{shape<V>::component(x, K)...};
 }
 
 } // namespace detail
 
-/// The scalar that a state is made of, and the matrices that act on it.
-template <class V>
-using scalar_of = typename detail::shape<V>::scalar_type;
-template <class V>
-using block_of = typename detail::shape<V>::block;
-
 /// df/dx (x, y)
 template <class F, class V, class W>
 V gradient_first(F const& f, V const& x, W const& y) {
-    using D = dual<scalar_of<V>, detail::shape<V>::size>;
-    return detail::partials<V>(D(f(detail::seeded<D>(x), detail::lifted<D>(y))));
+    if constexpr (requires { f.expand(x, y); })
+        return f.expand(x, y).by_q;
+    else
+        return detail::gradient_by(x, [&](auto const& z) { return detail::call(f, z, y); });
 }
 /// df/dy (x, y)
 template <class F, class V, class W>
 W gradient_second(F const& f, V const& x, W const& y) {
-    using D = dual<scalar_of<W>, detail::shape<W>::size>;
-    return detail::partials<W>(D(f(detail::lifted<D>(x), detail::seeded<D>(y))));
+    if constexpr (requires { f.expand(x, y); })
+        return f.expand(x, y).by_v;
+    else
+        return detail::gradient_by(y, [&](auto const& z) { return detail::call(f, x, z); });
 }
 
-/// Everything a step of a variational integrator needs of f(x, y), in one evaluation.
-template <class V>
-struct mixed_derivatives {
-    V first;           ///< df/dx
-    V second;          ///< df/dy
-    block_of<V> mixed; ///< d2f / dx dy
-};
+/// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets.
 template <class F, class V>
-mixed_derivatives<V> mixed_second(F const& f, V const& x, V const& y) {
+expansion<V> expand(F const& f, V const& q, V const& v) {
     using s = detail::shape<V>;
-    using S = scalar_of<V>;
-    using I = dual<S, s::size>;
-    using O = dual<I, s::size>;
-    typename s::template with<O> xs, ys;
-    for (int k = 0; k < s::size; ++k) {
-        s::component(xs, k) = O(I::variable(s::component(x, k), k));
-        s::component(ys, k) = O::variable(I(s::component(y, k)), k);
+    if constexpr (requires { f.expand(q, v); })
+        return f.expand(q, v);
+    else if constexpr (s::size == Eigen::Dynamic or s::size > detail::one_evaluation)
+        return detail::expand_in_chunks(f, q, v);
+    else {
+        constexpr std::make_integer_sequence<int, s::size> all;
+        return detail::unpacked<V>(detail::jets_of<s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
     }
-    O const value = f(xs, ys);
-    mixed_derivatives<V> d;
-    for (int j = 0; j < s::size; ++j) {
-        s::component(d.first, j) = value.value.partial[static_cast<std::size_t>(j)];
-        s::component(d.second, j) = value.partial[static_cast<std::size_t>(j)].value;
-        for (int k = 0; k < s::size; ++k)
-            s::entry(d.mixed, j, k) = value.partial[static_cast<std::size_t>(k)].partial[static_cast<std::size_t>(j)];
-    }
-    return d;
-}
-
-/// df/dy and d2f/dy2 at (x, y).
-template <class V>
-struct second_derivatives {
-    V gradient;
-    block_of<V> hessian;
-};
-template <class F, class V>
-second_derivatives<V> second_in_second(F const& f, V const& x, V const& y) {
-    using s = detail::shape<V>;
-    using I = dual<scalar_of<V>, s::size>;
-    using O = dual<I, s::size>;
-    typename s::template with<O> ys;
-    for (int k = 0; k < s::size; ++k) s::component(ys, k) = O::variable(I::variable(s::component(y, k), k), k);
-    O const value = f(detail::lifted<O>(detail::lifted<I>(x)), ys);
-    second_derivatives<V> d;
-    for (int j = 0; j < s::size; ++j) {
-        s::component(d.gradient, j) = value.partial[static_cast<std::size_t>(j)].value;
-        for (int k = 0; k < s::size; ++k)
-            s::entry(d.hessian, j, k) = value.partial[static_cast<std::size_t>(k)].partial[static_cast<std::size_t>(j)];
-    }
-    return d;
 }
 
 } // namespace hilger

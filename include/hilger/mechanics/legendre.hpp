@@ -17,8 +17,8 @@ V momentum_of(L const& lagrangian, V const& q, V const& v) {
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
     auto const equation = [&](V const& v) {
-        auto const d = second_in_second(lagrangian, q, v);
-        return newton_system<V>{V(d.gradient - p), d.hessian};
+        auto const d = expand(lagrangian, q, v);
+        return newton_system<V>{V(d.by_v - p), d.vv};
     };
     return newton(equation, guess, "the Legendre map v -> dL/dv");
 }

@@ -7,8 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "hilger/error.hpp"
-#include "hilger/mechanics/derivatives.hpp"
+#include "hilger/mechanics/newton_stop.hpp"
 
 namespace hilger {
 
@@ -19,41 +18,18 @@ struct newton_system {
     block_of<V> jacobian;
 };
 
-/// A Newton iteration that failed: how far it came.
-template <class V>
-struct newton_failure : error::no_convergence {
-    newton_failure(std::string const& what, V last, V rest) : no_convergence(what), iterate(std::move(last)), residual(std::move(rest)) {}
-    V iterate;
-    V residual;
-};
-
 namespace detail {
 /// J^-1 r. @throws error::singular
 template <class V>
 V solve(block_of<V> const& J, V const& r, char const* what) {
-    auto const refuse = [&] {
-        error::raise<error::singular>(what,
-                                      " has a singular derivative here: the second derivative of L by the velocity must be invertible");
-    };
     if constexpr (requires { r.size(); }) {
         Eigen::PartialPivLU<block_of<V>> const lu(J);
-        V const x = lu.solve(r);
-        // A pivot at rounding level of the largest one means that no digit of the solution is right.
-        auto const pivots = lu.matrixLU().diagonal().cwiseAbs().eval();
-        using S = scalar_of<V>;
-        if (not(pivots.maxCoeff() * S(static_cast<int>(r.size())) * epsilon<S>() < pivots.minCoeff())) refuse();
-        return x;
+        if (not is_regular(lu)) refuse_singular(what);
+        return lu.solve(r);
     } else {
-        if (J == V(0)) refuse();
+        if (J == V(0)) refuse_singular(what);
         return r / J;
     }
-}
-template <class V>
-bool all_finite(V const& x) {
-    using s = shape<V>;
-    for (int k = 0; k < s::size; ++k)
-        if (not is_finite(s::component(x, k))) return false;
-    return true;
 }
 } // namespace detail
 
@@ -66,13 +42,7 @@ V newton(System const& system, V guess, char const* what) {
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int most = exact ? 4 : 50;
     // Convergence is quadratic: after a correction of size sqrt(eps) the error is of size eps.
-    S const small = [] {
-        using std::sqrt;
-        if constexpr (exact)
-            return S(0);
-        else
-            return S(sqrt(epsilon<S>()) / S(16));
-    }();
+    S const small = detail::square_root_of_epsilon<S>() / S(16);
     V x = std::move(guess);
     S previous(-1), size(0);
     V residual = zero_like(x);
@@ -93,10 +63,7 @@ V newton(System const& system, V guess, char const* what) {
         }
         previous = size;
     }
-    std::ostringstream message;
-    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << size;
-    message << (exact ? ". An exact scalar needs an equation that is linear in the unknown" : ". A smaller step h brings the guess closer");
-    throw newton_failure<V>(message.str(), x, residual);
+    detail::give_up(what, false, x, residual, size, most);
 }
 
 } // namespace hilger

@@ -100,11 +100,21 @@ public:
     /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation.
     template <discrete_function X>
     constexpr auto residual(X const& x) const {
-        auto const q = action_.position[x];
-        auto const v = action_.velocity[x];
-        auto const Lq = apply([L = action_.function](auto const& a, auto const& b) { return gradient_first(L, a, b); }, q, v);
-        auto const Lv = apply([L = action_.function](auto const& a, auto const& b) { return gradient_second(L, a, b); }, q, v);
+        auto const Lq = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return gradient_first(detail::at_time{L, t}, q, v);
+        });
+        auto const Lv = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return gradient_second(detail::at_time{L, t}, q, v);
+        });
         return adjoint_on_T(action_.position)[Lq] + adjoint_on_T(action_.velocity)[Lv];
+    }
+    /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
+    template <discrete_function X, class Force>
+    constexpr auto residual(X const& x, Force const& force) const {
+        auto const f = action_.at_nodes(x, [force](auto const& t, auto const& q, auto const& v) {
+            return evaluated(detail::at_time{force, t}(q, v));
+        });
+        return residual(x) + adjoint_on_T(action_.position)[f];
     }
 
 private:

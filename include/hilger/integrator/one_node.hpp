@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of an embedding whose integral has one node: mid-point, order one, theta. With the velocity v at the node as the unknown,
+//   A = q_i + a_1 h v,   p_i + a_0 h dL/dq(A, v) - dL/dv(A, v) = 0,   q_{i+1} = q_i + h v,   p_{i+1} = p_i + h dL/dq(A, v),
+// which is p_i = -d_1 L_h, p_{i+1} = d_2 L_h written out (Cresson-Safi (95), (96) for a_0 = a_1 = 1/2). For d <= 4 everything is kept in
+// scalars that the optimiser can put into registers: no Eigen arithmetic, no loop that is not unrolled.
+#pragma once
+
+#include "hilger/integrator/state.hpp"
+#include "hilger/integrator/summation.hpp"
+#include "hilger/integrator/tableau.hpp"
+#include "hilger/mechanics/newton_stop.hpp"
+#include "hilger/mechanics/problem.hpp"
+
+namespace hilger::detail {
+
+/// x in K x = r for a small row-major matrix; false where K is singular to rounding.
+template <class S, std::size_t M, std::size_t MM>
+[[gnu::always_inline]] inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
+    using std::abs;
+    if constexpr (M == 1) {
+        if (K[0] == S(0)) return false;
+        r[0] = r[0] / K[0];
+        return true;
+    } else if constexpr (M == 2) {
+        S const ad = K[0] * K[3], bc = times(K[1], K[2]);
+        S const det = minus(ad, bc);
+        if (not(epsilon<S>() * (abs(ad) + abs(bc)) < abs(det))) return false;
+        S const i = S(1) / det;
+        S const x = minus(S(K[3] * r[0]), times(K[1], r[1])), y = minus(S(K[0] * r[1]), times(K[2], r[0]));
+        r[0] = x * i;
+        r[1] = y * i;
+        return true;
+    } else {
+        using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
+        using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
+        Eigen::PartialPivLU<matrix> const lu(Eigen::Map<matrix const>(K.data()));
+        if (not is_regular(lu)) return false;
+        vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
+        for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
+        return true;
+    }
+}
+
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline S largest(std::array<S, N> const& x) {
+    using std::abs;
+    S m = abs(x[0]);
+    for (std::size_t k = 1; k < N; ++k) {
+        S const y = abs(x[k]);
+        if (m < y) m = y;
+    }
+    return m;
+}
+
+/// What one trajectory remembers from step to step.
+template <class Problem, embedding_facts Facts, bool Compensated, class S, class V>
+class one_node {
+    using s = shape<V>;
+    static constexpr int N = s::size;
+    using components_ = std::array<S, static_cast<std::size_t>(N)>;
+    using matrix_ = std::array<S, static_cast<std::size_t>(N* N)>;
+    using all = std::make_integer_sequence<int, N>;
+    using every = std::make_integer_sequence<int, N * N>;
+    static constexpr bool exact = std::numeric_limits<S>::is_exact;
+    static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
+    /// How many velocities the first guess of the next one is made from; rationals would only grow.
+    static constexpr int history = exact or at_start or at_end ? 1 : 7;
+
+public:
+    /// `like` has the dimension of the states to come.
+    one_node(tableau<S> const& t, S const& h, V const& /*like*/) { prepare(t, h); }
+    /// Steps of another length.
+    void prepare(tableau<S> const& t, S const& h) {
+        h_ = h;
+        w_ = t.w(0);
+        node_ = t.a(0, 1) * h;
+        c_ = w_ * t.a(0, 1);
+        f_ = w_ * t.a(0, 0);
+        known_ = known_ > 0 ? 1 : 0; // velocities at other distances do not extrapolate
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    /// The velocity to start from where there is no step before.
+    void guess(V const& v) {
+        if (known_ > 0) return;
+        past_[0] = components(v, all{});
+        known_ = 1;
+    }
+    [[nodiscard]] bool needs_guess() const { return known_ == 0; }
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("known", known_);
+        for (auto& v : past_)
+            for (S& x : v) each("velocity", x);
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
+    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) {
+        if constexpr (std::is_floating_point_v<S>)
+            flat_advance(problem, x);
+        else
+            advance(problem, x, all{}, every{});
+    }
+
+private:
+    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x) { advance(problem, x, all{}, every{}); }
+
+    template <int... K, int... M>
+    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
+                                        std::integer_sequence<int, M...>) {
+        using std::abs;
+        components_ const q{s::component(x.q, K)...}, p{s::component(x.p, K)...};
+        // One name for one number, where the type says so: what is computed from it twice is then computed once.
+        S const w = w_, c = at_end ? w : c_, f = at_start ? w : f_, t = x.t + node_;
+        // Sizes: a step may go back in time.
+        S const w_size = abs(w), c_size = abs(c), f_size = abs(f);
+        // For order one dL/dv = p + ... is often linear in v, and then any v will do to start from.
+        components_ v = at_start or at_end ? components_{} : first_guess(every_component);
+        components_ r{};
+        components_ d{};
+        bool singular = false;
+        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+            components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
+            auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
+            components_ g{e.template by_q<K>()...};
+            r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
+            // c and f are zero by the type where the position is one of the ends
+            matrix_ const D{(at_start ? e.template qv<M / N, M % N>()
+                                      : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
+            matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
+                                     : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
+                            at_end ? S(0) : times(f, D[M]))...};
+            d = r;
+            if (not small_solve(J, d)) {
+                singular = true;
+                break;
+            }
+            bool const quadratic = not e.on().coupled and e.on().v <= 2;
+            if constexpr (at_start or at_end)
+                if (iteration == 0 and not quadratic) {
+                    v = past_[0];
+                    continue;
+                }
+            v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
+            bool done;
+            if constexpr (at_start) {
+                done = quadratic or at_the_floor(largest(d), v);
+                if (not quadratic) (add_row<K>(g, D, d), ...);
+            } else if constexpr (at_end) {
+                done = quadratic or at_the_floor(largest(d), v);
+                if (done) {
+                    components_ const B{plus(q[K], S(c * v[K]))...};
+                    auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
+                    g = components_{again.template by_q<K>()...};
+                }
+            } else {
+                components_ change{};
+                (add_row<K>(change, D, d), ...);
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size * largest(d), largest(A) + c_size * largest(v), w_size, largest(g),
+                                                                  largest(change), largest(p))
+                                 : at_the_floor(largest(d), v);
+                g = components_{plus(g[K], change[K])...};
+            }
+            if (not done) {
+                if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
+            }
+            // v comes from g, except where g was evaluated once more.
+            if (not is_finite(at_end ? S((g[K] + ...) + (v[K] + ...)) : S((v[K] + ...)))) break;
+            ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), S(w * g[K]), K)), ...);
+            x.t = x.t + h_;
+            remember(v);
+            return;
+        }
+        fail(v, r, d, singular);
+    }
+    template <int J>
+    [[gnu::always_inline]] static void add_row(components_& g, matrix_ const& D, components_ const& d) {
+        [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+            ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
+        }
+        (all{});
+    }
+    /// Convergence is quadratic: after this correction the error is of the size of epsilon.
+    [[gnu::always_inline]] static bool at_the_floor(S const& size, components_ const& v) {
+        return size <= square_root_of_epsilon<S>() * small() * largest(v);
+    }
+    /// The same where v enters quadratically and the error is in dL/dq alone: `moved` is the correction of the position, `change` what it
+    /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach.
+    [[gnu::always_inline]] static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
+        return w * moved * (g * moved + change * reach) <= epsilon<S>() * small() * (p + w * g) * (reach * reach);
+    }
+    /// With compensated sums the error that Newton leaves must not be seen either.
+    static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }
+
+    /// The value of the polynomial through the last velocities at the next node: sum_k (-1)^k binomial(history, k + 1) past_k.
+    template <int... K>
+    [[gnu::always_inline]] components_ first_guess(std::integer_sequence<int, K...>) const {
+        if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};
+        if (known_ >= 2) return {S(past_[0][K] + (past_[0][K] - past_[1][K]))...};
+        return past_[0];
+    }
+    template <int K, int... I>
+    [[gnu::always_inline]] S extrapolated(std::integer_sequence<int, I...>) const {
+        return ((S(alternating_binomial(I)) * past_[I][K]) + ...);
+    }
+    static constexpr int alternating_binomial(int i) {
+        int b = 1;
+        for (int n = 0; n <= i; ++n) b = b * (history - n) / (n + 1);
+        return i % 2 == 0 ? b : -b;
+    }
+    template <int... I>
+    [[gnu::always_inline]] void shift(std::integer_sequence<int, I...>) {
+        ((past_[history - 1 - I] = past_[history - 2 - I]), ...);
+    }
+    [[gnu::always_inline]] void remember(components_ const& v) {
+        if constexpr (history > 1) {
+            shift(std::make_integer_sequence<int, history - 1>{});
+            if (known_ < history) ++known_;
+        }
+        past_[0] = v;
+    }
+    [[noreturn, gnu::noinline, gnu::cold]] static void fail(components_ v, components_ r, components_ d, bool singular) {
+        V iterate, residual;
+        for (int k = 0; k < N; ++k) {
+            s::component(iterate, k) = v[static_cast<std::size_t>(k)];
+            s::component(residual, k) =
+                is_finite(v[static_cast<std::size_t>(k)]) or singular ? r[static_cast<std::size_t>(k)] : v[static_cast<std::size_t>(k)];
+        }
+        give_up("the step p = -d_1 L_h(q, y)", singular, iterate, residual, largest(d));
+    }
+
+    S h_, w_, node_, c_, f_;
+    std::array<components_, history> past_{};
+    int known_ = 0;
+    [[no_unique_address]] summation<Compensated, S, N> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, N> sum_p_;
+};
+
+} // namespace hilger::detail

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSL-1.0
+// A point of a trajectory, and how a trajectory says where it ended.
+#pragma once
+
+#include <string>
+
+#include "hilger/mechanics/shape.hpp"
+
+namespace hilger {
+
+/// Time, position, momentum.
+template <class S, class V>
+struct state {
+    S t;
+    V q;
+    V p;
+    friend bool operator==(state const&, state const&) = default;
+};
+
+/// Where a trajectory stopped: the states up to `last` are right.
+template <class S, class V>
+struct interrupted {
+    state<S, V> last;
+};
+
+/// A step that could not be made, as the error that it met (no_convergence, singular, not_finite) and as interrupted<S, V>. The Newton
+/// iterate and its residual, where there are any, are in the nested exception (std::rethrow_if_nested).
+template <class Cause, class S, class V>
+struct step_failure : Cause, interrupted<S, V> {
+    step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
+};
+
+} // namespace hilger

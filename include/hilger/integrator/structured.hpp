@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of an embedding with one node for L = v.Mv / 2 - U(q) of any size (hilger/mechanics/mechanical.hpp): with the velocity at the
+// node as the unknown, M v = p - a_0 h U'(q + a_1 h v). First by iteration with M alone, which costs one gradient a round and gains a
+// factor h^2 |M^-1 U''| / 4; where that is too little, by Newton, solving with M + a_0 a_1 h^2 U'' in the pattern that U has.
+#pragma once
+
+#include "hilger/integrator/state.hpp"
+#include "hilger/integrator/structured_solvers.hpp"
+#include "hilger/integrator/summation.hpp"
+#include "hilger/integrator/tableau.hpp"
+#include "hilger/mechanics/newton_stop.hpp"
+
+namespace hilger::detail {
+
+/// What one trajectory remembers from step to step.
+template <class L, embedding_facts Facts, bool Compensated, class S, class V>
+class structured {
+    using s = shape<V>;
+    using Mass = std::remove_cvref_t<decltype(std::declval<L const&>().mass())>;
+    static constexpr int history = Facts.at_start or Facts.at_end ? 1 : 6;
+
+public:
+    structured(tableau<S> const& t, S const& h, L const& l, V const& like)
+        : mass_(l.mass(), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like), room_(like.size() + 1),
+          sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+        l.potential().check(like.size());
+        past_.fill(V(like));
+        prepare(t, h);
+    }
+    void prepare(tableau<S> const& t, S const& h) {
+        h_ = h;
+        w_ = t.w(0);
+        c_ = w_ * t.a(0, 1);
+        f_ = w_ * t.a(0, 0);
+        if (known_ > 1) known_ = 0;
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        int stiff = stiff_ ? 1 : 0;
+        each("known", known_);
+        each("newest", newest_);
+        each("stiff", stiff);
+        stiff_ = stiff != 0;
+        for (V& v : past_)
+            for (int k = 0; k < s::dimension(v); ++k) each("velocity", v(k));
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    void advance(L const& l, state<S, V>& x) {
+        auto const& U = l.potential();
+        if constexpr (Facts.at_start) {
+            U.gradient(x.q, g_, room_);
+            if constexpr (not Compensated) {
+                r_ = x.p - w_ * g_;
+                mass_.add(w_, r_, x.q, A_);
+                if (not is_finite(S(A_.sum()))) give_up(name, false, A_, g_, S(0));
+                x.q.swap(A_);
+                x.p.swap(r_);
+                x.t = x.t + h_;
+                return;
+            }
+            mass_.solve(x.p - w_ * g_, v_);
+        } else if constexpr (Facts.at_end) {
+            mass_.solve(x.p, v_);
+            A_ = x.q + c_ * v_;
+            U.gradient(A_, g_, room_);
+        } else {
+            first_guess(x);
+            bool const done = not stiff_ and functional(U, x);
+            if (not done) {
+                if (not stiff_) first_guess(x);
+                newton(l, x);
+            }
+        }
+        // v comes from g, except where g comes last.
+        S const sum = Facts.at_end ? S(g_.sum() + v_.sum()) : S(v_.sum());
+        if (not is_finite(sum)) give_up(name, false, v_, g_, S(0));
+        if constexpr (Compensated)
+            for (int k = 0; k < s::dimension(x.q); ++k) {
+                sum_q_.add(x.q(k), S(w_ * v_(k)), k);
+                sum_p_.add(x.p(k), S(-(w_ * g_(k))), k);
+            }
+        else {
+            x.q += w_ * v_;
+            x.p -= w_ * g_;
+        }
+        x.t = x.t + h_;
+        if constexpr (history > 1) {
+            newest_ = (newest_ + history - 1) % history;
+            past_[static_cast<std::size_t>(newest_)] = v_;
+            if (known_ < history) ++known_;
+        }
+    }
+
+private:
+    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
+    [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
+    void first_guess(state<S, V> const& x) {
+        if (known_ == history)
+            v_ = S(6) * (past(0) + past(4)) + S(20) * past(2) - S(15) * (past(1) + past(3)) - past(5);
+        else if (known_ >= 2)
+            v_ = S(2) * past(0) - past(1);
+        else if (known_ == 1)
+            v_ = past(0);
+        else
+            mass_.solve(x.p, v_);
+    }
+    /// False where it converges too slowly to be worth it.
+    template <class U>
+    bool functional(U const& potential, state<S, V> const& x) {
+        S previous(-1);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            A_ = x.q + c_ * v_;
+            potential.gradient(A_, g_, room_);
+            mass_.solve(x.p - f_ * g_, next_);
+            S const size = largest_difference(), reach = largest_of(next_);
+            v_.swap(next_);
+            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            S const floor = epsilon<S>() * reach;
+            if (size <= floor * S(8) or (round > 8 and size <= floor * S(64))) return true;
+            if (previous > S(0)) {
+                if (size * size <= floor * previous * small()) return true;
+                if (not(S(4) * size < previous) and S(1024) * floor < size) { // and not among rounding errors, which do not shrink
+                    stiff_ = true;
+                    return false;
+                }
+            }
+            previous = size;
+        }
+        return false;
+    }
+    void newton(L const& l, state<S, V> const& x) {
+        auto const& U = l.potential();
+        if (not prepared_) {
+            kernel_.prepare(U.pattern(x.q.size()), x.q.size(), [&](auto const& put) {
+                U.hessian(x.q, put);
+                mass_.put(put);
+            });
+            prepared_ = true;
+        }
+        auto const put = [&](index j, index k, S const& y) { kernel_.add(j, k, y); };
+        S const scale = f_ * c_;
+        S size(0);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            A_ = x.q + c_ * v_;
+            U.gradient(A_, g_, room_);
+            kernel_.zero();
+            mass_.put(put);
+            U.hessian(A_, [&](index j, index k, S const& y) { kernel_.add(j, k, S(scale * y)); });
+            // M v rounds; r = p - f U' - M v with the same mass that the kernel has
+            residual(l, x);
+            next_ = r_;
+            if (not kernel_.solve(next_)) give_up(name, true, v_, r_, size);
+            v_ += next_;
+            size = largest_of(next_);
+            if (not is_finite(S(next_.sum()))) give_up(name, false, v_, next_, size);
+            if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
+                (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(x.p) + magnitude(f_) * largest_of(g_)))) {
+                A_ = x.q + c_ * v_;
+                U.gradient(A_, g_, room_);
+                return;
+            }
+        }
+        give_up(name, false, v_, r_, size);
+    }
+    void residual(L const& l, state<S, V> const& x) {
+        if constexpr (L::is_matrix)
+            r_ = x.p - f_ * g_ - l.mass() * v_;
+        else if constexpr (requires { l.mass().size(); })
+            r_ = x.p - f_ * g_ - l.mass().cwiseProduct(v_);
+        else
+            r_ = x.p - f_ * g_ - S(l.mass()) * v_;
+    }
+    static S largest_of(V const& x) { return x.cwiseAbs().maxCoeff(); }
+    S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }
+    static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
+
+    S h_, w_, c_, f_;
+    mass_solver<Mass, V> mass_;
+    pattern_solver<V> kernel_;
+    bool prepared_ = false, stiff_ = false;
+    V v_, r_, g_, A_, next_;
+    Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
+    std::array<V, history> past_;
+    int newest_ = 0, known_ = 0;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+};
+
+} // namespace hilger::detail

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSL-1.0
+// The linear algebra of structured systems: the inverse of a mass given as a number, a vector or a matrix, and symmetric matrices in the
+// pattern of a potential's second derivatives - tridiagonal, dense or sparse.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+
+#include "hilger/mechanics/mechanical.hpp"
+
+namespace hilger::detail {
+
+/// M^-1 and M times a vector, for the three kinds of mass.
+template <class Mass, class V>
+class mass_solver {
+    using S = scalar_of<V>;
+
+public:
+    mass_solver(Mass const& m, index d) {
+        if constexpr (is_matrix) {
+            if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
+            matrix_ = m;
+            factors_.compute(matrix_);
+            if (factors_.info() != Eigen::Success) error::raise<error::singular>("the mass matrix is not positive definite");
+        } else if constexpr (requires { m.size(); }) {
+            if (m.size() != d) wrong(m.size(), d);
+            inverse_ = m.cwiseInverse();
+        } else
+            inverse_ = V::Constant(d, S(1) / S(m));
+    }
+    template <class R>
+    void solve(R const& r, V& v) const {
+        if constexpr (is_matrix)
+            v = factors_.solve(r);
+        else
+            v = inverse_.cwiseProduct(r);
+    }
+    /// to = q + w M^-1 p
+    void add(S const& w, V const& p, V const& q, V& to) const {
+        if constexpr (is_matrix)
+            to = q + w * factors_.solve(p);
+        else
+            to = q + w * inverse_.cwiseProduct(p);
+    }
+    template <class Put>
+    void put(Put const& to) const {
+        if constexpr (is_matrix) {
+            for (index j = 0; j < matrix_.rows(); ++j)
+                for (index k = 0; k <= j; ++k) to(j, k, S(matrix_(j, k)));
+        } else
+            for (index j = 0; j < inverse_.size(); ++j) to(j, j, S(S(1) / inverse_(j)));
+    }
+
+private:
+    static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
+    struct nothing {};
+    [[noreturn]] static void wrong(index m, index d) {
+        error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
+    }
+    V inverse_;
+    block_of<V> matrix_;
+    std::conditional_t<is_matrix, Eigen::LLT<block_of<V>>, nothing> factors_;
+};
+
+/// A factorization of one's own: Eigen's cannot be copied, or not before they are used, and a copy makes its own.
+template <class Factors>
+struct own : std::unique_ptr<Factors> {
+    own() = default;
+    own(own const&) : own() {}
+    own& operator=(own const&) { return *this; }
+};
+
+/// A symmetric matrix in one of the patterns: zero(), add(j, k, x), factor(), solve(x).
+template <class V>
+class pattern_solver {
+    using S = scalar_of<V>;
+
+public:
+    template <class List>
+    void prepare(hessian_pattern pattern, index d, List const& list) {
+        pattern_ = pattern;
+        if (pattern == hessian_pattern::tridiagonal) {
+            diagonal_.setZero(d);
+            below_.setZero(d);
+        } else if (pattern == hessian_pattern::dense)
+            dense_ = block_of<V>::Zero(d, d);
+        else {
+            std::vector<Eigen::Triplet<S>> entries;
+            list([&](index j, index k, S const&) { entries.emplace_back(static_cast<int>(j), static_cast<int>(k), S(0)); });
+            for (int j = 0; j < d; ++j) entries.emplace_back(j, j, S(0));
+            sparse_.resize(d, d);
+            sparse_.setFromTriplets(entries.begin(), entries.end());
+        }
+    }
+    void zero() {
+        if (pattern_ == hessian_pattern::tridiagonal) {
+            diagonal_.setZero();
+            below_.setZero();
+        } else if (pattern_ == hessian_pattern::dense)
+            dense_.setZero();
+        else
+            for (index k = 0; k < sparse_.nonZeros(); ++k) sparse_.valuePtr()[k] = S(0);
+    }
+    void add(index j, index k, S const& x) {
+        if (pattern_ == hessian_pattern::tridiagonal)
+            (j == k ? diagonal_(j) : below_(k)) += x;
+        else if (pattern_ == hessian_pattern::dense)
+            dense_(j, k) += x;
+        else
+            sparse_.coeffRef(static_cast<int>(j), static_cast<int>(k)) += x;
+    }
+    /// x in K x = r; false where K is not regular.
+    bool solve(V& x) {
+        if (pattern_ == hessian_pattern::tridiagonal) return thomas(x);
+        if (pattern_ == hessian_pattern::dense) {
+            if (not dense_factors_) dense_factors_.reset(new Eigen::LDLT<block_of<V>, Eigen::Lower>(dense_.rows()));
+            dense_factors_->compute(dense_);
+            if (dense_factors_->info() != Eigen::Success or not(dense_factors_->vectorD().cwiseAbs().minCoeff() > S(0))) return false;
+            x = dense_factors_->solve(x);
+        } else {
+            if (not simplicial_) {
+                simplicial_.reset(new Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>, Eigen::Lower>);
+                simplicial_->analyzePattern(sparse_);
+            }
+            simplicial_->factorize(sparse_);
+            if (simplicial_->info() != Eigen::Success) return false;
+            x = simplicial_->solve(x);
+        }
+        return true;
+    }
+
+private:
+    bool thomas(V& x) {
+        index const d = x.size();
+        for (index k = 0; k < d; ++k) {
+            if (k > 0) {
+                S const factor = below_(k - 1) * diagonal_(k - 1); // the diagonal holds inverse pivots up to k - 1
+                diagonal_(k) -= factor * below_(k - 1);
+                x(k) -= factor * x(k - 1);
+            }
+            if (diagonal_(k) == S(0)) return false;
+            diagonal_(k) = S(1) / diagonal_(k);
+        }
+        x(d - 1) = x(d - 1) * diagonal_(d - 1);
+        for (index k = d - 2; k >= 0; --k) x(k) = (x(k) - below_(k) * x(k + 1)) * diagonal_(k);
+        return true;
+    }
+
+    hessian_pattern pattern_ = hessian_pattern::dense;
+    Eigen::Matrix<S, Eigen::Dynamic, 1> diagonal_, below_;
+    block_of<V> dense_;
+    own<Eigen::LDLT<block_of<V>, Eigen::Lower>> dense_factors_;
+    Eigen::SparseMatrix<S> sparse_;
+    own<Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>, Eigen::Lower>> simplicial_;
+};
+
+} // namespace hilger::detail

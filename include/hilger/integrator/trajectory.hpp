@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSL-1.0
+// A trajectory as a range of states, one at each point of a time scale, computed as it is walked. Everything that steps (a flow, a
+// composition of flows) derives from `stepping` and offers memory<S, V>, which advances a state in place.
+#pragma once
+
+#include <exception>
+#include <iterator>
+#include <sstream>
+
+#include "hilger/integrator/state.hpp"
+#include "hilger/mechanics/variation.hpp"
+#include "hilger/scale/time_scale.hpp"
+#include "hilger/scale/uniform.hpp"
+
+namespace hilger {
+
+/// Initial position and velocity. The momentum is p0 = dL/dv(q0, v0).
+template <class V>
+struct initial_velocity {
+    V q0;
+    V v0;
+};
+/// The first two positions. The momentum is p0 = -d_1 L_h(q0, q1).
+template <class V>
+struct initial_positions {
+    V q0;
+    V q1;
+};
+
+/// Steps of one length need not ask for it each time.
+template <class Memory, class Method, class S, class State>
+concept advances_equally = requires(Memory m, Method const& f, State x, S const& h) {
+    m.begin(f, x, h);
+    m.advance_equally(f, x);
+};
+
+/// A point of a trajectory with everything that the steps after it depend on: the state, what the method remembers (first guesses, what
+/// rounding cut off), and the number of the point.
+template <class S, class V, class Memory>
+struct checkpoint {
+    state<S, V> at;
+    Memory memory;
+    index number;
+};
+
+/// A trajectory from one of its checkpoints on.
+template <class Path>
+class resumed {
+public:
+    resumed(Path path, typename Path::checkpoint_type from) : path_(std::move(path)), from_(std::move(from)) {}
+    [[nodiscard]] auto begin() const& { return typename Path::iterator(path_, from_); }
+    void begin() const&& = delete; // it would outlive the trajectory that it walks
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    [[nodiscard]] auto const& scale() const { return path_.scale(); }
+    [[nodiscard]] auto const& method() const { return path_.method(); }
+
+private:
+    Path path_;
+    typename Path::checkpoint_type from_;
+};
+
+template <class Method, time_scale_like Scale, class V>
+class trajectory {
+    using S = typename Scale::root_type::scalar_type;
+    using memory = typename Method::template memory<S, V>;
+
+public:
+    using checkpoint_type = checkpoint<S, V, memory>;
+    class iterator {
+    public:
+        using iterator_concept = std::input_iterator_tag;
+        using value_type = state<S, V>;
+        using difference_type = index;
+        explicit iterator(trajectory const& path)
+            : path_(&path), memory_(path.method_, path.step(path.T_.first()), path.start_.q), at_(path.start_), number_(path.T_.first()),
+              last_(path.T_.last()) {
+            begin();
+        }
+        iterator(trajectory const& path, checkpoint_type const& from)
+            : path_(&path), memory_(from.memory), at_(from.at), number_(from.number), last_(path.T_.last()) {
+            begin();
+        }
+        [[gnu::always_inline]] value_type const& operator*() const { return at_; }
+        [[gnu::always_inline]] value_type const* operator->() const { return &at_; }
+        [[gnu::always_inline]] iterator& operator++() {
+            advance();
+            return *this;
+        }
+        [[gnu::always_inline]] void operator++(int) { advance(); }
+        /// The number of the point of T that the state is at.
+        [[nodiscard]] index number() const { return number_; }
+        /// What trajectory::resume continues from, bit for bit as if it had not stopped.
+        [[nodiscard]] checkpoint_type checkpoint() const { return {at_, memory_, number_}; }
+        friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }
+
+    private:
+        [[gnu::always_inline]] void advance() {
+            if (number_ >= last_) {
+                ++number_;
+                return;
+            }
+            guarded([&] {
+                if constexpr (equal_steps)
+                    memory_.advance_equally(path_->method_, at_);
+                else
+                    memory_.advance(path_->method_, at_, path_->step(number_));
+            });
+            ++number_;
+            at_.t = path_->T_.element(number_);
+        }
+        static constexpr bool equal_steps = Scale::root_type::is_uniform and
+                                            detail::has_equal_steps<typename Scale::domain_type::base_type> and
+                                            advances_equally<memory, Method, S, value_type>;
+        void begin() {
+            if constexpr (equal_steps)
+                if (number_ < last_) guarded([&] { memory_.begin(path_->method_, at_, path_->step(number_)); });
+        }
+        template <class Work>
+        [[gnu::always_inline]] void guarded(Work const& work) {
+            try {
+                work();
+            } catch (error::no_convergence const& cause) {
+                stop(cause, path_->step(number_), at_);
+            } catch (error::singular const& cause) {
+                stop(cause, path_->step(number_), at_);
+            } catch (error::not_finite const& cause) {
+                stop(cause, path_->step(number_), at_);
+            }
+        }
+        template <class Cause>
+        [[noreturn, gnu::noinline, gnu::cold]] static void stop(Cause const& cause, S h, value_type at) {
+            std::ostringstream message;
+            message << "the step from t = " << at.t << " with h = " << h << " failed: " << cause.what();
+            std::throw_with_nested(step_failure<Cause, S, V>(message.str(), at));
+        }
+        trajectory const* path_;
+        memory memory_;
+        value_type at_;
+        index number_, last_;
+    };
+
+    trajectory(Method method, Scale T, V q0, V p0)
+        : method_(std::move(method)), T_(std::move(T)), start_{T_.min(), std::move(q0), std::move(p0)} {
+        if (not detail::all_finite(start_.q) or not detail::all_finite(start_.p))
+            error::raise<error::not_finite>("the initial position and momentum are finite numbers, and these contain NaN or infinity");
+        detail::require_same_dimension(start_.q, start_.p, "the initial position and momentum");
+    }
+    [[nodiscard]] iterator begin() const& { return iterator(*this); }
+    iterator begin() const&& = delete; // it would outlive the trajectory that it walks
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    [[nodiscard]] Scale const& scale() const { return T_; }
+    [[nodiscard]] Method const& method() const { return method_; }
+    /// The rest of the trajectory, beginning with the checkpoint's own state; T may go further than the one that the checkpoint is from.
+    /// @throws error::mismatch when the checkpoint's point is not the one of that number in T.
+    [[nodiscard]] resumed<trajectory> resume(checkpoint_type from) const {
+        if (from.number < T_.first() or T_.last() < from.number or not(T_.element(from.number) == from.at.t))
+            error::raise<error::mismatch>("a trajectory on ", T_, " resumes from one of its points, and point ", from.number,
+                                          " at t = ", from.at.t, " is none");
+        detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
+        return {*this, std::move(from)};
+    }
+
+private:
+    [[gnu::always_inline]] S step(index i) const { return T_.domain().base.step(T_.root(), i); }
+    Method method_;
+    Scale T_;
+    state<S, V> start_;
+};
+
+template <class Method>
+class stepping {
+public:
+    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked.
+    /// @throws error::not_finite at once when q0 or p0 is not finite; while walking, a step_failure with the last good state.
+    template <time_scale_like Scale, class V>
+    auto along(Scale const& T, V q0, V p0) const {
+        using S = typename Scale::root_type::scalar_type;
+        if constexpr (requires { Method::template refusal<S, V>(); }) {
+            constexpr auto refusal = Method::template refusal<S, V>();
+            if constexpr (std::same_as<decltype(refusal), std::nullptr_t const>)
+                return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
+            else
+                return does_not_compile<refusal>{};
+        } else
+            return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
+    }
+    template <time_scale_like Scale, class V>
+    auto along(Scale const& T, initial_velocity<V> const& from) const {
+        return along(T, from.q0, self().momentum(T.min(), from.q0, from.v0));
+    }
+    template <time_scale_like Scale, class V>
+    auto along(Scale const& T, initial_positions<V> const& from) const {
+        auto const h = T.domain().base.step(T.root(), T.first());
+        return along(T, from.q0, self().momentum_between(T.min(), from.q0, from.q1, h));
+    }
+    /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
+    template <class S, class V>
+    state<S, V> step(state<S, V> from, S const& h) const {
+        typename Method::template memory<S, V> memory(self(), h, from.q);
+        memory.advance(self(), from, h);
+        return from;
+    }
+
+private:
+    [[nodiscard]] Method const& self() const { return static_cast<Method const&>(*this); }
+};
+
+} // namespace hilger

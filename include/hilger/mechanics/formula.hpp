@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSL-1.0
+// The nodes of a formula: an acyclic graph of operations, numbers and variables in which equal parts are one node (hash-consing), so that
+// equality is equality of pointers and what a formula shares is known without searching. Nodes never change once made.
+//
+// The table of all nodes belongs to a thread: formulas of different threads do not share, and may be passed between them.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+namespace hilger {
+
+enum class operation : unsigned char {
+    number,
+    variable,
+    plus,
+    minus,
+    times,
+    over,
+    negative,
+    power, ///< the exponent is a number, in `value`
+    atan2,
+    sin,
+    cos,
+    tan,
+    exp,
+    log,
+    sqrt,
+    sinh,
+    cosh,
+    tanh,
+    asin,
+    acos,
+    atan,
+    abs,
+    sign ///< the derivative of abs; sign(0) is 1
+};
+
+struct formula {
+    using pointer = std::shared_ptr<formula const>;
+    operation op = operation::number;
+    double value = 0;  ///< of a number, or the exponent of a power
+    std::string name;  ///< of a variable
+    int component = 0; ///< of a variable that is part of a vector; -1 for one that is not
+    pointer a, b;
+
+    [[nodiscard]] bool is_leaf() const { return op == operation::number or op == operation::variable; }
+};
+
+namespace detail {
+
+/// The value of an elementary function.
+inline double call(operation op, double x) {
+    switch (op) {
+    case operation::sin:
+        return std::sin(x);
+    case operation::cos:
+        return std::cos(x);
+    case operation::tan:
+        return std::tan(x);
+    case operation::exp:
+        return std::exp(x);
+    case operation::log:
+        return std::log(x);
+    case operation::sqrt:
+        return std::sqrt(x);
+    case operation::sinh:
+        return std::sinh(x);
+    case operation::cosh:
+        return std::cosh(x);
+    case operation::tanh:
+        return std::tanh(x);
+    case operation::asin:
+        return std::asin(x);
+    case operation::acos:
+        return std::acos(x);
+    case operation::atan:
+        return std::atan(x);
+    case operation::abs:
+        return std::abs(x);
+    case operation::sign:
+        return x < 0 ? -1 : 1;
+    default:
+        return std::nan("");
+    }
+}
+
+/// The thread's nodes, held as long as somebody holds them.
+class formula_table {
+public:
+    static formula_table& of_this_thread() {
+        thread_local formula_table table;
+        return table;
+    }
+    /// The node that equals f; a + b and b + a are one node, the first that was made.
+    formula::pointer node(formula f) {
+        bool const commutes = f.op == operation::plus or f.op == operation::times;
+        if (commutes)
+            if (auto const found = find({f.op, f.value, f.name, f.component, f.b, f.a})) return found;
+        if (auto const found = find(f)) return found;
+        if (nodes_.size() >= sweep_at_) sweep();
+        auto made = std::make_shared<formula const>(std::move(f));
+        nodes_.insert_or_assign(key(*made), made);
+        return made;
+    }
+
+private:
+    /// Two live nodes with equal keys are equal: the parts of a live node live.
+    struct key {
+        explicit key(formula const& f)
+            : op(f.op), value(std::bit_cast<std::uint64_t>(f.value)), name(f.name), component(f.component), a(f.a.get()), b(f.b.get()) {}
+        operation op;
+        std::uint64_t value;
+        std::string name;
+        int component;
+        formula const *a, *b;
+        friend bool operator==(key const&, key const&) = default;
+    };
+    struct hash {
+        std::size_t operator()(key const& k) const {
+            std::size_t seed = static_cast<std::size_t>(k.op);
+            for (std::size_t const part : {std::hash<std::uint64_t>{}(k.value), std::hash<std::string>{}(k.name),
+                                           std::hash<int>{}(k.component), std::hash<void const*>{}(k.a), std::hash<void const*>{}(k.b)})
+                seed = seed * 0x9e3779b97f4a7c15u + (part ^ (seed >> 29));
+            return seed;
+        }
+    };
+    formula::pointer find(formula const& f) const {
+        auto const at = nodes_.find(key(f));
+        return at == nodes_.end() ? nullptr : at->second.lock();
+    }
+    void sweep() {
+        std::erase_if(nodes_, [](auto const& entry) { return entry.second.expired(); });
+        sweep_at_ = 2 * nodes_.size() + 1024;
+    }
+    std::unordered_map<key, std::weak_ptr<formula const>, hash> nodes_;
+    std::size_t sweep_at_ = 1024;
+};
+
+} // namespace detail
+} // namespace hilger

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSL-1.0
+// Exact first and second derivatives of a generic formula, by forward evaluation. A jet is a number that carries its derivatives by the
+// variables number First ... First + Count - 1, up to Order 1 or 2. The range is in the type: what depends on q alone never touches the
+// variables of v, and a product of both lives on both.
+//
+// Everything here is inlined and built in one expression, without loops or lambdas: that is what lets an optimiser see every derivative as
+// a variable of its own and drop those that are zero.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace hilger {
+
+namespace detail {
+
+/// IEEE rules forbid a compiler to drop 0 * x and 0 + x; derivatives are full of zeros that are exact.
+template <class S>
+[[gnu::always_inline]] constexpr bool is_known_zero(S const& x) {
+    if constexpr (std::is_floating_point_v<S>)
+        return __builtin_constant_p(x) and x == S(0);
+    else
+        return x == S(0);
+}
+template <class S>
+[[gnu::always_inline]] constexpr bool is_known_one(S const& x) {
+    if constexpr (std::is_floating_point_v<S>)
+        return __builtin_constant_p(x) and x == S(1);
+    else
+        return x == S(1);
+}
+/// Both are one constant that the compiler can see.
+template <class S>
+[[gnu::always_inline]] constexpr bool is_one_constant(S const& x, S const& y) {
+    if constexpr (std::is_floating_point_v<S>)
+        return __builtin_constant_p(x) and __builtin_constant_p(y) and x == y;
+    else
+        return false;
+}
+template <class S>
+[[gnu::always_inline]] constexpr S times(S const& x, S const& y) {
+    if (is_known_zero(x) or is_known_zero(y)) return S(0);
+    if (is_known_one(x)) return y;
+    if (is_known_one(y)) return x;
+    return x * y;
+}
+template <class S>
+[[gnu::always_inline]] constexpr S plus(S const& x, S const& y) {
+    if (is_known_zero(x)) return y;
+    if (is_known_zero(y)) return x;
+    return x + y;
+}
+template <class S>
+[[gnu::always_inline]] constexpr S minus(S const& x, S const& y) {
+    if (is_known_zero(y)) return x;
+    if (is_known_zero(x)) return -y;
+    return x - y;
+}
+
+/// Row and column of the n-th entry of a lower triangle.
+constexpr int row(int n) {
+    int j = 0;
+    while ((j + 1) * (j + 2) / 2 <= n) ++j;
+    return j;
+}
+constexpr int column(int n) { return n - row(n) * (row(n) + 1) / 2; }
+
+} // namespace detail
+
+/// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Bounds from above, found along the way; they decide
+/// what need not be iterated.
+struct dependence {
+    static constexpr int no_polynomial = 1000;
+    int q = 0, v = 0;
+    bool coupled = false; ///< a term has both
+
+    friend constexpr bool operator==(dependence, dependence) = default;
+    [[gnu::always_inline]] constexpr bool on_both() const { return q > 0 and v > 0; }
+    [[gnu::always_inline]] friend constexpr dependence operator+(dependence x, dependence y) {
+        return {std::max(x.q, y.q), std::max(x.v, y.v), x.coupled or y.coupled};
+    }
+    [[gnu::always_inline]] friend constexpr dependence operator*(dependence x, dependence y) {
+        dependence const z{std::min(x.q + y.q, no_polynomial), std::min(x.v + y.v, no_polynomial), false};
+        bool const trivial = x == dependence{} or y == dependence{};
+        return {z.q, z.v, trivial ? x.coupled or y.coupled : z.on_both()};
+    }
+    [[gnu::always_inline]] constexpr dependence of_function() const {
+        return {q > 0 ? no_polynomial : 0, v > 0 ? no_polynomial : 0, on_both()};
+    }
+};
+
+template <class S, int First, int Count, int Order>
+struct jet {
+    static_assert(Order == 1 or Order == 2);
+    static constexpr int first = First, count = Count, order = Order, last = First + Count - 1;
+    static constexpr int packed = Order == 2 ? Count * (Count + 1) / 2 : 0;
+    using scalar_type = S;
+    using gradient = std::array<S, static_cast<std::size_t>(Count)>;
+    using triangle = std::array<S, static_cast<std::size_t>(packed)>;
+
+    // The jet of c g(u): its value, the factor c, slope = g'(u), bend = g''(u) and u's own derivatives. Functions of one argument and
+    // constant factors touch these numbers only; products and sums work the derivatives out.
+    S value{};
+    S factor{1};
+    S slope{1};
+    S bend{};
+    gradient d1{};
+    triangle d2{}; ///< rows of the lower triangle
+    dependence on{};
+
+    [[gnu::always_inline]] constexpr jet() = default;
+    [[gnu::always_inline]] constexpr jet(S const& x, gradient const& g, triangle const& t, dependence n) : value(x), d1(g), d2(t), on(n) {}
+    template <class C>
+        requires std::constructible_from<S, C>
+    [[gnu::always_inline]] constexpr explicit(false) jet(C const& constant) : value(constant) {}
+    /// A jet in fewer variables.
+    template <int F, int C>
+        requires(F >= First and F + C <= First + Count and C < Count)
+    [[gnu::always_inline]] constexpr explicit(false) jet(jet<S, F, C, Order> const& x);
+    /// The variable number `which`, at `value`; one of q or of v.
+    [[gnu::always_inline]] static constexpr jet variable(S const& value, int which, dependence on) {
+        jet x(value);
+        x.d1[static_cast<std::size_t>(which - First)] = S(1);
+        x.on = on;
+        return x;
+    }
+
+    /// Derivatives of u, and below those of c g(u), by the variables' numbers, J >= K; zero for variables out of the range.
+    template <int J>
+    [[gnu::always_inline]] constexpr S inner() const {
+        if constexpr (J < First or J > last)
+            return S(0);
+        else
+            return std::get<static_cast<std::size_t>(J - First)>(d1);
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] constexpr S inner() const {
+        if constexpr (K < First or J > last)
+            return S(0);
+        else
+            return std::get<static_cast<std::size_t>((J - First) * (J - First + 1) / 2 + K - First)>(d2);
+    }
+    template <int J>
+    [[gnu::always_inline]] constexpr S by() const {
+        return detail::times(factor, detail::times(slope, inner<J>()));
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] constexpr S by() const {
+        return detail::times(factor,
+                             detail::plus(detail::times(slope, inner<J, K>()), detail::times(bend, detail::times(inner<J>(), inner<K>()))));
+    }
+
+    /// The same for numbers j >= k >= First known at run time only.
+    [[nodiscard]] constexpr S derivative(int j) const { return S(factor * slope) * d1[static_cast<std::size_t>(j - First)]; }
+    [[nodiscard]] constexpr S derivative(int j, int k) const {
+        std::size_t const row = static_cast<std::size_t>(j - First), column = static_cast<std::size_t>(k - First);
+        return factor * S(S(slope * d2[row * (row + 1) / 2 + column]) + S(bend * S(d1[row] * d1[column])));
+    }
+
+    /// u is not inside a function.
+    [[gnu::always_inline]] constexpr bool is_plain() const { return detail::is_known_one(slope) and detail::is_known_zero(bend); }
+
+    template <class Y>
+    [[gnu::always_inline]] constexpr jet& operator+=(Y const& y) {
+        return *this = *this + y;
+    }
+    template <class Y>
+    [[gnu::always_inline]] constexpr jet& operator-=(Y const& y) {
+        return *this = *this - y;
+    }
+    template <class Y>
+    [[gnu::always_inline]] constexpr jet& operator*=(Y const& y) {
+        return *this = *this * y;
+    }
+    template <class Y>
+    [[gnu::always_inline]] constexpr jet& operator/=(Y const& y) {
+        return *this = *this / y;
+    }
+};
+
+template <class T>
+inline constexpr bool is_jet = false;
+template <class S, int F, int C, int O>
+inline constexpr bool is_jet<jet<S, F, C, O>> = true;
+
+/// What may stand beside a jet as a constant.
+template <class C, class S>
+concept constant_for = std::constructible_from<S, C> and not is_jet<C>;
+
+} // namespace hilger

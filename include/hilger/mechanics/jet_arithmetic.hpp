@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSL-1.0
+// The four operations on jets, with each other and with constants. The derivatives of a result are listed in one expression: no loops and
+// no lambdas, which an optimiser sees through less well.
+#pragma once
+
+#include "hilger/mechanics/jet.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// A jet whose derivatives are given by a rule: Rule::d1<J>(arguments...) and Rule::d2<J, K>(arguments...).
+template <class Jet, class Rule>
+struct build {
+    template <class... Arguments>
+    [[gnu::always_inline]] static constexpr Jet from(typename Jet::scalar_type const& value, dependence on, Arguments const&... arguments) {
+        return expand(std::make_integer_sequence<int, Jet::count>{}, std::make_integer_sequence<int, Jet::packed>{}, value, on,
+                      arguments...);
+    }
+
+private:
+    template <int... J, int... N, class... Arguments>
+    [[gnu::always_inline]] static constexpr Jet expand(std::integer_sequence<int, J...>, std::integer_sequence<int, N...>,
+                                                       typename Jet::scalar_type const& value, dependence on,
+                                                       Arguments const&... arguments) {
+        return {value,
+                {Rule::template d1<Jet::first + J>(arguments...)...},
+                {Rule::template d2<Jet::first + row(N), Jet::first + column(N)>(arguments...)...},
+                on};
+    }
+};
+
+struct widened {
+    template <int J, class X>
+    [[gnu::always_inline]] static constexpr auto d1(X const& x) {
+        return x.template by<J>();
+    }
+    template <int J, int K, class X>
+    [[gnu::always_inline]] static constexpr auto d2(X const& x) {
+        return x.template by<J, K>();
+    }
+};
+/// x + y; with a common factor left out, x / c + y / c.
+struct added {
+    template <int J, class X, class Y>
+    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y, bool common) {
+        return common ? plus(x.template inner<J>(), y.template inner<J>()) : plus(x.template by<J>(), y.template by<J>());
+    }
+    template <int J, int K, class X, class Y>
+    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y, bool common) {
+        return common ? plus(x.template inner<J, K>(), y.template inner<J, K>()) : plus(x.template by<J, K>(), y.template by<J, K>());
+    }
+};
+/// x y; of a square x x, half of it.
+struct multiplied {
+    template <int J, class X, class Y>
+    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y, bool square) {
+        auto const part = times(x.value, y.template by<J>());
+        return square ? part : plus(times(x.template by<J>(), y.value), part);
+    }
+    template <int J, int K, class X, class Y>
+    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y, bool square) {
+        auto const part = plus(times(x.value, y.template by<J, K>()), times(x.template by<J>(), y.template by<K>()));
+        return square ? part : plus(part, plus(times(x.template by<J, K>(), y.value), times(x.template by<K>(), y.template by<J>())));
+    }
+};
+
+/// The jet in the variables of both.
+template <class X, class Y>
+struct hull_;
+template <class S, int F, int C, int G, int D, int O>
+struct hull_<jet<S, F, C, O>, jet<S, G, D, O>> {
+    static constexpr int first = std::min(F, G), last = std::max(F + C, G + D);
+    using type = jet<S, first, last - first, O>;
+};
+template <class X, class Y>
+using hull = typename hull_<X, Y>::type;
+
+} // namespace detail
+
+template <class S, int First, int Count, int Order>
+template <int F, int C>
+    requires(F >= First and F + C <= First + Count and C < Count)
+constexpr jet<S, First, Count, Order>::jet(jet<S, F, C, Order> const& x)
+    : jet(detail::build<jet, detail::widened>::from(x.value, x.on, x)) {}
+
+/// c x
+template <class S, int F, int C, int O>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> scaled_by(jet<S, F, C, O> x, S const& image, S const& c) {
+    x.value = image;
+    x.factor = detail::times(x.factor, c);
+    return x;
+}
+template <class S, int F, int C, int O>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> const& x) {
+    return scaled_by(x, S(-x.value), S(-1));
+}
+template <class S, int F, int C, int G, int D, int O>
+[[gnu::always_inline]] constexpr auto operator+(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+    using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
+    // One constant factor stays a factor: the derivative of (x x + y y) / 2 is then x, and not 2 x / 2.
+    bool const common = detail::is_one_constant(x.factor, y.factor) and x.is_plain() and y.is_plain();
+    both z = detail::build<both, detail::added>::from(S(x.value + y.value), x.on + y.on, x, y, common);
+    z.factor = common ? x.factor : S(1);
+    return z;
+}
+template <class S, int F, int C, int G, int D, int O>
+[[gnu::always_inline]] constexpr auto operator-(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+    return x + (-y);
+}
+template <class S, int F, int C, int G, int D, int O>
+[[gnu::always_inline]] constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+    using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
+    bool square = false;
+    if constexpr (std::same_as<jet<S, F, C, O>, jet<S, G, D, O>>) square = &x == &y;
+    both z = detail::build<both, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x, y, square);
+    z.factor = square ? S(2) : S(1);
+    return z;
+}
+/// g(x) given g there, g' = c g1 and g'' = c r g2: constants apart from the rest, so that they meet other constants first.
+template <class S, int F, int C, int O>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> chain_rule(jet<S, F, C, O> x, S const& g, S const& g1, S const& g2, S const& c = S(1),
+                                                            S const& r = S(1)) {
+    using detail::plus, detail::times;
+    x.value = g;
+    if constexpr (O == 2) x.bend = plus(times(g1, x.bend), times(times(r, x.factor), times(g2, times(x.slope, x.slope))));
+    x.slope = times(g1, x.slope);
+    x.factor = times(c, x.factor);
+    x.on = x.on.of_function();
+    return x;
+}
+template <class S, int F, int C, int O>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
+    S const i = S(1) / x.value;
+    S const ii = i * i;
+    return chain_rule(x, i, ii, S(ii * i), S(-1), S(-2));
+}
+template <class S, int F, int C, int G, int D, int O>
+[[gnu::always_inline]] constexpr auto operator/(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+    return x * inverse(y);
+}
+
+// Constants: whole numbers and doubles meet wide scalars exactly as the user wrote them.
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(jet<S, F, C, O> x, K const& c) {
+    x.value = x.value + S(c);
+    return x;
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(K const& c, jet<S, F, C, O> const& x) {
+    return x + c;
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> x, K const& c) {
+    x.value = x.value - S(c);
+    return x;
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(K const& c, jet<S, F, C, O> const& x) {
+    return -x + c;
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator*(jet<S, F, C, O> const& x, K const& c) {
+    return scaled_by(x, S(x.value * S(c)), S(c));
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator*(K const& c, jet<S, F, C, O> const& x) {
+    return x * c;
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator/(jet<S, F, C, O> const& x, K const& c) {
+    return scaled_by(x, S(x.value / S(c)), S(S(1) / S(c)));
+}
+template <class S, int F, int C, int O, constant_for<S> K>
+[[gnu::always_inline]] constexpr jet<S, F, C, O> operator/(K const& c, jet<S, F, C, O> const& x) {
+    return inverse(x) * c;
+}
+
+} // namespace hilger

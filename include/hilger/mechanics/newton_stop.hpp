@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+// When a Newton iteration for a step is done, and what is said when it is not. Convergence is quadratic: a correction of relative size
+// sqrt(epsilon) leaves an error of size epsilon, so the last correction is applied and not evaluated again.
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "hilger/mechanics/shape.hpp"
+
+namespace hilger {
+
+/// A Newton iteration that failed: how far it came.
+template <class V>
+struct newton_failure : error::no_convergence {
+    newton_failure(std::string const& what, V last, V rest) : no_convergence(what), iterate(std::move(last)), residual(std::move(rest)) {}
+    V iterate;
+    V residual;
+};
+
+namespace detail {
+
+/// An exact scalar reaches the root of a linear equation at once; of another one its digits would double each time.
+template <class S>
+inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
+
+template <class S>
+[[gnu::always_inline]] inline S square_root_of_epsilon() {
+    using std::sqrt;
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return S(0);
+    else if constexpr (std::is_same_v<S, double>)
+        return 1.4901161193847656e-08;
+    else
+        return S(sqrt(epsilon<S>()));
+}
+
+/// A pivot at rounding level of the largest one means that no digit of a solution is right.
+template <class LU>
+bool is_regular(LU const& lu) {
+    using S = typename LU::Scalar;
+    auto const pivots = lu.matrixLU().diagonal().cwiseAbs();
+    return pivots.maxCoeff() * S(static_cast<int>(pivots.size())) * epsilon<S>() < pivots.minCoeff();
+}
+[[noreturn]] inline void refuse_singular(std::string const& what) {
+    error::raise<error::singular>(what, " has a singular derivative here: the second derivative of L by the velocity must be invertible");
+}
+
+/// Why an iteration of `most` rounds came to nothing, as the error that fits.
+template <class V>
+[[noreturn]] void give_up(std::string const& what, bool singular, V const& iterate, V const& residual, scalar_of<V> const& correction,
+                          int most = most_iterations<scalar_of<V>>) {
+    if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
+    if (singular) refuse_singular(what);
+    std::ostringstream message;
+    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << correction
+            << (std::numeric_limits<scalar_of<V>>::is_exact ? ". An exact scalar needs an equation that is linear in the unknown"
+                                                            : ". A smaller step h brings the guess closer");
+    throw newton_failure<V>(message.str(), iterate, residual);
+}
+
+} // namespace detail
+} // namespace hilger

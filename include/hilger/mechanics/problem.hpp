@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSL-1.0
+// What is stepped: a Lagrangian L(q, v) or L(t, q, v), and perhaps forces f(q, v) or f(t, q, v) that do not come from it. In the discrete
+// Lagrange-d'Alembert principle a force stands beside dL/dq under the position operator's adjoint.
+#pragma once
+
+#include "hilger/mechanics/derivatives.hpp"
+#include "hilger/text.hpp"
+
+namespace hilger {
+
+struct no_force {};
+
+template <class F, class Force = no_force>
+struct problem {
+    [[no_unique_address]] F lagrangian;
+    [[no_unique_address]] Force force;
+};
+
+/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), midpoint). With the mid-point embedding f is read where
+/// dL/dq is, at the middle of the step, which keeps order 2.
+template <class L, class Force>
+constexpr auto with_force(L const& l, Force f) {
+    if constexpr (requires { l.function; })
+        return problem<std::remove_cvref_t<decltype(l.function)>, Force>{l.function, std::move(f)};
+    else
+        return problem<L, Force>{l, std::move(f)};
+}
+
+namespace detail {
+
+/// f at time t: a function of two states, whether f asks for the time or not.
+template <class F, class S>
+struct at_time {
+    F const& f;
+    S const& t;
+    template <class X, class Y>
+    [[gnu::always_inline]] constexpr decltype(auto) operator()(X const& x, Y const& y) const {
+        if constexpr (std::invocable<F const&, S const&, X const&, Y const&>)
+            return f(t, x, y);
+        else
+            return call(f, x, y);
+    }
+    template <class V>
+        requires(
+            requires(F const& g, V const& x) { g.expand(x, x); } or requires(F const& g, S const& u, V const& x) { g.expand(u, x, x); })
+    expansion<V> expand(V const& q, V const& v)
+    const {
+        if constexpr (requires { f.expand(t, q, v); })
+            return f.expand(t, q, v);
+        else
+            return f.expand(q, v);
+    }
+};
+template <class F, class S>
+at_time(F const&, S const&) -> at_time<F, S>;
+
+template <class X>
+decltype(auto) component_of(X const& x, int k) {
+    if constexpr (is_jet<X>)
+        return x;
+    else
+        return x(k);
+}
+
+/// The numbers that a Lagrangian of states V meets.
+template <class V>
+struct jets_for {
+    using S = scalar_of<V>;
+    using s = shape<V>;
+    static constexpr bool small = s::size != Eigen::Dynamic and s::size <= one_evaluation;
+    static constexpr int N = small ? s::size : chunk;
+    using whole = qv_jet<S, N>;
+    using position = typename s::template with<std::conditional_t<small, q_jet<S, N>, whole>>;
+    using velocity = typename s::template with<std::conditional_t<small, v_jet<S, N>, whole>>;
+};
+/// Why F is no Lagrangian of states V at times S: a text, or nullptr where it is one.
+template <class F, class S, class V>
+constexpr auto refusal() {
+    using jets = jets_for<V>;
+    using X = typename jets::position;
+    using Y = typename jets::velocity;
+    constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
+    if constexpr (
+        requires(F const& f, V const& x) { f.expand(x, x); } or requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); })
+        return nullptr;
+    else if constexpr (not timed and not std::invocable<F const&, X const&, Y const&>)
+        return text("a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before them: "
+                    "derivatives pass through it");
+    else {
+        using R = typename std::conditional_t<timed, std::invoke_result<F const&, S const&, X const&, Y const&>,
+                                              std::invoke_result<F const&, X const&, Y const&>>::type;
+        if constexpr (not std::constructible_from<typename jets::whole, plain_t<R>>)
+            return text("a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
+        else
+            return nullptr;
+    }
+}
+
+/// Derivatives at one node: by_q<J>, by_v<J>, and qq<J, K> = second derivative by component J of q, then K of q. A force f adds itself to
+/// by_q, df/dq to qq and df/dv to qv, so that qv is the transpose of vq without forces only.
+template <int N, class Jet>
+struct node_jet {
+    Jet z;
+    [[gnu::always_inline]] dependence on() const { return z.on; }
+    template <int J>
+    [[gnu::always_inline]] auto by_q() const {
+        return z.template by<J>();
+    }
+    template <int J>
+    [[gnu::always_inline]] auto by_v() const {
+        return z.template by<N + J>();
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] auto qq() const {
+        return z.template by<std::max(J, K), std::min(J, K)>();
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] auto qv() const {
+        return z.template by<N + K, J>();
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] auto vq() const {
+        return z.template by<N + J, K>();
+    }
+    template <int J, int K>
+    [[gnu::always_inline]] auto vv() const {
+        return z.template by<N + std::max(J, K), N + std::min(J, K)>();
+    }
+};
+/// The same from an expansion and forces.
+template <class V>
+struct node_table {
+    expansion<V> e;
+    block_of<V> vq_;
+    using s = shape<V>;
+    dependence on() const { return e.on; }
+    template <int J>
+    auto by_q() const {
+        return s::component(e.by_q, J);
+    }
+    template <int J>
+    auto by_v() const {
+        return s::component(e.by_v, J);
+    }
+    template <int J, int K>
+    auto qq() const {
+        return s::entry(e.qq, J, K);
+    }
+    template <int J, int K>
+    auto qv() const {
+        return s::entry(e.qv, J, K);
+    }
+    template <int J, int K>
+    auto vq() const {
+        return s::entry(vq_, J, K);
+    }
+    template <int J, int K>
+    auto vv() const {
+        return s::entry(e.vv, J, K);
+    }
+};
+
+/// The expansion of L at (t, q, v), with the force in by_q, qq and qv, and d2L/dv dq apart.
+template <class F, class Force, class S, class V>
+node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V const& v) {
+    using s = shape<V>;
+    expansion<V> e = hilger::expand(at_time{what.lagrangian, t}, q, v);
+    int const d = s::dimension(q);
+    block_of<V> vq = s::zero_block(d);
+    for (int j = 0; j < d; ++j)
+        for (int k = 0; k < d; ++k) s::entry(vq, j, k) = s::entry(e.qv, k, j);
+    if constexpr (not std::same_as<Force, no_force>) {
+        e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
+        constexpr int C = s::size == Eigen::Dynamic or s::size > one_evaluation ? chunk : s::size;
+        using J = jet<S, 0, 2 * C, 1>;
+        for (int first = 0; first < d; first += C) {
+            auto const f = at_time{what.force, t}(with_variables<J, C>(q, first, 0, {}), with_variables<J, C>(v, first, C, {}));
+            static_assert(is_jet<plain_t<decltype(f)>> == s::is_scalar,
+                          "a force is a state like q: a number for a number, a vector for a vector");
+            for (int row = 0; row < d; ++row) {
+                J const x(component_of(f, row));
+                if (first == 0) s::component(e.by_q, row) = s::component(e.by_q, row) + x.value;
+                for (int k = 0; k < C and first + k < d; ++k) {
+                    s::entry(e.qq, row, first + k) = s::entry(e.qq, row, first + k) + x.derivative(k);
+                    s::entry(e.qv, row, first + k) = s::entry(e.qv, row, first + k) + x.derivative(C + k);
+                }
+            }
+        }
+    }
+    return {std::move(e), std::move(vq)};
+}
+
+/// Small states: straight from the jet where there is nothing else.
+template <bool Scalar, class F, class Force, class S, std::size_t Size, int... K>
+[[gnu::always_inline]] inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
+                                            std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
+    constexpr int N = static_cast<int>(Size);
+    using V = std::conditional_t<Scalar, S, Eigen::Matrix<S, N, 1>>;
+    if constexpr (std::same_as<Force, no_force> and not requires(V const& x) { at_time{what.lagrangian, t}.expand(x, x); }) {
+        using X = std::conditional_t<Scalar, q_jet<S, N>, Eigen::Matrix<q_jet<S, N>, N, 1>>;
+        using Y = std::conditional_t<Scalar, v_jet<S, N>, Eigen::Matrix<v_jet<S, N>, N, 1>>;
+        constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
+        require_callable<timed or std::invocable<F const&, X const&, Y const&>>();
+        if constexpr (timed)
+            return node_jet<N, qv_jet<S, N>>{jets_of<Scalar>(what.lagrangian, q, v, all, t)};
+        else
+            return node_jet<N, qv_jet<S, N>>{jets_of<Scalar>(what.lagrangian, q, v, all)};
+    } else {
+        using s = shape<V>;
+        V x, y;
+        ((s::component(x, K) = q[K], s::component(y, K) = v[K]), ...);
+        return expand_at(what, t, x, y);
+    }
+}
+
+} // namespace detail
+} // namespace hilger
