@@ -21,6 +21,7 @@
 #include "hilger/mechanics/variation.hpp"
 
 // Flows and solutions
+#include "hilger/integrator/composition_methods.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 

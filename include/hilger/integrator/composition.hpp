@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSL-1.0
+// A composition of flows (Hairer-Lubich-Wanner, Geometric Numerical Integration, II.4 and V.3): one step of length h is the first flow
+// over c_1 h, then the second over c_2 h, and so on. Compositions of symplectic flows are symplectic.
+//   compose(shares<fraction<1, 3>, fraction<2, 3>>{}, f, g)   f over h/3, then g over 2h/3
+//   compose(suzuki<4>, f)                                      f over each of the five parts of the step (composition_methods.hpp)
+// With more coefficients than flows the flows take turns. A composition steps as a flow does, and can itself be composed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "hilger/integrator/reversed.hpp"
+
+namespace hilger {
+
+/// The parts c_1, ..., c_size of a step, in the digits of any scalar: values<S>() is a std::array<S, size> with the sum 1.
+template <class C>
+concept parts_of_a_step = requires(C const& c) {
+    { C::size } -> std::convertible_to<std::size_t>;
+    c.template values<double>();
+};
+
+/// Parts that are rational numbers, exact in every scalar.
+template <class... Fractions>
+struct shares {
+    static constexpr std::size_t size = sizeof...(Fractions);
+    template <class S>
+    std::array<S, size> values() const {
+        return {Fractions::template as<S>()...};
+    }
+};
+inline constexpr shares<fraction<1, 2>, fraction<1, 2>> halves{};
+
+/// The parts C from the last to the first.
+template <parts_of_a_step C>
+struct backwards {
+    static constexpr std::size_t size = C::size;
+    [[no_unique_address]] C of;
+    template <class S>
+    std::array<S, size> values() const {
+        auto c = of.template values<S>();
+        std::reverse(c.begin(), c.end());
+        return c;
+    }
+};
+
+template <parts_of_a_step Parts, class... Flows>
+class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
+    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
+    static_assert(turns * sizeof...(Flows) == Parts::size, "each flow of a composition has the same number of parts of the step");
+    using all = std::index_sequence_for<Flows...>;
+
+public:
+    constexpr explicit composed_flow(Parts parts, Flows... flows) : parts_(std::move(parts)), flows_(std::move(flows)...) {}
+
+    /// One memory for each part: its steps have one length, c_k h, and its guesses are made from its own steps.
+    template <class S, class V>
+    class memory {
+        template <class Flow>
+        using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
+
+    public:
+        /// @throws error::invalid_parameter when the parts do not add up to the step
+        memory(composed_flow const& f, S const& h, V const& like)
+            : parts_(whole(f.parts_.template values<S>())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like},
+              memories_(made(f, lengths_, like, all{})) {}
+
+        /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
+        /// be those of the parts that were made.
+        void advance(composed_flow const& f, state<S, V>& x, S const& h) {
+            if (not(h == h_)) [[unlikely]] {
+                lengths_ = scaled(parts_, h);
+                h_ = h;
+            }
+            x_ = x;
+            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
+            x_.t = x.t + h;
+            x = x_;
+        }
+
+    private:
+        using numbers = std::array<S, Parts::size>;
+        static numbers whole(numbers const& c) {
+            S sum(0), size(0);
+            for (S const& part : c) {
+                sum = sum + part;
+                size = size + magnitude(part);
+            }
+            if (not(magnitude(S(sum - S(1))) <= S(64) * epsilon<S>() * size))
+                error::raise<error::invalid_parameter>("the parts of a composed step add up to 1, and these add up to ", sum);
+            return c;
+        }
+        static numbers scaled(numbers c, S const& h) {
+            for (S& part : c) part = part * h;
+            return c;
+        }
+        template <std::size_t... J>
+        static auto made(composed_flow const& f, numbers const& lengths, V const& like, std::index_sequence<J...>) {
+            return std::tuple<of_a_turn<Flows>...>(of_flow<J>(std::get<J>(f.flows_), lengths, like, std::make_index_sequence<turns>{})...);
+        }
+        template <std::size_t J, class Flow, std::size_t... Turn>
+        static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
+            return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
+        }
+        template <std::size_t... J>
+        void take(composed_flow const& f, std::size_t turn, std::index_sequence<J...>) {
+            (std::get<J>(memories_)[turn].advance(std::get<J>(f.flows_), x_, lengths_[turn * sizeof...(Flows) + J]), ...);
+        }
+
+        numbers parts_;
+        S h_;
+        numbers lengths_;
+        /// Inside the step: handed over when its last part is made.
+        state<S, V> x_;
+        std::tuple<of_a_turn<Flows>...> memories_;
+    };
+
+    /// p = dL/dv(t, q, v), where the flows have one Lagrangian.
+    template <class S, class V>
+    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
+        (void)mechanics();
+        return std::get<0>(flows_).momentum(t, q, v);
+    }
+    template <class S, class V>
+    [[nodiscard]] V momentum_between(S const&, V const&, V const&, S const&) const {
+        static_assert(sizeof(V) == 0, "two positions give a momentum where a step has no positions between them: give q0 and p0 or v0");
+    }
+    /// The problem that the flows have in common.
+    [[nodiscard]] auto const& mechanics() const {
+        using first = std::remove_cvref_t<decltype(std::get<0>(flows_).mechanics())>;
+        static_assert((std::same_as<first, std::remove_cvref_t<decltype(std::declval<Flows const&>().mechanics())>> and ...),
+                      "a velocity has a momentum where all flows of a composition have the same Lagrangian: give q0 and p0");
+        return std::get<0>(flows_).mechanics();
+    }
+    [[nodiscard]] Parts const& parts() const { return parts_; }
+    [[nodiscard]] std::tuple<Flows...> const& flows() const { return flows_; }
+
+private:
+    [[no_unique_address]] Parts parts_;
+    std::tuple<Flows...> flows_;
+};
+
+/// The flows over the parts of each step, in turns: flow 1 over c_1 h, flow 2 over c_2 h, ..., flow 1 again when all had their turn.
+template <parts_of_a_step Parts, class... Flows>
+    requires(sizeof...(Flows) > 0)
+constexpr auto compose(Parts const& parts, Flows const&... flows) { return composed_flow<Parts, Flows...>(parts, flows...); }
+
+namespace detail {
+
+template <class C>
+constexpr backwards<C> turned_parts(C const& c) {
+    return {c};
+}
+template <class C>
+constexpr C turned_parts(backwards<C> const& c) {
+    return c.of;
+}
+
+} // namespace detail
+
+/// (g_{c h} f_{b h})^* = f^*_{b h} g^*_{c h}
+template <class Parts, class... Flows>
+auto adjoint(composed_flow<Parts, Flows...> const& f) {
+    return [&]<std::size_t... J>(std::index_sequence<J...>) {
+        return compose(detail::turned_parts(f.parts()), adjoint(std::get<sizeof...(Flows) - 1 - J>(f.flows()))...);
+    }
+    (std::index_sequence_for<Flows...>{});
+}
+
+/// f over h/2, then its adjoint over h/2: symmetric, so of even order, whatever f is.
+template <class Flow>
+auto symmetrized(Flow const& f) {
+    return compose(halves, f, adjoint(f));
+}
+
+/// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. Any
+/// Lagrangian or forced problem will do. `how` is compensated, or nothing.
+template <class L, class... How>
+auto stoermer_verlet(L const& lagrangian, How const&... how) {
+    return symmetrized(embed(lagrangian, order_one, how...));
+}
+/// Its position form: half a drift, the kick, half a drift.
+template <class L, class... How>
+auto position_verlet(L const& lagrangian, How const&... how) {
+    return symmetrized(adjoint(embed(lagrangian, order_one, how...)));
+}
+
+} // namespace hilger
