@@ -25,6 +25,12 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
+// Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
+#include "hilger/integrator/checkpoint.hpp"
+#include "hilger/integrator/dense_output.hpp"
+#include "hilger/integrator/diagnostics.hpp"
+#include "hilger/integrator/events.hpp"
+#include "hilger/integrator/recording.hpp"
 
 // Identities as checks, for your own scales and operators too
 #include "hilger/identity/registry.hpp"

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSL-1.0
+// States between the points of a trajectory: the cubic Hermite polynomial in t through (q, p) at both ends of a step, with the slopes of
+// the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces. Its own error is of order 4 in the step (Hairer, Norsett, Wanner,
+// Solving Ordinary Differential Equations I, section II.6); the error of the points adds to it.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/integrator/recording.hpp"
+#include "hilger/mechanics/legendre.hpp"
+#include "hilger/mechanics/problem.hpp"
+
+namespace hilger {
+
+/// q' and p' of the continuous system.
+template <class V>
+struct slopes {
+    V q, p;
+};
+
+/// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
+template <class F, class Force, class S, class V>
+slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
+    V v = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
+    V p = detail::expand_at(mechanics, x.t, x.q, v).e.by_q;
+    return {std::move(v), std::move(p)};
+}
+
+/// The states between two neighbouring ones.
+template <class S, class V>
+class dense_step {
+public:
+    dense_step(state<S, V> from, slopes<V> slopes_from, state<S, V> to, slopes<V> slopes_to)
+        : a_(std::move(from)), b_(std::move(to)), da_(std::move(slopes_from)), db_(std::move(slopes_to)) {}
+    template <class F, class Force>
+    dense_step(problem<F, Force> const& mechanics, state<S, V> const& from, state<S, V> const& to)
+        : dense_step(from, slopes_at(mechanics, from), to, slopes_at(mechanics, to)) {}
+
+    /// The state at t, the given ones exactly at the ends. @throws error::outside_domain
+    [[nodiscard]] state<S, V> operator()(S const& t) const {
+        if (not(a_.t <= t) or not(t <= b_.t)) // NaN is outside too
+            error::raise<error::outside_domain>(t, " is outside the step from ", a_.t, " to ", b_.t);
+        state<S, V> y = at_fraction(S((t - a_.t) / (b_.t - a_.t)));
+        y.t = t;
+        return y;
+    }
+    /// The state at (1 - x) t_i + x t_{i+1}, 0 <= x <= 1: q and p do not know how t rounds.
+    [[nodiscard]] state<S, V> at_fraction(S const& x) const {
+        if (x == S(1)) return b_;
+        S const h = b_.t - a_.t;
+        return {std::min(S(a_.t + x * h), b_.t), between(a_.q, da_.q, b_.q, db_.q, h, x), between(a_.p, da_.p, b_.p, db_.p, h, x)};
+    }
+
+private:
+    static V between(V const& a, V const& da, V const& b, V const& db, S const& h, S const& x) {
+        S const y = S(1) - x;
+        return V(a + (b - a) * S(x * x * (S(3) - S(2) * x)) + (da * S(y * y * x * h) - db * S(x * x * y * h)));
+    }
+    state<S, V> a_, b_;
+    slopes<V> da_, db_;
+};
+
+/// The states between those of a trajectory that was kept.
+template <class S, class V>
+class dense_output {
+public:
+    /// States in the order of time, two at least. @throws error::mismatch for fewer, and as slopes_at does
+    template <class F, class Force>
+    dense_output(problem<F, Force> const& mechanics, std::vector<state<S, V>> states) : states_(std::move(states)) {
+        if (states_.size() < 2)
+            error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
+        slopes_.reserve(states_.size());
+        for (auto const& x : states_) slopes_.push_back(slopes_at(mechanics, x));
+    }
+    /// @throws error::outside_domain when t is before the first state or after the last.
+    [[nodiscard]] state<S, V> operator()(S const& t) const {
+        if (not(states_.front().t <= t) or not(t <= states_.back().t))
+            error::raise<error::outside_domain>(t, " is outside the interval [", states_.front().t, ", ", states_.back().t, "]");
+        auto const after = std::upper_bound(states_.begin() + 1, states_.end() - 1, t, [](S const& s, auto const& x) { return s < x.t; });
+        auto const i = static_cast<std::size_t>(after - states_.begin());
+        return dense_step<S, V>(states_[i - 1], slopes_[i - 1], states_[i], slopes_[i])(t);
+    }
+
+private:
+    std::vector<state<S, V>> states_;
+    std::vector<slopes<V>> slopes_;
+};
+
+} // namespace hilger
