@@ -222,6 +222,34 @@ TEST_CASE("a Newton iteration that fails says where, and with what it ended") {
     }
 }
 
+TEST_CASE("a failed step of a vector keeps its components apart") {
+    // The first component moves freely, the second has no mid-point step from here.
+    auto const L = [](auto const& q, auto const& v) { return v.dot(v) / 2 + 10 * q(1) * q(1) * q(1) / 3; };
+    vector2 const q(3, 1), p(0.25, 0);
+    auto const stopped = [&](auto const& flow) {
+        try {
+            end_of(flow.along(uniform(2.0, 1.0, 3), q, p));
+            FAIL("there is no such step");
+        } catch (error::no_convergence const& failure) {
+            CHECK(std::string(failure.what()).find("the step from t = 2 with h = 1 failed: ") == 0);
+            auto const& last = dynamic_cast<interrupted<double, vector2> const&>(failure).last;
+            CHECK(last == state<double, vector2>{2, q, p});
+            try {
+                std::rethrow_if_nested(failure);
+                FAIL("the iterate and its residual are kept");
+            } catch (newton_failure<vector2> const& cause) {
+                CHECK(cause.iterate(0) == doctest::Approx(0.25));
+                CHECK(std::abs(cause.residual(0)) < 1e-12);
+                CHECK(std::abs(cause.residual(1)) > 1e-3);
+            }
+        }
+    };
+    stopped(embed(L, midpoint));
+    stopped(embed(L, midpoint, compensated));
+    // The same from one step on its own, which knows of no trajectory.
+    CHECK_THROWS_AS((void)embed(L, midpoint).step(state<double, vector2>{2, q, p}, 1.0), newton_failure<vector2>);
+}
+
 TEST_CASE("bad states are refused in one sentence") {
     auto const T = uniform(0.0, 0.1, 10);
     Eigen::VectorXd const three = Eigen::VectorXd::Ones(3), two = Eigen::VectorXd::Ones(2);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Structured systems solve the equations that the same Lagrangian has without its structure, whatever iteration they take.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <doctest/doctest.h>
@@ -70,6 +72,28 @@ TEST_CASE("a hundred bodies on a line, far apart in the list: the Hessian is spa
     auto const sparse = mechanical(1.0, pairs<1>(list, spring));
     REQUIRE(sparse.potential().pattern(d) == hessian_pattern::sparse);
     CHECK(defect(sparse, embed(sparse, midpoint).along(uniform(0.0, 0.8, 5), q, p), 0.8, 0.5) < 1e-12);
+}
+
+TEST_CASE("every two of n bodies, with and without a list") {
+    std::vector<std::pair<hilger::index, hilger::index>> const list{{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}};
+    REQUIRE(std::ranges::equal(all_pairs(4), list));
+    CHECK(std::ranges::empty(all_pairs(1)));
+    CHECK(std::ranges::empty(all_pairs(0)));
+    using vector = Eigen::Matrix<double, 12, 1>;
+    vector q, p;
+    for (int k = 0; k < 12; ++k) q(k) = std::sin(3.0 * k) * (k + 1), p(k) = std::cos(2.0 * k);
+    auto const energy = [](hilger::index k, auto const& r) { return -(2 + static_cast<double>(k)) / r.norm() + r(0) * r(0) * r(1); };
+    auto const listed = mechanical(2.0, pairs<3>(list, energy));
+    auto const every = mechanical(2.0, pairs<3>(all_pairs(4), energy));
+    CHECK(listed.potential()(q) == every.potential()(q));
+    vector g, h;
+    Eigen::VectorXd room(13);
+    listed.potential().gradient(q, g, room);
+    every.potential().gradient(q, h, room);
+    CHECK((g - h).norm() <= 8 * epsilon<double>() * g.norm());
+    CHECK((g + gradient_first(every, q, p)).norm() <= 64 * epsilon<double>() * g.norm());
+    auto const T = uniform(0.0, 0.01, 20);
+    CHECK(defect(every, embed(every, midpoint).along(T, q, p), 0.01, 0.5) < 64 * epsilon<double>() * 1000);
 }
 
 TEST_CASE("structured steps in 50 digits: the energy of an FPU chain, order 2") {

@@ -45,7 +45,7 @@ public:
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
-            advance_equally(f, x);
+            stepper_.advance(what(f), x);
         }
         /// What the next step from x needs, when it has length h.
         void begin(flow const& f, state<S, V> const& x, S const& h) {
@@ -55,13 +55,13 @@ public:
                 if (stepper_.needs_guess()) [[unlikely]]
                     stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p));
         }
-        /// x one step further, of the length that there was before. Nothing here takes an address that stays taken, so that state and
-        /// stepper can live in registers.
+        /// x one step further, of the length that there was before. Nothing here takes an address that stays taken, so that the state and a
+        /// small stepper can live in registers. @throws the same as a step_failure
         [[gnu::always_inline]] void advance_equally(flow const& f, state<S, V>& x) {
-            if constexpr (known)
-                stepper_.advance(f.problem_.lagrangian, x);
+            if constexpr (small and not known)
+                stepper_.advance_saying_where(what(f), x);
             else
-                stepper_.advance(f.problem_, x);
+                saying_where(x, stepper_.h(), [&] { stepper_.advance(what(f), x); });
         }
         /// Calls each(label, number) for everything that later steps depend on; `each` may change the numbers, as reading them back does.
         template <class Visit>
@@ -73,6 +73,12 @@ public:
         }
 
     private:
+        [[gnu::always_inline]] static auto const& what(flow const& f) {
+            if constexpr (known)
+                return f.problem_.lagrangian;
+            else
+                return f.problem_;
+        }
         decltype(choose(std::declval<flow const&>(), std::declval<S const&>(), std::declval<V const&>())) stepper_;
     };
 

@@ -97,17 +97,24 @@ public:
     }
 
     /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) {
-        if constexpr (std::is_floating_point_v<S>)
-            flat_advance(problem, x);
-        else
-            advance(problem, x, all{}, every{});
-    }
+    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
+    /// @throws the same as a step_failure
+    [[gnu::always_inline]] void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
 
 private:
-    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x) { advance(problem, x, all{}, every{}); }
+    template <bool SayWhere>
+    [[gnu::always_inline]] void chosen_advance(Problem const& problem, state<S, V>& x) {
+        if constexpr (std::is_floating_point_v<S>)
+            flat_advance<SayWhere>(problem, x);
+        else
+            advance<SayWhere>(problem, x, all{}, every{});
+    }
+    template <bool SayWhere>
+    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x) {
+        advance<SayWhere>(problem, x, all{}, every{});
+    }
 
-    template <int... K, int... M>
+    template <bool SayWhere, int... K, int... M>
     [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                         std::integer_sequence<int, M...>) {
         using std::abs;
@@ -173,7 +180,10 @@ private:
             remember(v);
             return;
         }
-        fail(v, r, d, singular);
+        if constexpr (SayWhere)
+            failure<K...>::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
+        else
+            failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
     }
     template <int J>
     [[gnu::always_inline]] static void add_row(components_& g, matrix_ const& D, components_ const& d) {
@@ -194,7 +204,7 @@ private:
     /// With compensated sums the error that Newton leaves must not be seen either.
     static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }
 
-    /// The value of the polynomial through the last velocities at the next node: sum_k (-1)^k binomial(history, k + 1) past_k.
+    /// The value of the polynomial through the last velocities at the next node.
     template <int... K>
     [[gnu::always_inline]] components_ first_guess(std::integer_sequence<int, K...>) const {
         if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};
@@ -203,12 +213,7 @@ private:
     }
     template <int K, int... I>
     [[gnu::always_inline]] S extrapolated(std::integer_sequence<int, I...>) const {
-        return ((S(alternating_binomial(I)) * past_[I][K]) + ...);
-    }
-    static constexpr int alternating_binomial(int i) {
-        int b = 1;
-        for (int n = 0; n <= i; ++n) b = b * (history - n) / (n + 1);
-        return i % 2 == 0 ? b : -b;
+        return ((S(extrapolation(history, I)) * past_[I][K]) + ...);
     }
     template <int... I>
     [[gnu::always_inline]] void shift(std::integer_sequence<int, I...>) {
@@ -221,15 +226,32 @@ private:
         }
         past_[0] = v;
     }
-    [[noreturn, gnu::noinline, gnu::cold]] static void fail(components_ v, components_ r, components_ d, bool singular) {
-        V iterate, residual;
-        for (int k = 0; k < N; ++k) {
-            s::component(iterate, k) = v[static_cast<std::size_t>(k)];
-            s::component(residual, k) =
-                is_finite(v[static_cast<std::size_t>(k)]) or singular ? r[static_cast<std::size_t>(k)] : v[static_cast<std::size_t>(k)];
+    /// How a step fails. The numbers are handed over one by one and by value: as arrays, or caught where the step is made, they would have
+    /// to be in memory for this in every step that succeeds.
+    template <int... K>
+    class failure {
+        template <int>
+        using number = S;
+
+    public:
+        [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, number<K>... d, bool singular) {
+            bool const finite = is_finite(S((v + ...))) or singular;
+            S const size = largest(components_{d...});
+            give_up("the step p = -d_1 L_h(q, y)", singular, vector(v...), finite ? vector(r...) : vector(v...), size);
         }
-        give_up("the step p = -d_1 L_h(q, y)", singular, iterate, residual, largest(d));
-    }
+        [[noreturn, gnu::noinline, gnu::cold]] static void tell_where(S t, S h, number<K>... q, number<K>... p, number<K>... v,
+                                                                      number<K>... r, number<K>... d, bool singular) {
+            saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., d..., singular); });
+            __builtin_unreachable();
+        }
+
+    private:
+        static V vector(number<K>... x) {
+            V y;
+            ((s::component(y, K) = x), ...);
+            return y;
+        }
+    };
 
     S h_, w_, node_, c_, f_;
     std::array<components_, history> past_{};

@@ -2,6 +2,8 @@
 // A point of a trajectory, and how a trajectory says where it ended.
 #pragma once
 
+#include <exception>
+#include <sstream>
 #include <string>
 
 #include "hilger/mechanics/shape.hpp"
@@ -29,5 +31,30 @@ template <class Cause, class S, class V>
 struct step_failure : Cause, interrupted<S, V> {
     step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
 };
+
+namespace detail {
+
+template <class Cause, class S, class V>
+[[noreturn, gnu::noinline, gnu::cold]] void stop_at(state<S, V> const& at, S const& h, Cause const& cause) {
+    std::ostringstream message;
+    message << "the step from t = " << at.t << " with h = " << h << " failed: " << cause.what();
+    std::throw_with_nested(step_failure<Cause, S, V>(message.str(), at));
+}
+
+} // namespace detail
+
+/// Does `work`, the step from `at` with length h. @throws what goes wrong in it as a step_failure
+template <class S, class V, class Work>
+void saying_where(state<S, V> const& at, S const& h, Work const& work) {
+    try {
+        work();
+    } catch (error::no_convergence const& cause) {
+        detail::stop_at(at, h, cause);
+    } catch (error::singular const& cause) {
+        detail::stop_at(at, h, cause);
+    } catch (error::not_finite const& cause) {
+        detail::stop_at(at, h, cause);
+    }
+}
 
 } // namespace hilger

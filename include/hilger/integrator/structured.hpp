@@ -17,7 +17,7 @@ template <class L, embedding_facts Facts, bool Compensated, class S, class V>
 class structured {
     using s = shape<V>;
     using Mass = std::remove_cvref_t<decltype(std::declval<L const&>().mass())>;
-    static constexpr int history = Facts.at_start or Facts.at_end ? 1 : 6;
+    static constexpr int history = Facts.at_start or Facts.at_end ? 1 : 8;
 
 public:
     structured(tableau<S> const& t, S const& h, L const& l, V const& like)
@@ -54,15 +54,6 @@ public:
         auto const& U = l.potential();
         if constexpr (Facts.at_start) {
             U.gradient(x.q, g_, room_);
-            if constexpr (not Compensated) {
-                r_ = x.p - w_ * g_;
-                mass_.add(w_, r_, x.q, A_);
-                if (not is_finite(S(A_.sum()))) give_up(name, false, A_, g_, S(0));
-                x.q.swap(A_);
-                x.p.swap(r_);
-                x.t = x.t + h_;
-                return;
-            }
             mass_.solve(x.p - w_ * g_, v_);
         } else if constexpr (Facts.at_end) {
             mass_.solve(x.p, v_);
@@ -101,13 +92,17 @@ private:
     [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
     void first_guess(state<S, V> const& x) {
         if (known_ == history)
-            v_ = S(6) * (past(0) + past(4)) + S(20) * past(2) - S(15) * (past(1) + past(3)) - past(5);
+            extrapolate(std::make_integer_sequence<int, history>{});
         else if (known_ >= 2)
             v_ = S(2) * past(0) - past(1);
         else if (known_ == 1)
             v_ = past(0);
         else
             mass_.solve(x.p, v_);
+    }
+    template <int... I>
+    void extrapolate(std::integer_sequence<int, I...>) {
+        v_ = ((S(extrapolation(history, I)) * past(I)) + ...);
     }
     /// False where it converges too slowly to be worth it.
     template <class U>
@@ -118,7 +113,7 @@ private:
             potential.gradient(A_, g_, room_);
             mass_.solve(x.p - f_ * g_, next_);
             S const size = largest_difference(), reach = largest_of(next_);
-            v_.swap(next_);
+            hand_over(next_, v_);
             // What is left is the rate times this correction, and the rate is the ratio of two corrections.
             S const floor = epsilon<S>() * reach;
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64))) return true;
@@ -174,6 +169,13 @@ private:
             r_ = x.p - f_ * g_ - l.mass().cwiseProduct(v_);
         else
             r_ = x.p - f_ * g_ - S(l.mass()) * v_;
+    }
+    /// Gives `to` the numbers of `from`, which are not needed there any more: the cheapest way.
+    static void hand_over(V& from, V& to) {
+        if constexpr (s::size == Eigen::Dynamic)
+            to.swap(from);
+        else
+            to = from;
     }
     static S largest_of(V const& x) { return x.cwiseAbs().maxCoeff(); }
     S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }

@@ -38,13 +38,6 @@ public:
         else
             v = inverse_.cwiseProduct(r);
     }
-    /// to = q + w M^-1 p
-    void add(S const& w, V const& p, V const& q, V& to) const {
-        if constexpr (is_matrix)
-            to = q + w * factors_.solve(p);
-        else
-            to = q + w * inverse_.cwiseProduct(p);
-    }
     template <class Put>
     void put(Put const& to) const {
         if constexpr (is_matrix) {

@@ -3,9 +3,7 @@
 // composition of flows) derives from `stepping` and offers memory<S, V>, which advances a state in place.
 #pragma once
 
-#include <exception>
 #include <iterator>
-#include <sstream>
 
 #include "hilger/integrator/state.hpp"
 #include "hilger/mechanics/variation.hpp"
@@ -27,7 +25,8 @@ struct initial_positions {
     V q1;
 };
 
-/// Steps of one length need not ask for it each time.
+/// Steps of one length need not ask for it each time; what goes wrong in advance_equally is thrown as a step_failure, from where a step
+/// can say so without keeping its state in memory for it.
 template <class Memory, class Method, class S, class State>
 concept advances_equally = requires(Memory m, Method const& f, State x, S const& h) {
     m.begin(f, x, h);
@@ -72,14 +71,9 @@ public:
         using value_type = state<S, V>;
         using difference_type = index;
         explicit iterator(trajectory const& path)
-            : path_(&path), memory_(path.method_, path.step(path.T_.first()), path.start_.q), at_(path.start_), number_(path.T_.first()),
-              last_(path.T_.last()) {
-            begin();
-        }
+            : path_(&path), memory_(begun(path)), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
         iterator(trajectory const& path, checkpoint_type const& from)
-            : path_(&path), memory_(from.memory), at_(from.at), number_(from.number), last_(path.T_.last()) {
-            begin();
-        }
+            : path_(&path), memory_(begun(path, from)), at_(from.at), number_(from.number), last_(path.T_.last()) {}
         [[gnu::always_inline]] value_type const& operator*() const { return at_; }
         [[gnu::always_inline]] value_type const* operator->() const { return &at_; }
         [[gnu::always_inline]] iterator& operator++() {
@@ -99,39 +93,31 @@ public:
                 ++number_;
                 return;
             }
-            guarded([&] {
-                if constexpr (equal_steps)
-                    memory_.advance_equally(path_->method_, at_);
-                else
-                    memory_.advance(path_->method_, at_, path_->step(number_));
-            });
+            if constexpr (equal_steps)
+                memory_.advance_equally(path_->method_, at_);
+            else {
+                S const h = path_->step(number_);
+                saying_where(at_, h, [&] { memory_.advance(path_->method_, at_, h); });
+            }
             ++number_;
             at_.t = path_->T_.element(number_);
         }
         static constexpr bool equal_steps = Scale::root_type::is_uniform and
                                             detail::has_equal_steps<typename Scale::domain_type::base_type> and
                                             advances_equally<memory, Method, S, value_type>;
-        void begin() {
+        // What comes before the first step stays out of the loop that a user writes: calls there would keep the state out of registers
+        // here.
+        [[gnu::noinline]] static memory begun(trajectory const& path) {
+            index const first = path.T_.first();
+            return begun(path, {path.start_, memory(path.method_, path.step(first), path.start_.q), first});
+        }
+        [[gnu::noinline]] static memory begun(trajectory const& path, checkpoint_type from) {
             if constexpr (equal_steps)
-                if (number_ < last_) guarded([&] { memory_.begin(path_->method_, at_, path_->step(number_)); });
-        }
-        template <class Work>
-        [[gnu::always_inline]] void guarded(Work const& work) {
-            try {
-                work();
-            } catch (error::no_convergence const& cause) {
-                stop(cause, path_->step(number_), at_);
-            } catch (error::singular const& cause) {
-                stop(cause, path_->step(number_), at_);
-            } catch (error::not_finite const& cause) {
-                stop(cause, path_->step(number_), at_);
-            }
-        }
-        template <class Cause>
-        [[noreturn, gnu::noinline, gnu::cold]] static void stop(Cause const& cause, S h, value_type at) {
-            std::ostringstream message;
-            message << "the step from t = " << at.t << " with h = " << h << " failed: " << cause.what();
-            std::throw_with_nested(step_failure<Cause, S, V>(message.str(), at));
+                if (from.number < path.T_.last()) {
+                    S const h = path.step(from.number);
+                    saying_where(from.at, h, [&] { from.memory.begin(path.method_, from.at, h); });
+                }
+            return std::move(from.memory);
         }
         trajectory const* path_;
         memory memory_;

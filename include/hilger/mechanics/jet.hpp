@@ -103,12 +103,16 @@ struct jet {
     using gradient = std::array<S, static_cast<std::size_t>(Count)>;
     using triangle = std::array<S, static_cast<std::size_t>(packed)>;
 
-    // The jet of c g(u): its value, the factor c, slope = g'(u), bend = g''(u) and u's own derivatives. Functions of one argument and
-    // constant factors touch these numbers only; products and sums work the derivatives out.
+    // The jet of c g(u): its value, the constant c = factor * power, outer * slope = g'(u), bend = g''(u) and u's own derivatives.
+    // Functions of one argument and constant factors touch these numbers only; products and sums work the derivatives out. The derivative
+    // of the last function applied stands apart: u's derivatives need not wait for it.
     S value{};
     S factor{1};
+    S outer{1};
     S slope{1};
     S bend{};
+    int power = 1;
+    int variable = -1; ///< where c g(u) is factor * u^power and u a variable, its number
     gradient d1{};
     triangle d2{}; ///< rows of the lower triangle
     dependence on{};
@@ -123,14 +127,17 @@ struct jet {
         requires(F >= First and F + C <= First + Count and C < Count)
     [[gnu::always_inline]] constexpr explicit(false) jet(jet<S, F, C, Order> const& x);
     /// The variable number `which`, at `value`; one of q or of v.
-    [[gnu::always_inline]] static constexpr jet variable(S const& value, int which, dependence on) {
+    [[gnu::always_inline]] static constexpr jet at(S const& value, int which, dependence on) {
         jet x(value);
         x.d1[static_cast<std::size_t>(which - First)] = S(1);
         x.on = on;
+        x.variable = which;
         return x;
     }
 
-    /// Derivatives of u, and below those of c g(u), by the variables' numbers, J >= K; zero for variables out of the range.
+    [[gnu::always_inline]] constexpr S constant() const { return detail::times(factor, S(power)); }
+
+    /// Derivatives of u, then of g(u), then of c g(u), by the variables' numbers, J >= K; zero for variables out of the range.
     template <int J>
     [[gnu::always_inline]] constexpr S inner() const {
         if constexpr (J < First or J > last)
@@ -146,24 +153,28 @@ struct jet {
             return std::get<static_cast<std::size_t>((J - First) * (J - First + 1) / 2 + K - First)>(d2);
     }
     template <int J>
-    [[gnu::always_inline]] constexpr S by() const {
-        return detail::times(factor, detail::times(slope, inner<J>()));
+    [[gnu::always_inline]] constexpr S unscaled() const {
+        return detail::times(outer, detail::times(slope, inner<J>()));
     }
     template <int J, int K>
+    [[gnu::always_inline]] constexpr S unscaled() const {
+        return detail::plus(detail::times(detail::times(outer, slope), inner<J, K>()),
+                            detail::times(bend, detail::times(inner<J>(), inner<K>())));
+    }
+    template <int... JK>
     [[gnu::always_inline]] constexpr S by() const {
-        return detail::times(factor,
-                             detail::plus(detail::times(slope, inner<J, K>()), detail::times(bend, detail::times(inner<J>(), inner<K>()))));
+        if constexpr (Order == 1)
+            return detail::times(detail::times(detail::times(constant(), slope), outer), inner<JK...>()); // one factor serves all J
+        else
+            return detail::times(constant(), unscaled<JK...>());
     }
 
     /// The same for numbers j >= k >= First known at run time only.
-    [[nodiscard]] constexpr S derivative(int j) const { return S(factor * slope) * d1[static_cast<std::size_t>(j - First)]; }
+    [[nodiscard]] constexpr S derivative(int j) const { return S(constant() * outer) * S(slope * d1[static_cast<std::size_t>(j - First)]); }
     [[nodiscard]] constexpr S derivative(int j, int k) const {
         std::size_t const row = static_cast<std::size_t>(j - First), column = static_cast<std::size_t>(k - First);
-        return factor * S(S(slope * d2[row * (row + 1) / 2 + column]) + S(bend * S(d1[row] * d1[column])));
+        return constant() * S(S(S(outer * slope) * d2[row * (row + 1) / 2 + column]) + S(bend * S(d1[row] * d1[column])));
     }
-
-    /// u is not inside a function.
-    [[gnu::always_inline]] constexpr bool is_plain() const { return detail::is_known_one(slope) and detail::is_known_zero(bend); }
 
     template <class Y>
     [[gnu::always_inline]] constexpr jet& operator+=(Y const& y) {

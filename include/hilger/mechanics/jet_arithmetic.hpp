@@ -42,26 +42,29 @@ struct widened {
 };
 /// x + y; with a common factor left out, x / c + y / c.
 struct added {
+    template <int... JK, class X, class Y>
+    [[gnu::always_inline]] static constexpr auto by(X const& x, Y const& y, bool common) {
+        return common ? plus(x.template unscaled<JK...>(), y.template unscaled<JK...>())
+                      : plus(x.template by<JK...>(), y.template by<JK...>());
+    }
     template <int J, class X, class Y>
     [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y, bool common) {
-        return common ? plus(x.template inner<J>(), y.template inner<J>()) : plus(x.template by<J>(), y.template by<J>());
+        return by<J>(x, y, common);
     }
     template <int J, int K, class X, class Y>
     [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y, bool common) {
-        return common ? plus(x.template inner<J, K>(), y.template inner<J, K>()) : plus(x.template by<J, K>(), y.template by<J, K>());
+        return by<J, K>(x, y, common);
     }
 };
-/// x y; of a square x x, half of it.
 struct multiplied {
     template <int J, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y, bool square) {
-        auto const part = times(x.value, y.template by<J>());
-        return square ? part : plus(times(x.template by<J>(), y.value), part);
+    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y) {
+        return plus(times(x.template by<J>(), y.value), times(x.value, y.template by<J>()));
     }
     template <int J, int K, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y, bool square) {
-        auto const part = plus(times(x.value, y.template by<J, K>()), times(x.template by<J>(), y.template by<K>()));
-        return square ? part : plus(part, plus(times(x.template by<J, K>(), y.value), times(x.template by<K>(), y.template by<J>())));
+    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y) {
+        return plus(plus(times(x.value, y.template by<J, K>()), times(x.template by<J>(), y.template by<K>())),
+                    plus(times(x.template by<J, K>(), y.value), times(x.template by<K>(), y.template by<J>())));
     }
 };
 
@@ -99,23 +102,14 @@ template <class S, int F, int C, int G, int D, int O>
 [[gnu::always_inline]] constexpr auto operator+(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
     // One constant factor stays a factor: the derivative of (x x + y y) / 2 is then x, and not 2 x / 2.
-    bool const common = detail::is_one_constant(x.factor, y.factor) and x.is_plain() and y.is_plain();
+    bool const common = detail::is_one_constant(x.constant(), y.constant());
     both z = detail::build<both, detail::added>::from(S(x.value + y.value), x.on + y.on, x, y, common);
-    z.factor = common ? x.factor : S(1);
+    z.factor = common ? x.constant() : S(1);
     return z;
 }
 template <class S, int F, int C, int G, int D, int O>
 [[gnu::always_inline]] constexpr auto operator-(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     return x + (-y);
-}
-template <class S, int F, int C, int G, int D, int O>
-[[gnu::always_inline]] constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
-    bool square = false;
-    if constexpr (std::same_as<jet<S, F, C, O>, jet<S, G, D, O>>) square = &x == &y;
-    both z = detail::build<both, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x, y, square);
-    z.factor = square ? S(2) : S(1);
-    return z;
 }
 /// g(x) given g there, g' = c g1 and g'' = c r g2: constants apart from the rest, so that they meet other constants first.
 template <class S, int F, int C, int O>
@@ -123,11 +117,50 @@ template <class S, int F, int C, int O>
                                                             S const& r = S(1)) {
     using detail::plus, detail::times;
     x.value = g;
-    if constexpr (O == 2) x.bend = plus(times(g1, x.bend), times(times(r, x.factor), times(g2, times(x.slope, x.slope))));
-    x.slope = times(g1, x.slope);
-    x.factor = times(c, x.factor);
+    x.slope = times(x.outer, x.slope);
+    if constexpr (O == 2) x.bend = plus(times(g1, x.bend), times(times(r, x.constant()), times(g2, times(x.slope, x.slope))));
+    x.outer = g1;
+    x.factor = times(c, x.constant());
+    x.power = 1;
+    x.variable = -1;
     x.on = x.on.of_function();
     return x;
+}
+
+namespace detail {
+
+/// The one is a power of a variable and the other that variable.
+template <class Jet>
+[[gnu::always_inline]] constexpr bool is_power_of(Jet const& x, Jet const& y) {
+    return x.variable >= 0 and x.variable == y.variable and y.power == 1 and is_known_one(y.factor);
+}
+/// x y where x is a power of the variable y
+template <class Jet>
+[[gnu::always_inline]] constexpr Jet next_power(Jet const& x, Jet const& y) {
+    using S = typename Jet::scalar_type;
+    Jet z = x;
+    z.value = x.value * y.value;
+    z.slope = times(x.slope, y.value);
+    z.bend = times(S(x.power), x.slope);
+    z.power = x.power + 1;
+    z.on = x.on * y.on;
+    return z;
+}
+
+} // namespace detail
+
+template <class S, int F, int C, int G, int D, int O>
+[[gnu::always_inline]] constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+    if constexpr (std::same_as<jet<S, F, C, O>, jet<S, G, D, O>>) {
+        if (detail::is_power_of(x, y)) return detail::next_power(x, y);
+        if (detail::is_power_of(y, x)) return detail::next_power(y, x);
+        if (&x == &y) {
+            auto z = chain_rule(x, S(x.value * x.value), x.value, S(1), S(2));
+            z.on = x.on * x.on;
+            return z;
+        }
+    }
+    return detail::build<detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x, y);
 }
 template <class S, int F, int C, int O>
 [[gnu::always_inline]] constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
@@ -144,6 +177,7 @@ template <class S, int F, int C, int G, int D, int O>
 template <class S, int F, int C, int O, constant_for<S> K>
 [[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(jet<S, F, C, O> x, K const& c) {
     x.value = x.value + S(c);
+    x.variable = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
@@ -153,6 +187,7 @@ template <class S, int F, int C, int O, constant_for<S> K>
 template <class S, int F, int C, int O, constant_for<S> K>
 [[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> x, K const& c) {
     x.value = x.value - S(c);
+    x.variable = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>

@@ -24,6 +24,13 @@ namespace detail {
 template <class S>
 inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
 
+/// The polynomial through n equidistant values, the latest number 0, is sum_i extrapolation(n, i) value_i one step further.
+constexpr int extrapolation(int n, int i) {
+    int binomial = 1; // n over i + 1
+    for (int k = 0; k <= i; ++k) binomial = binomial * (n - k) / (k + 1);
+    return i % 2 == 0 ? binomial : -binomial;
+}
+
 template <class S>
 [[gnu::always_inline]] inline S square_root_of_epsilon() {
     using std::sqrt;
