@@ -61,8 +61,8 @@ flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const
     constexpr int N = static_cast<int>(Size);
     using J = qv_jet<S, N>;
     if constexpr (Scalar) {
-        auto const x = q_jet<S, N>::at(q[0], 0, {1, 0});
-        auto const y = v_jet<S, N>::at(v[0], N, {0, 1});
+        auto const x = q_jet<S, N>::variable(q[0], 0, {1, 0});
+        auto const y = v_jet<S, N>::variable(v[0], N, {0, 1});
         if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
             return f(t..., x, y);
         else
@@ -70,7 +70,7 @@ flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const
     } else {
         Eigen::Matrix<q_jet<S, N>, N, 1> x;
         Eigen::Matrix<v_jet<S, N>, N, 1> y;
-        ((x(K) = q_jet<S, N>::at(q[K], K, {1, 0}), y(K) = v_jet<S, N>::at(v[K], N + K, {0, 1})), ...);
+        ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
         if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
             return f(t..., x, y);
         else
@@ -86,11 +86,11 @@ qv_jet<S, static_cast<int>(Size)> jets_of(F const& f, std::array<S, Size> const&
         constexpr int N = static_cast<int>(Size);
         using J = qv_jet<S, N>;
         if constexpr (Scalar)
-            return as_jet<J>(f(t..., q_jet<S, N>::at(q[0], 0, {1, 0}), v_jet<S, N>::at(v[0], N, {0, 1})));
+            return as_jet<J>(f(t..., q_jet<S, N>::variable(q[0], 0, {1, 0}), v_jet<S, N>::variable(v[0], N, {0, 1})));
         else {
             Eigen::Matrix<q_jet<S, N>, N, 1> x;
             Eigen::Matrix<v_jet<S, N>, N, 1> y;
-            ((x(K) = q_jet<S, N>::at(q[K], K, {1, 0}), y(K) = v_jet<S, N>::at(v[K], N + K, {0, 1})), ...);
+            ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
             return as_jet<J>(f(t..., x, y));
         }
     }
@@ -103,7 +103,7 @@ auto with_variables(V const& x, int first, int at, dependence on) {
     typename s::template with<Jet> y;
     if constexpr (s::size == Eigen::Dynamic) y.resize(s::dimension(x));
     for (int k = 0; k < s::dimension(x); ++k)
-        s::component(y, k) = k >= first and k < first + C ? Jet::at(s::component(x, k), at + k - first, on) : Jet(s::component(x, k));
+        s::component(y, k) = k >= first and k < first + C ? Jet::variable(s::component(x, k), at + k - first, on) : Jet(s::component(x, k));
     return y;
 }
 
@@ -154,7 +154,7 @@ expansion<V> expand_in_chunks(F const& f, V const& q, V const& v) {
             auto const both = [&](V const& z, dependence on) {
                 auto y = with_variables<J, chunk>(z, j, 0, on);
                 for (int b = 0; b < chunk and k + b < d; ++b)
-                    if (k != j) y(k + b) = J::at(z(k + b), chunk + b, on);
+                    if (k != j) y(k + b) = J::variable(z(k + b), chunk + b, on);
                 return y;
             };
             auto const in_q = as_jet<J>(call(f, both(q, of_q), with_variables<J, chunk>(v, d, 0, {})));

@@ -112,7 +112,7 @@ struct jet {
     S slope{1};
     S bend{};
     int power = 1;
-    int variable = -1; ///< where c g(u) is factor * u^power and u a variable, its number
+    int which = -1; ///< where c g(u) is factor * u^power and u a variable, its number
     gradient d1{};
     triangle d2{}; ///< rows of the lower triangle
     dependence on{};
@@ -127,11 +127,11 @@ struct jet {
         requires(F >= First and F + C <= First + Count and C < Count)
     [[gnu::always_inline]] constexpr explicit(false) jet(jet<S, F, C, Order> const& x);
     /// The variable number `which`, at `value`; one of q or of v.
-    [[gnu::always_inline]] static constexpr jet at(S const& value, int which, dependence on) {
+    [[gnu::always_inline]] static constexpr jet variable(S const& value, int which, dependence on) {
         jet x(value);
         x.d1[static_cast<std::size_t>(which - First)] = S(1);
         x.on = on;
-        x.variable = which;
+        x.which = which;
         return x;
     }
 

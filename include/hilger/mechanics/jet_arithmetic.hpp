@@ -122,7 +122,7 @@ template <class S, int F, int C, int O>
     x.outer = g1;
     x.factor = times(c, x.constant());
     x.power = 1;
-    x.variable = -1;
+    x.which = -1;
     x.on = x.on.of_function();
     return x;
 }
@@ -132,7 +132,7 @@ namespace detail {
 /// The one is a power of a variable and the other that variable.
 template <class Jet>
 [[gnu::always_inline]] constexpr bool is_power_of(Jet const& x, Jet const& y) {
-    return x.variable >= 0 and x.variable == y.variable and y.power == 1 and is_known_one(y.factor);
+    return x.which >= 0 and x.which == y.which and y.power == 1 and is_known_one(y.factor);
 }
 /// x y where x is a power of the variable y
 template <class Jet>
@@ -177,7 +177,7 @@ template <class S, int F, int C, int G, int D, int O>
 template <class S, int F, int C, int O, constant_for<S> K>
 [[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(jet<S, F, C, O> x, K const& c) {
     x.value = x.value + S(c);
-    x.variable = -1;
+    x.which = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
@@ -187,7 +187,7 @@ template <class S, int F, int C, int O, constant_for<S> K>
 template <class S, int F, int C, int O, constant_for<S> K>
 [[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> x, K const& c) {
     x.value = x.value - S(c);
-    x.variable = -1;
+    x.which = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>

@@ -48,7 +48,7 @@ struct chain {
         index const d = q.size();
         for (index k = 0; k <= d; ++k) {
             S const r = k == 0 ? S(q(0)) : k == d ? S(-q(d - 1)) : S(q(k) - q(k - 1));
-            S const bend = detail::as_jet<J>(energy(k, J::at(r, 0, {}))).template by<0, 0>();
+            S const bend = detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0, 0>();
             if (k < d) put(k, k, bend);
             if (k > 0) put(k - 1, k - 1, bend);
             if (k > 0 and k < d) put(k, k - 1, S(-bend));
@@ -72,7 +72,7 @@ private:
     template <class S>
     [[gnu::always_inline]] S slope(index k, S const& r) const {
         using J = jet<S, 0, 1, 1>;
-        return detail::as_jet<J>(energy(k, J::at(r, 0, {}))).template by<0>();
+        return detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0>();
     }
 };
 

@@ -154,7 +154,7 @@ private:
         using S = scalar_of<R>;
         using J = jet<S, 0, Dimension, Order>;
         if constexpr (Dimension == 1)
-            return detail::as_jet<J>(energy(k, J::at(r, 0, {})));
+            return detail::as_jet<J>(energy(k, J::variable(r, 0, {})));
         else if constexpr (std::is_floating_point_v<S>)
             return flat_spatial<J>(k, r, components{});
         else
@@ -163,7 +163,7 @@ private:
     template <class J, class R, int... C>
     [[gnu::flatten]] J flat_spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
         Eigen::Matrix<J, Dimension, 1> x;
-        ((x(C) = J::at(r(C), C, {})), ...);
+        ((x(C) = J::variable(r(C), C, {})), ...);
         if constexpr (std::same_as<decltype(energy(k, x)), J>)
             return energy(k, x);
         else
@@ -172,7 +172,7 @@ private:
     template <class J, class R, int... C>
     J spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
         Eigen::Matrix<J, Dimension, 1> x;
-        ((x(C) = J::at(r(C), C, {})), ...);
+        ((x(C) = J::variable(r(C), C, {})), ...);
         return detail::as_jet<J>(energy(k, x));
     }
 };
