@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSL-1.0
+// Convolution weights of fractional differences (Lubich 1986): the power series of omega(z)^alpha for a generating function omega(z) =
+// (1 - z) + O((1 - z)^2), a quotient of polynomials. Times h^-alpha they approximate the derivative of order alpha.
+//   grunwald_letnikov   1 - z                            (Bourdin et al. (1), order 1)
+//   bdf<K>              sum_{j=1..K} (1 - z)^j / j       (order K; bdf<2> is the G^alpha-scheme of Galucio, Deue, Dubois (1), (2))
+//   trapezoid           2 (1 - z) / (1 + z)              (order 2)
+// A user's own generating function is a type with numerator<S>() and denominator<S>(), as these have.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "hilger/error.hpp"
+#include "hilger/operator/twofold.hpp"
+
+namespace hilger {
+
+/// Coefficients of two polynomials in z, lowest power first; neither vanishes at z = 0.
+template <class G>
+concept generating_function = requires {
+    G::template numerator<double>();
+    G::template denominator<double>();
+};
+
+struct grunwald_letnikov {
+    template <class S>
+    static std::vector<S> numerator() {
+        return {S(1), S(-1)};
+    }
+    template <class S>
+    static std::vector<S> denominator() {
+        return {S(1)};
+    }
+};
+template <int K>
+    requires(K >= 1 and K <= 6)
+struct bdf {
+    template <class S>
+    static std::vector<S> numerator() {
+        std::vector<S> sum(K + 1, S(0)), power{S(1)}; // power: (1 - z)^j
+        for (int j = 1; j <= K; ++j) {
+            power.push_back(S(0));
+            for (std::size_t i = power.size() - 1; i > 0; --i) power[i] = power[i] - power[i - 1];
+            for (std::size_t i = 0; i < power.size(); ++i) sum[i] = sum[i] + power[i] / S(j);
+        }
+        return sum;
+    }
+    template <class S>
+    static std::vector<S> denominator() {
+        return {S(1)};
+    }
+};
+struct trapezoid {
+    template <class S>
+    static std::vector<S> numerator() {
+        return {S(2), S(-2)};
+    }
+    template <class S>
+    static std::vector<S> denominator() {
+        return {S(1), S(1)};
+    }
+};
+
+/// omega(0)^alpha, the weight of the present: 1 for Gruenwald-Letnikov, (3/2)^alpha for G^alpha. Exact scalars have it where it is 1 or
+/// alpha is a whole number. @throws error::invalid_parameter where it is not a number of type S.
+template <generating_function G, class S>
+S leading_weight(S const& alpha) {
+    S const base = S(G::template numerator<S>()[0] / G::template denominator<S>()[0]);
+    if (base == S(1)) return S(1);
+    if constexpr (std::numeric_limits<S>::is_exact) {
+        S result(1);
+        for (S n = alpha; S(0) < n; n = n - S(1)) {
+            if (n < S(1)) error::raise<error::invalid_parameter>("the leading weight ", base, "^", alpha, " is no rational number");
+            result = result * base;
+        }
+        return result;
+    } else {
+        using std::pow;
+        return S(pow(base, alpha));
+    }
+}
+
+/// The weights divided by the leading one, w_0 = 1, w_1, w_2, ..., one at a time: each from the last few by the linear recurrence that
+/// omega(z)^alpha satisfies, n a_0 w_n = sum_j (b_{j-1} - (n - j) a_j) w_{n-j} with a = p q, b = alpha (p' q - p q') for omega = p / q. The
+/// recurrence of processor floats runs in twofold precision, where the cancellation near alpha = 0 and 1 costs nothing.
+template <generating_function G, class S>
+class weight_sequence {
+    using wide = typename detail::wider<S>::type;
+
+public:
+    /// @throws error::invalid_parameter when alpha is not finite.
+    explicit weight_sequence(S const& alpha) {
+        if (not is_finite(alpha)) error::raise<error::invalid_parameter>("the order of a fractional difference is a finite number");
+        auto const p = G::template numerator<wide>(), q = G::template denominator<wide>();
+        a_ = product(p, q);
+        auto const pq = product(derivative(p), q), qp = product(p, derivative(q));
+        b_.assign(a_.size(), wide(0));
+        for (std::size_t i = 0; i < pq.size(); ++i) b_[i] = b_[i] + wide(alpha) * pq[i];
+        for (std::size_t i = 0; i < qp.size(); ++i) b_[i] = b_[i] - wide(alpha) * qp[i];
+        last_.assign(a_.size() - 1, wide(0)); // last_[j - 1] = w_{n-j}
+    }
+    /// w_0, then w_1, ...
+    S next() {
+        wide w(0);
+        if (n_ == 0)
+            w = wide(1);
+        else {
+            for (std::size_t j = 1; j < a_.size(); ++j)
+                w = w + (b_[j - 1] - wide(static_cast<int>(n_ - static_cast<index>(j))) * a_[j]) * last_[j - 1];
+            w = w / (wide(static_cast<int>(n_)) * a_[0]);
+        }
+        for (std::size_t j = last_.size(); j-- > 1;) last_[j] = last_[j - 1];
+        last_[0] = w;
+        ++n_;
+        return static_cast<S>(w);
+    }
+
+private:
+    using polynomial = std::vector<wide>;
+    static polynomial product(polynomial const& x, polynomial const& y) {
+        polynomial z(x.size() + y.size() - 1, wide(0));
+        for (std::size_t i = 0; i < x.size(); ++i)
+            for (std::size_t j = 0; j < y.size(); ++j) z[i + j] = z[i + j] + x[i] * y[j];
+        return z;
+    }
+    static polynomial derivative(polynomial const& x) {
+        polynomial d;
+        for (std::size_t i = 1; i < x.size(); ++i) d.push_back(wide(static_cast<int>(i)) * x[i]);
+        if (d.empty()) d.push_back(wide(0));
+        return d;
+    }
+    polynomial a_, b_, last_;
+    index n_ = 0;
+};
+
+/// w_0 = 1, ..., w_{count-1}, without the leading weight.
+template <generating_function G, class S>
+std::vector<S> first_weights(S const& alpha, index count) {
+    weight_sequence<G, S> sequence(alpha);
+    std::vector<S> w;
+    w.reserve(static_cast<std::size_t>(count));
+    for (index n = 0; n < count; ++n) w.push_back(sequence.next());
+    return w;
+}
+
+} // namespace hilger
