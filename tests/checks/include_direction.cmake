@@ -7,15 +7,15 @@ set(order
   "error.hpp scalar.hpp text.hpp version.hpp"
   "scale"
   "function"
-  "history"
   "operator"
   "adjoint"
+  "history"
   "embedding"
   "mechanics"
   "integrator identity"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
-set(lean error.hpp scalar.hpp text.hpp version.hpp scale function history operator adjoint)
+set(lean error.hpp scalar.hpp text.hpp version.hpp scale function operator adjoint)
 
 set(rank 0)
 foreach(line IN LISTS order)
