@@ -21,6 +21,7 @@
 
 // Operators between them: sigma, rho, Delta, extension, means, integrals
 #include "hilger/operator/antiderivative.hpp"
+#include "hilger/operator/fractional.hpp"
 #include "hilger/operator/integral.hpp"
 #include "hilger/operator/linear_expression.hpp"
 #include "hilger/operator/local.hpp"

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hilger/adjoint/normal_form.hpp"
+#include "hilger/operator/fractional.hpp"
 
 namespace hilger {
 
@@ -134,6 +135,35 @@ constexpr auto boundary_form(sum<A, B> const& ab, F const& f, G const& g) {
     else
         return one(ab.a, g) + one(ab.b, reweight<typename A::to, Q, Bq>{}[g]) +
                detail::sum_outside<Q>(ab.b[f], g, reweight<typename A::to, Q, Bq>{}[g].domain());
+}
+
+/// Gruenwald-Letnikov and its siblings: their adjoint lives on the end points too, where the two sums have different weights. The sum
+/// counts what it has there: on all of T, h^(1-alpha) omega(0)^alpha times f(b)g(b) - f(a)g(a) for the side minus.
+template <class G, class Order, side Side, discrete_function F, discrete_function H>
+constexpr auto boundary_form(fractional_difference<G, Order, Side> const& a, F const& f, H const& g) {
+    using A = fractional_difference<G, Order, Side>;
+    using S = typename F::root_type::scalar_type;
+    auto const b = a.adjoint();
+    auto const& T = f.root();
+    auto const inner = intersect(b.image(g.domain()), f.domain());
+    S total(0);
+    for (index j : {f.domain().first(T), f.domain().last(T)}) {
+        detail::indicator<F> const e(f, j);
+        for (index i = g.domain().first(T); i <= g.domain().last(T); ++i)
+            total = total + weight_at<typename A::to_weight>(g, i) * S(a.evaluate(e, i)) * dot_product(f.get(j), g.get(i));
+        if (inner.first(T) <= j and j <= inner.last(T))
+            total = total - weight_at<typename A::from_weight>(f, j) * dot_product(f.get(j), b.evaluate(g, j));
+    }
+    return total;
+}
+/// f(a) and its sum with g.
+template <discrete_function F, discrete_function G>
+constexpr auto boundary_form(from_start const&, F const& f, G const& g) {
+    using S = typename F::root_type::scalar_type;
+    S total(0);
+    for (index i = g.domain().first(g.root()); i <= g.domain().last(g.root()); ++i)
+        total = total - weight_at<delta>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
+    return total;
 }
 
 /// The three parts of <A f, g> = <f, adjoint(A) g> + boundary.

@@ -31,8 +31,31 @@ struct generic_scale {
     static constexpr bool is_uniform = Uniform;
     static constexpr index extent = Steps;
     static constexpr index steps() { return Steps; }
-    static constexpr prime_field step(index i) { return random_element(Uniform ? 1 : 2 * static_cast<std::uint64_t>(i) + 3); }
+    static constexpr prime_field step(index i) {
+        return Uniform ? power(root_of_step, whole) : random_element(2 * static_cast<std::uint64_t>(i) + 3);
+    }
+    /// omega(0)^alpha h^-alpha. The step h of the uniform scale is a power of another element, so that it has roots; roots of omega(0) are
+    /// names: they multiply as they should, and a whole power is what it is.
+    template <class G, int P, int Q>
+    static constexpr prime_field leading_factor(fraction<P, Q>) {
+        static_assert(whole % Q == 0, "operators are compared for orders whose denominators divide 27720");
+        constexpr prime_field base = G::template numerator<prime_field>()[0] / G::template denominator<prime_field>()[0];
+        prime_field const leading = Q == 1                   ? power(base, P)
+                                    : base == prime_field(1) ? base
+                                                             : power(random_element(3) + base, static_cast<std::uint64_t>(whole / Q * P));
+        return leading / power(root_of_step, static_cast<std::uint64_t>(whole / Q * P));
+    }
     static constexpr bool same_points(generic_scale) { return true; }
+
+private:
+    static constexpr int whole = 27720;
+    static constexpr prime_field root_of_step = random_element(1);
+    static constexpr prime_field power(prime_field x, std::uint64_t n) {
+        prime_field y(1);
+        for (; n > 0; n /= 2, x = x * x)
+            if (n % 2 == 1) y = y * x;
+        return y;
+    }
 };
 
 template <bool Uniform, index Steps, class Base>
@@ -68,7 +91,8 @@ constexpr bool equal(A const& a, B const& b) {
         constexpr index n = std::max(steps_for<A>(), steps_for<B>());
         using image_a = decltype(a.image(domain<typename A::from>{}));
         using image_b = decltype(b.image(domain<typename B::from>{}));
-        if constexpr (std::same_as<image_a, image_b>) return normal_form<A, Uniform, n>(a) == normal_form<B, Uniform, n>(b);
+        constexpr bool uniform = Uniform or A::needs_uniform or B::needs_uniform;
+        if constexpr (std::same_as<image_a, image_b>) return normal_form<A, uniform, n>(a) == normal_form<B, uniform, n>(b);
     }
     return false;
 }

@@ -63,6 +63,7 @@ struct multiple : linear_operator<multiple<C, A>> {
     using to = typename A::to;
     using from_weight = typename A::from_weight;
     using to_weight = typename A::to_weight;
+    static constexpr bool needs_uniform = A::needs_uniform;
     [[no_unique_address]] C c;
     [[no_unique_address]] A a;
     constexpr multiple() = default;
@@ -106,6 +107,7 @@ struct composition : linear_operator<composition<A, B>> {
     using to = typename A::to;
     using from_weight = typename B::from_weight;
     using to_weight = typename A::to_weight;
+    static constexpr bool needs_uniform = A::needs_uniform or B::needs_uniform;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
     constexpr composition() = default;
@@ -136,6 +138,7 @@ struct sum : linear_operator<sum<A, B>> {
     using to = typename A::to;
     using from_weight = typename A::from_weight;
     using to_weight = typename A::to_weight;
+    static constexpr bool needs_uniform = A::needs_uniform or B::needs_uniform;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
     constexpr sum() = default;

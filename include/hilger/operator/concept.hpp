@@ -70,6 +70,7 @@ applied(A, F) -> applied<A, F>;
 template <class A>
 struct linear_operator {
     using operator_type = void;
+    static constexpr bool needs_uniform = false; ///< acts on functions on uniform scales only
 
     template <function_expression F>
     constexpr auto operator[](F f) const {
@@ -79,6 +80,8 @@ struct linear_operator {
         else if constexpr (leaves_no_point<F>())
             return does_not_compile<A::name() + " leaves no point: the function lives on " + F::domain_type::name() + ", and T has only " +
                                     digits<static_cast<unsigned>(F::root_type::extent) + 1>() + " points">{};
+        else if constexpr (lacks_uniform<F>())
+            return does_not_compile<A::name() + " has the weights of one step h, and this function lives on " + F::root_type::kind()>{};
         else
             return applied<A, F>(self(), std::move(f));
     }
@@ -89,6 +92,13 @@ struct linear_operator {
 
 private:
     [[nodiscard]] constexpr A const& self() const { return static_cast<A const&>(*this); }
+    template <class F>
+    static consteval bool lacks_uniform() {
+        if constexpr (discrete_function<F> and A::needs_uniform)
+            return not F::root_type::is_uniform;
+        else
+            return false;
+    }
     template <class F>
     static consteval bool leaves_no_point() {
         if constexpr (discrete_function<F>)

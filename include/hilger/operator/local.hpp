@@ -77,6 +77,9 @@ struct derivative : linear_operator<derivative<Base, Side>> {
         return evaluated((f.get(left + 1) - f.get(left)) / f.domain().base.step(f.root(), left));
     }
     constexpr auto adjoint() const { return -derivative<Base, opposite<Side>>{}; }
+    /// The fractional difference of order alpha (operator/fractional.hpp).
+    template <scalar S>
+    constexpr auto operator()(S alpha) const;
 };
 
 inline constexpr shift<nodes, side::plus> sigma{};

@@ -18,20 +18,20 @@ public:
     constexpr explicit(false) twofold(int n) : high_(static_cast<S>(n)) { // an int may have more digits than a float
         low_ = static_cast<S>(n - static_cast<long long>(high_));
     }
-    explicit operator S() const { return high_ + low_; }
+    constexpr explicit operator S() const { return high_ + low_; }
 
-    friend twofold operator+(twofold x, twofold y) {
+    friend constexpr twofold operator+(twofold x, twofold y) {
         twofold s = two_sum(x.high_, y.high_), t = two_sum(x.low_, y.low_);
         s = fast_two_sum(s.high_, s.low_ + t.high_);
         return fast_two_sum(s.high_, s.low_ + t.low_);
     }
-    friend twofold operator-(twofold x) { return {-x.high_, -x.low_}; }
-    friend twofold operator-(twofold x, twofold y) { return x + -y; }
-    friend twofold operator*(twofold x, twofold y) {
+    friend constexpr twofold operator-(twofold x) { return {-x.high_, -x.low_}; }
+    friend constexpr twofold operator-(twofold x, twofold y) { return x + -y; }
+    friend constexpr twofold operator*(twofold x, twofold y) {
         twofold const p = two_product(x.high_, y.high_);
         return fast_two_sum(p.high_, p.low_ + (x.high_ * y.low_ + x.low_ * y.high_));
     }
-    friend twofold operator/(twofold x, twofold y) {
+    friend constexpr twofold operator/(twofold x, twofold y) {
         S const q = x.high_ / y.high_;
         twofold const rest = x - y * twofold(q);
         S const q2 = rest.high_ / y.high_;
@@ -41,17 +41,17 @@ public:
 
 private:
     constexpr twofold(S high, S low) : high_(high), low_(low) {}
-    static twofold two_sum(S x, S y) {
+    static constexpr twofold two_sum(S x, S y) {
         S const s = x + y, part = s - x;
         return {s, (x - (s - part)) + (y - part)};
     }
     /// For |x| >= |y|.
-    static twofold fast_two_sum(S x, S y) {
+    static constexpr twofold fast_two_sum(S x, S y) {
         S const s = x + y;
         return {s, y - (s - x)};
     }
     /// By splitting (Veltkamp, Dekker): without an instruction for it std::fma is a slow function.
-    static twofold two_product(S x, S y) {
+    static constexpr twofold two_product(S x, S y) {
         constexpr int digits = std::numeric_limits<S>::digits;
         constexpr S factor = static_cast<S>((1ULL << ((digits + 1) / 2)) + 1);
         S const p = x * y, a = factor * x, b = factor * y;

@@ -7,56 +7,60 @@
 // A user's own generating function is a type with numerator<S>() and denominator<S>(), as these have.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "hilger/error.hpp"
 #include "hilger/operator/twofold.hpp"
+#include "hilger/text.hpp"
 
 namespace hilger {
 
-/// Coefficients of two polynomials in z, lowest power first; neither vanishes at z = 0.
+/// Coefficients of two polynomials in z as arrays, lowest power first; neither vanishes at z = 0.
 template <class G>
 concept generating_function = requires {
-    G::template numerator<double>();
-    G::template denominator<double>();
+    G::template numerator<double>()[0];
+    G::template denominator<double>()[0];
 };
 
 struct grunwald_letnikov {
+    static constexpr auto name() { return text("Delta"); }
     template <class S>
-    static std::vector<S> numerator() {
+    static constexpr std::array<S, 2> numerator() {
         return {S(1), S(-1)};
     }
     template <class S>
-    static std::vector<S> denominator() {
+    static constexpr std::array<S, 1> denominator() {
         return {S(1)};
     }
 };
 template <int K>
     requires(K >= 1 and K <= 6)
 struct bdf {
+    static constexpr auto name() { return text("bdf<") + digits<K>() + ">"; }
     template <class S>
-    static std::vector<S> numerator() {
-        std::vector<S> sum(K + 1, S(0)), power{S(1)}; // power: (1 - z)^j
+    static constexpr std::array<S, K + 1> numerator() {
+        std::array<S, K + 1> sum{}, power{S(1)}; // power: (1 - z)^j
         for (int j = 1; j <= K; ++j) {
-            power.push_back(S(0));
-            for (std::size_t i = power.size() - 1; i > 0; --i) power[i] = power[i] - power[i - 1];
-            for (std::size_t i = 0; i < power.size(); ++i) sum[i] = sum[i] + power[i] / S(j);
+            for (std::size_t i = static_cast<std::size_t>(j); i > 0; --i) power[i] = power[i] - power[i - 1];
+            for (std::size_t i = 0; i <= static_cast<std::size_t>(j); ++i) sum[i] = sum[i] + power[i] / S(j);
         }
         return sum;
     }
     template <class S>
-    static std::vector<S> denominator() {
+    static constexpr std::array<S, 1> denominator() {
         return {S(1)};
     }
 };
 struct trapezoid {
+    static constexpr auto name() { return text("trapezoid"); }
     template <class S>
-    static std::vector<S> numerator() {
+    static constexpr std::array<S, 2> numerator() {
         return {S(2), S(-2)};
     }
     template <class S>
-    static std::vector<S> denominator() {
+    static constexpr std::array<S, 2> denominator() {
         return {S(1), S(1)};
     }
 };
@@ -86,50 +90,39 @@ S leading_weight(S const& alpha) {
 template <generating_function G, class S>
 class weight_sequence {
     using wide = typename detail::wider<S>::type;
+    static constexpr std::size_t P = std::tuple_size_v<decltype(G::template numerator<wide>())>;
+    static constexpr std::size_t Q = std::tuple_size_v<decltype(G::template denominator<wide>())>, taps = P + Q - 1;
 
 public:
     /// @throws error::invalid_parameter when alpha is not finite.
-    explicit weight_sequence(S const& alpha) {
+    constexpr explicit weight_sequence(S const& alpha) {
         if (not is_finite(alpha)) error::raise<error::invalid_parameter>("the order of a fractional difference is a finite number");
-        auto const p = G::template numerator<wide>(), q = G::template denominator<wide>();
-        a_ = product(p, q);
-        auto const pq = product(derivative(p), q), qp = product(p, derivative(q));
-        b_.assign(a_.size(), wide(0));
-        for (std::size_t i = 0; i < pq.size(); ++i) b_[i] = b_[i] + wide(alpha) * pq[i];
-        for (std::size_t i = 0; i < qp.size(); ++i) b_[i] = b_[i] - wide(alpha) * qp[i];
-        last_.assign(a_.size() - 1, wide(0)); // last_[j - 1] = w_{n-j}
+        auto const p = G::template numerator<wide>();
+        auto const q = G::template denominator<wide>();
+        for (std::size_t i = 0; i < P; ++i)
+            for (std::size_t j = 0; j < Q; ++j) {
+                wide const both = p[i] * q[j], slope = wide(static_cast<int>(i)) - wide(static_cast<int>(j));
+                a_[i + j] = a_[i + j] + both;
+                if (i + j > 0) b_[i + j - 1] = b_[i + j - 1] + wide(alpha) * slope * both; // of z^(i+j-1) in alpha (p' q - p q')
+            }
     }
     /// w_0, then w_1, ...
-    S next() {
-        wide w(0);
-        if (n_ == 0)
-            w = wide(1);
-        else {
-            for (std::size_t j = 1; j < a_.size(); ++j)
+    constexpr S next() {
+        wide w(1);
+        if (n_ > 0) {
+            w = wide(0);
+            for (std::size_t j = 1; j < taps; ++j)
                 w = w + (b_[j - 1] - wide(static_cast<int>(n_ - static_cast<index>(j))) * a_[j]) * last_[j - 1];
             w = w / (wide(static_cast<int>(n_)) * a_[0]);
         }
-        for (std::size_t j = last_.size(); j-- > 1;) last_[j] = last_[j - 1];
-        last_[0] = w;
+        for (std::size_t j = taps - 1; j-- > 1;) last_[j] = last_[j - 1];
+        if constexpr (taps > 1) last_[0] = w;
         ++n_;
         return static_cast<S>(w);
     }
 
 private:
-    using polynomial = std::vector<wide>;
-    static polynomial product(polynomial const& x, polynomial const& y) {
-        polynomial z(x.size() + y.size() - 1, wide(0));
-        for (std::size_t i = 0; i < x.size(); ++i)
-            for (std::size_t j = 0; j < y.size(); ++j) z[i + j] = z[i + j] + x[i] * y[j];
-        return z;
-    }
-    static polynomial derivative(polynomial const& x) {
-        polynomial d;
-        for (std::size_t i = 1; i < x.size(); ++i) d.push_back(wide(static_cast<int>(i)) * x[i]);
-        if (d.empty()) d.push_back(wide(0));
-        return d;
-    }
-    polynomial a_, b_, last_;
+    std::array<wide, taps> a_{}, b_{}, last_{}; // last_[j - 1] = w_{n-j}
     index n_ = 0;
 };
 

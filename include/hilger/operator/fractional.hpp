@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSL-1.0
+// Fractional differences on a uniform T: with the weights w_n of a generating function (operator/weights.hpp)
+//   Delta_-^alpha[f](t_k) = h^-alpha sum_{n=0..k} w_n f(t_{k-n}),   Delta_+^alpha[f](t_k) = h^-alpha sum_{n=0..N-k} w_n f(t_{k+n})
+// on all of T (Bourdin et al. (7), (8); the row k = 0 belongs to it: without it Delta_-^alpha Delta_-^beta = Delta_-^{alpha+beta} is
+// false).
+//   Delta_minus_alpha<1, 2>      order 1/2 in the type          Delta_minus(alpha)        order known at run time
+//   minus_alpha<bdf<2>, 1, 2>    another generating function    caputo_minus_alpha<1, 2>  of f - f(a)
+// Orders of one generating function and one side add up in the type; a whole order is a local difference. Between the Delta and the nabla
+// sum the adjoint of Delta_-^alpha is Delta_+^alpha (Bourdin et al., lemma 2; here with its boundary form).
+#pragma once
+
+#include <map>
+
+#include "hilger/operator/local.hpp"
+#include "hilger/operator/weights.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// How many weights a whole order has, when they end; 0 where they do not.
+template <generating_function G, class Order>
+inline constexpr index weights_end = 0;
+template <generating_function G, int P>
+inline constexpr index
+    weights_end<G, fraction<P>> = std::tuple_size_v<decltype(G::template denominator<double>())> == 1 and P >= 0
+                                      ? P* static_cast<index>(std::tuple_size_v<decltype(G::template numerator<double>())> - 1) + 1
+                                      : 0;
+
+/// w_0, ..., w_{count-1}, computed once for each order and kept.
+template <generating_function G, class S>
+std::vector<S> const& kept_weights(S const& alpha, index count) {
+    thread_local std::map<S, std::pair<weight_sequence<G, S>, std::vector<S>>> kept;
+    auto& [sequence, w] = kept.try_emplace(alpha, weight_sequence<G, S>(alpha), std::vector<S>{}).first->second;
+    while (static_cast<index>(w.size()) < count) w.push_back(sequence.next());
+    return w;
+}
+
+/// omega(0)^alpha h^-alpha. A scale may know better (the generic one that operators are compared on). @throws error::invalid_parameter for
+/// exact scalars where it is no rational number.
+template <generating_function G, class Order, class Root>
+constexpr auto leading_factor(Root const& T, Order const& order) {
+    using S = typename Root::scalar_type;
+    if constexpr (requires { T.template leading_factor<G>(order); })
+        return T.template leading_factor<G>(order);
+    else {
+        S const alpha = order.template as<S>(), h = T.step(0);
+        if constexpr (not std::numeric_limits<S>::is_exact) {
+            using std::pow;
+            return S(leading_weight<G>(alpha) * pow(h, S(-alpha)));
+        } else {
+            S power(1), left = alpha;
+            for (; not(left < S(1)); left = left - S(1)) power = power * h;
+            if (not(left == S(0)) and not(h == S(1)))
+                error::raise<error::invalid_parameter>("in an exact scalar a fractional difference of order ", alpha,
+                                                       " takes steps of length 1, and this one is ", h);
+            return S(leading_weight<G>(alpha) / power);
+        }
+    }
+}
+
+template <class Order>
+struct order_name {
+    static constexpr auto name() { return text("alpha"); }
+};
+template <int P, int Q>
+struct order_name<fraction<P, Q>> {
+    static constexpr auto name() { return digits<P>() + "/" + digits<Q>(); }
+};
+
+} // namespace detail
+
+template <generating_function G, class Order, side Side>
+struct fractional_difference : linear_operator<fractional_difference<G, Order, Side>> {
+    using from = nodes;
+    using to = nodes;
+    using from_weight = std::conditional_t<Side == side::plus, nabla, delta>;
+    using to_weight = std::conditional_t<Side == side::plus, delta, nabla>;
+    static constexpr bool needs_uniform = true;
+    [[no_unique_address]] Order order{};
+
+    static constexpr auto name() {
+        auto const rest = "_alpha<" + detail::order_name<Order>::name() + ">";
+        if constexpr (Side == side::plus)
+            return G::name() + "_plus" + rest;
+        else
+            return G::name() + "_minus" + rest;
+    }
+    /// Sums from the first point (to the last one), so f must be known there.
+    template <int F, int B>
+    constexpr auto image(domain<nodes, F, B> const&) const {
+        if constexpr (Side == side::minus) {
+            if constexpr (F > 0)
+                does_not_compile<name() + " sums from the first point on, and this function lives on " + domain<nodes, F, B>::name()>{};
+            return domain<nodes, 0, B>{};
+        } else {
+            if constexpr (B > 0)
+                does_not_compile<name() + " sums up to the last point, and this function lives on " + domain<nodes, F, B>::name()>{};
+            return domain<nodes, F, 0>{};
+        }
+    }
+    /// By the sum itself, O(k) at point k; history/convolution.hpp has all points at once.
+    template <class F>
+    constexpr auto evaluate(F const& f, index k) const {
+        using root = typename F::root_type;
+        using S = typename root::scalar_type;
+        if constexpr (not root::is_uniform)
+            return does_not_compile<name() + " has the weights of one step h, and this function lives on " + root::kind()>{};
+        else {
+            index const last = Side == side::minus ? k - f.domain().first(f.root()) : f.domain().last(f.root()) - k;
+            index const count = std::min(last + 1, ends > 0 ? ends : last + 1);
+            auto const at = [&](index n) { return f.get(Side == side::minus ? k - n : k + n); };
+            auto sum = evaluated(at(0));
+            if constexpr (ends > 0 or not ordered_scalar<S>) {
+                weight_sequence<G, S> w(order.template as<S>());
+                (void)w.next();
+                for (index n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w.next());
+            } else {
+                auto const& w = detail::kept_weights<G>(order.template as<S>(), count);
+                for (index n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w[static_cast<std::size_t>(n)]);
+            }
+            return evaluated(sum * detail::leading_factor<G>(f.root(), order));
+        }
+    }
+    constexpr auto adjoint() const { return fractional_difference<G, Order, opposite<Side>>{{}, order}; }
+
+private:
+    static constexpr index ends = detail::weights_end<G, Order>;
+};
+
+namespace detail {
+
+template <int P, int Q>
+inline constexpr bool is_order = P >= 0 and Q > 0 and P <= 2 * Q;
+
+/// The sum of two orders. @throws error::invalid_parameter above 2
+template <int P, int Q, int R, int T>
+constexpr auto sum_of_orders(fraction<P, Q>, fraction<R, T>) {
+    static_assert(is_order<P * T + R * Q, Q * T>, "orders of fractional differences add up to 2 at most");
+    return reduced<P * T + R * Q, Q * T>{};
+}
+template <class O, class R>
+constexpr auto sum_of_orders(O const& x, R const& y) {
+    auto const add = [](auto const& a, auto const& b) {
+        if (b + a > decltype(b + a)(2))
+            error::raise<error::invalid_parameter>("orders of fractional differences add up to 2 at most, and these are ", a, " and ", b);
+        return run_time<std::remove_cvref_t<decltype(a + b)>>{a + b};
+    };
+    if constexpr (requires { x.value; })
+        return add(x.value, y.template as<std::remove_cvref_t<decltype(x.value)>>());
+    else
+        return add(x.template as<std::remove_cvref_t<decltype(y.value)>>(), y.value);
+}
+
+} // namespace detail
+
+/// Delta^alpha Delta^beta = Delta^{alpha + beta}; order zero is the identity.
+template <generating_function G, class O, class R, side Side>
+constexpr auto operator*(fractional_difference<G, O, Side> const& a, fractional_difference<G, R, Side> const& b) {
+    auto const order = detail::sum_of_orders(a.order, b.order);
+    return fractional_difference<G, std::remove_const_t<decltype(order)>, Side>{{}, order};
+}
+template <linear_map A, generating_function G, class O, class R, side Side>
+constexpr auto operator*(composition<A, fractional_difference<G, O, Side>> const& a, fractional_difference<G, R, Side> const& b) {
+    return a.a * (a.b * b);
+}
+template <generating_function G, class O, class R, side Side, linear_map B>
+constexpr auto operator*(fractional_difference<G, O, Side> const& a, composition<fractional_difference<G, R, Side>, B> const& b) {
+    return (a * b.a) * b.b;
+}
+
+/// f - f(a): what a Caputo derivative of order below 1 differentiates. Its adjoint is the identity up to the first point.
+struct from_start : linear_operator<from_start> {
+    using from = nodes;
+    using to = nodes;
+    using from_weight = delta;
+    using to_weight = delta;
+    static constexpr auto name() { return text("from_start"); }
+    template <int F, int B>
+    constexpr auto image(domain<nodes, F, B> const& d) const {
+        if constexpr (F > 0)
+            does_not_compile<text("from_start subtracts the value at the first point, and this function lives on ") +
+                             domain<nodes, F, B>::name()>{};
+        return d;
+    }
+    template <class F>
+    constexpr auto evaluate(F const& f, index i) const {
+        return evaluated(f.get(i) - f.get(f.domain().first(f.root())));
+    }
+    constexpr auto adjoint() const { return identity_on<nodes, delta>{}; }
+};
+inline constexpr from_start minus_start{};
+
+/// Delta_-^alpha and Delta_+^alpha (Gruenwald-Letnikov; of Riemann and Liouville's kind), 0 < alpha = P/Q <= 1.
+template <int P, int Q>
+    requires(P > 0 and Q >= P)
+inline constexpr fractional_difference<grunwald_letnikov, reduced<P, Q>, side::minus> Delta_minus_alpha{};
+template <int P, int Q>
+    requires(P > 0 and Q >= P)
+inline constexpr fractional_difference<grunwald_letnikov, reduced<P, Q>, side::plus> Delta_plus_alpha{};
+/// The same with the weights of G: minus_alpha<bdf<2>, 1, 2> is the G^alpha of Galucio, Deue, Dubois (2).
+template <generating_function G, int P, int Q>
+    requires(P > 0 and Q >= P)
+inline constexpr fractional_difference<G, reduced<P, Q>, side::minus> minus_alpha{};
+template <generating_function G, int P, int Q>
+    requires(P > 0 and Q >= P)
+inline constexpr fractional_difference<G, reduced<P, Q>, side::plus> plus_alpha{};
+/// Delta_-^alpha[f - f(a)], of Caputo's kind: zero for constants.
+template <int P, int Q>
+    requires(P > 0 and Q >= P)
+inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q> * minus_start;
+
+/// The order known at run time: Delta_minus(alpha). @throws error::invalid_parameter when it is outside ]0, 1].
+template <class Base, side Side>
+template <scalar S>
+constexpr auto derivative<Base, Side>::operator()(S alpha) const {
+    static_assert(std::same_as<Base, nodes>, "fractional differences act on functions on T");
+    if (not(S(0) < alpha) or S(1) < alpha)
+        error::raise<error::invalid_parameter>("the order of a fractional difference lies in ]0, 1], and this one is ", alpha);
+    return fractional_difference<grunwald_letnikov, run_time<S>, Side>{{}, {std::move(alpha)}};
+}
+
+} // namespace hilger
