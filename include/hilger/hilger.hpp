@@ -18,6 +18,7 @@
 #include "hilger/mechanics/legendre_transform.hpp"
 #include "hilger/mechanics/mechanical.hpp"
 #include "hilger/mechanics/print.hpp"
+#include "hilger/mechanics/restricted.hpp"
 #include "hilger/mechanics/variation.hpp"
 
 // Flows and solutions

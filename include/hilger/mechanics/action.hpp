@@ -66,4 +66,19 @@ constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const&
     }
 }
 
+/// The same from the left, over T^- (weights nu): the fractional functional h sum_{k=1..N} L(Q_k, (Delta_-^alpha Q)_k) of Bourdin et al.
+/// (12) is nabla_integral(L(q, Delta_minus_alpha<P, Q>[q]), T).
+template <class F, linear_map A, linear_map B, time_scale_like Scale>
+constexpr auto nabla_integral(lagrangian_density<F, A, B> const& density, Scale const& scale) {
+    using D = typename Scale::domain_type;
+    using Root = typename Scale::root_type;
+    static_assert(std::same_as<D, domain<nodes>>, "the nabla integral of a Lagrangian is over T");
+    if constexpr (not std::same_as<typename A::to, nodes>)
+        return does_not_compile<text("this Lagrangian lives on ") + A::to::name() + ", and the integral is over " + D::name()>{};
+    else if constexpr ((A::needs_uniform or B::needs_uniform) and not Root::is_uniform)
+        return does_not_compile<B::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
+    else
+        return action<F, A, B, nabla, Root>{density.function, density.position, density.velocity, scale.root()};
+}
+
 } // namespace hilger

@@ -106,7 +106,7 @@ public:
         auto const Lv = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
             return gradient_second(detail::at_time{L, t}, q, v);
         });
-        return adjoint_on_T(action_.position)[Lq] + adjoint_on_T(action_.velocity)[Lv];
+        return at_inner_points(adjoint_on_T(action_.position)[Lq] + adjoint_on_T(action_.velocity)[Lv]);
     }
     /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
@@ -114,10 +114,19 @@ public:
         auto const f = action_.at_nodes(x, [force](auto const& t, auto const& q, auto const& v) {
             return evaluated(detail::at_time{force, t}(q, v));
         });
-        return residual(x) + adjoint_on_T(action_.position)[f];
+        return at_inner_points(residual(x) + adjoint_on_T(action_.position)[f]);
     }
 
 private:
+    /// Fractional differences have values at the ends too, where variations vanish and there is no equation.
+    template <discrete_function R>
+    static constexpr auto at_inner_points(R r) {
+        using D = typename R::domain_type;
+        if constexpr (D::front > 0 and D::back > 0)
+            return r;
+        else
+            return detail::restrict_to(std::move(r), domain<nodes, std::max(D::front, 1), std::max(D::back, 1)>{});
+    }
     [[nodiscard]] constexpr auto base() const { return action_.position.image(domain<nodes>{}).base; }
     Action action_;
 };
