@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Variations of fractional actions: the equations are the adjoints', and the action is stationary exactly where they hold.
+#include <sstream>
+
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
@@ -93,4 +95,19 @@ TEST_CASE("damping of order one is local") {
     auto const r = variation(S).residual(x);
     auto const without = variation(S.conservative).residual(x);
     for (hilger::index k = 1; k < 9; ++k) CHECK(r[k] == doctest::Approx(without[k] - 0.5 * Delta_minus[x][k]).epsilon(1e-15));
+}
+
+TEST_CASE("fractional equations are written down") {
+    auto const T = uniform(0.0, 0.1, 10);
+    std::ostringstream text;
+    text << variation(nabla_integral(quadratic(q, Delta_minus_alpha<3, 4>[q]), T))
+         << variation(nabla_integral(quadratic(q, minus_alpha<bdf<2>, 1, 2>[q]), T))
+         << variation(integral(quadratic(q_o, Delta_o_plus[q_o]), half(T)) -
+                      0.25 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T));
+    CHECK(text.str() == "∂L/∂q(⋆) + Δ₊^(3/4)[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₋^(3/4)[q])\n"
+                        "∂L/∂q(⋆) + bdf<2>₊^(1/2)[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, bdf<2>₋^(1/2)[q])\n"
+                        "[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = ρ Δ₋^(1/2)[q]   on T½⁻,   ⋆ = (q∘, Δ∘,₊[q∘])\n"
+                        "the same of y = ρ Δ₊^(1/2)[y],   ρ = 0.25\n");
+    CHECK(latex(variation(nabla_integral(quadratic(q, Delta_minus_alpha<1, 3>[q]), T))).find("\\Delta_{+}^{1/3}\\left[") !=
+          std::string::npos);
 }

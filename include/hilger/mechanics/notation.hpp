@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hilger/adjoint/normal_form.hpp"
+#include "hilger/operator/fractional.hpp"
 
 namespace hilger {
 
@@ -61,11 +62,38 @@ auto bare_name(on_uniform<A> const&) {
     return A::name();
 }
 
+/// An order as it is written: 1/2, or alpha where it is known at run time only.
+template <class Order>
+std::string written_order(Order const&, style s) {
+    if constexpr (requires { Order::denominator; }) {
+        std::string const p = std::to_string(Order::numerator);
+        return Order::denominator == 1 ? p : p + "/" + std::to_string(Order::denominator);
+    } else
+        return s == style::latex ? "\\alpha" : "α";
+}
+template <class Op>
+std::optional<notation> fractional_notation(Op const&, style) {
+    return std::nullopt;
+}
+template <class G, class Order, side Side>
+std::optional<notation> fractional_notation(fractional_difference<G, Order, Side> const& op, style s) {
+    bool const latex = s == style::latex, plus = Side == side::plus;
+    std::string const name(G::name().view()), order = written_order(op.order, s);
+    std::string const letter = name == "Delta" ? (latex ? "\\Delta" : "Δ") : latex ? "\\mathrm{" + name + "}" : name;
+    if (latex) return notation{letter + "_{" + (plus ? "+" : "-") + "}^{" + order + "}\\left[", "\\right]"};
+    return notation{letter + (plus ? "₊" : "₋") + "^" + (order.size() > 2 ? "(" + order + ")" : order) + "[", "]"};
+}
+
+template <class A>
+std::optional<notation> fractional_notation(on_uniform<A> const& op, style s) {
+    return fractional_notation(op.op, s);
+}
 } // namespace detail
 
 /// The notation of an operator, or its composition in words when it has no name of its own.
 template <class Op>
 notation notation_of(Op const& op, style s) {
+    if (auto const fractional = detail::fractional_notation(op, s)) return *fractional;
     using half_ = fraction<1, 2>;
     using detail::brackets, detail::mean;
     std::optional<notation> found = detail::recognise(

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "hilger/mechanics/notation.hpp"
-#include "hilger/mechanics/variation.hpp"
+#include "hilger/mechanics/restricted.hpp"
 
 namespace hilger {
 
@@ -54,7 +54,12 @@ std::string where(Op const& op, style s, From from) {
             return op;
     }
     ();
-    return written_domain<decltype(a.image(from))>(s);
+    using D = decltype(a.image(from));
+    // On T the end points have no equation, though a fractional difference has values there.
+    if constexpr (std::same_as<typename D::base_type, nodes>)
+        return written_domain<domain<nodes, std::max(D::front, 1), std::max(D::back, 1)>>(s);
+    else
+        return written_domain<D>(s);
 }
 
 template <class Action>
@@ -76,10 +81,11 @@ struct writer {
         else
             return notation_of(EL.action().velocity, s).around(w.q);
     }
-    [[nodiscard]] std::string euler_lagrange_equation() const {
+    [[nodiscard]] std::string euler_lagrange_equation() const { return left_hand_side() + w.equals + "0"; }
+    [[nodiscard]] std::string left_hand_side() const {
         std::string const star = s == style::latex ? "(\\star)" : "(⋆)";
         notation const f = notation_of(EL.force(), s), m = notation_of(EL.momentum(), s);
-        return f.around(w.dLdq + star) + (m.negative ? w.minus : " + ") + m.around(w.dLdv + star) + w.equals + "0";
+        return f.around(w.dLdq + star) + (m.negative ? w.minus : " + ") + m.around(w.dLdv + star);
     }
     [[nodiscard]] std::string arguments() const { return (s == style::latex ? "\\star = (" : "⋆ = (") + w.q + ", " + velocity() + ")"; }
     [[nodiscard]] std::string momentum_equation() const {
@@ -108,6 +114,24 @@ std::ostream& operator<<(std::ostream& out, hamiltonian_system<Action> const& sy
     detail::writer<Action> const w{system.equation, style::terminal};
     return out << w.momentum_equation() << "   on " << w.inner() << '\n'
                << w.position_equation() << "   on " << w.whole() << ",   " << w.definition_of_p() << '\n';
+}
+
+/// The equation of x and that of y, in reversed time: what is not damped on the left, rho times the damping on the right.
+template <class Action, linear_map A, linear_map B, class Root>
+std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A, B, Root> const& equation) {
+    auto const conservative = equation.conservative();
+    detail::writer<Action> const w{conservative, style::terminal};
+    return out << w.left_hand_side() << " = ρ " << notation_of(equation.damping(), style::terminal).around("q") << "   on " << w.inner()
+               << ",   " << w.arguments() << '\n'
+               << "the same of y = ρ " << notation_of(equation.reversed_damping(), style::terminal).around("y")
+               << ",   ρ = " << equation.factor() << '\n';
+}
+template <class Action, linear_map A, linear_map B, class Root>
+std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation) {
+    auto const conservative = equation.conservative();
+    detail::writer<Action> const w{conservative, style::latex};
+    return "\\begin{aligned}\n  " + w.left_hand_side() + " &= \\rho\\," + notation_of(equation.damping(), style::latex).around("q") +
+           ", && t \\in " + w.inner() + ", \\quad " + w.arguments() + "\n\\end{aligned}\n";
 }
 
 /// What operator<< prints, with every further line set off by `indent`.
