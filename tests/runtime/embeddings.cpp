@@ -32,11 +32,10 @@ double fitted_order(problem_kind kind, Embedding const& how, int steps) {
     };
     return static_cast<double>(log(float50(error(steps) / error(2 * steps))) / log(float50(2)));
 }
-/// The coarser number of steps for each of the problems: enough to be near the limit, and not so many that 50 digits end; 0 for none.
+/// The coarser number of steps for each of the problems: enough to be near the limit, and not so many that 50 digits end.
 template <class Embedding>
 void check_order(Embedding const& how, double order, std::array<int, 3> const& counts) {
     for (auto const kind : three_problems) {
-        if (counts[static_cast<std::size_t>(kind)] == 0) continue;
         CAPTURE(how.name);
         CAPTURE(static_cast<int>(kind));
         CAPTURE(order);
@@ -69,5 +68,5 @@ TEST_CASE("Galerkin with s Lobatto nodes has order 2s - 2") {
     check_order(galerkin<3, lobatto>, 4, {20, 20, 20});
     check_order(galerkin<4, lobatto>, 6, {16, 16, 16});
     check_order(galerkin<5, lobatto>, 8, {16, 16, 16});
-    check_order(galerkin<8, lobatto>, 14, {8, 24, 0});
+    check_order(galerkin<8, lobatto>, 14, {8, 24, 64});
 }
