@@ -58,6 +58,8 @@ TEST_CASE("chain, pairs and mass matrices solve their equations, by iteration an
         check(mechanical(m, [](auto const& x) { return x.dot(x) * x(0) / 9 + x.dot(x); }), h);
     }
     check(mechanical(m, pairs<3>({{0, 1}, {1, -1}}, gravity)), 0.01);
+    check(mechanical(m, pairs<3>({{0, 1}, {-1, 1}}, gravity)), 0.01); // the wall first: r = -q
+    CHECK(mechanical(m, pairs<1>({{-1, 2}}, [](hilger::index, auto const& r) { return r; })).potential()(q) == -q(2));
     auto const T = uniform(0.0, 0.05, 20);
     auto const l = mechanical(m, chain(spring));
     CHECK(defect(l, embed(l, order_one).along(T, q, p), 0.05, 0.0) < 64 * epsilon<double>() * 10 / 0.05);
@@ -107,6 +109,17 @@ TEST_CASE("structured steps in 50 digits: the energy of an FPU chain, order 2") 
         return worst;
     };
     CHECK(std::abs(static_cast<double>(log(float50(drift(40) / drift(80))) / log(float50(2))) - 2) < 0.05);
+}
+
+TEST_CASE("the first guess goes through a polynomial of the last values") {
+    auto const cubic = [](int t) { return 2 * t * t * t - 5 * t + 1; };
+    for (int const n : {4, 5, 8}) {
+        int next = 0;
+        for (int i = 0; i < n; ++i) next += detail::extrapolation(n, i) * cubic(10 - i);
+        CHECK(next == cubic(11));
+    }
+    CHECK(detail::extrapolation(2, 0) == 2);
+    CHECK(detail::extrapolation(2, 1) == -1);
 }
 
 TEST_CASE("what a structured system needs is said") {
