@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSL-1.0
+// The history of a fractional difference, s_m = sum_{n=1..m} w_n x_{m-n}, as it is written: all values and all weights are kept, and
+// every sum is made anew. Exact in exact scalars; m products at value m, so that N values cost N^2 / 2.
+#pragma once
+
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include "hilger/history/component.hpp"
+#include "hilger/history/sums.hpp"
+#include "hilger/operator/weights.hpp"
+
+namespace hilger {
+
+/// Where the sum over everything says that it will be slow; std::clog unless replaced. An empty function silences it.
+inline std::function<void(std::string const&)>& history_warning() {
+    static std::function<void(std::string const&)> hook = [](std::string const& sentence) { std::clog << "hilger: " << sentence << '\n'; };
+    return hook;
+}
+
+/// The sum over everything. `steps`, if the number of values is known beforehand, lets a run that would take minutes say so.
+struct direct {
+    index steps = 0;
+    static constexpr index many = 100'000; ///< from here on the warning is due
+};
+
+template <class G, class V>
+class direct_history {
+    using S = detail::component_t<V>;
+
+public:
+    direct_history(S const& alpha, V const& like)
+        : alpha_(alpha), size_(detail::components(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)),
+          past_(detail::zero_of_size(like)) {
+        weights_.next(); // w_0, the present's
+    }
+
+    /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha.
+    V const& past() const { return past_; }
+    /// O(m) products. @throws error::mismatch, error::not_finite
+    void push(V const& x) {
+        detail::check_value(x, size_, count_);
+        auto const m = static_cast<std::size_t>(count_) + 1;
+        if (m > reversed_.size()) grow();
+        reversed_[reversed_.size() - m] = weights_.next();
+        for (index c = 0; c < size_; ++c) {
+            auto& values = values_[static_cast<std::size_t>(c)];
+            values[m - 1] = detail::component(x, c);
+            // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
+            detail::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
+        }
+        ++count_;
+    }
+    index count() const { return count_; }
+    void reset() { *this = direct_history(alpha_, past_); }
+    std::size_t bytes() const { return (values_.size() + 1) * reversed_.size() * sizeof(S); }
+    static std::string name() { return "direct"; }
+
+private:
+    void grow() {
+        std::size_t const old = reversed_.size(), now = old == 0 ? 64 : 2 * old;
+        detail::line_vector<S> longer(now, S(0));
+        std::copy(reversed_.begin(), reversed_.end(), longer.end() - static_cast<index>(old));
+        reversed_ = std::move(longer);
+        for (auto& values : values_) values.resize(now, S(0));
+    }
+    S alpha_;
+    index size_, count_ = 0;
+    weight_sequence<G, S> weights_;
+    detail::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
+    std::vector<detail::line_vector<S>> values_; // x_0, x_1, ... of each component
+    V past_;
+    detail::sums<S> sums_;
+};
+
+/// The engine of a policy for the order alpha and values of the size of `like`. @throws error::invalid_parameter
+template <generating_function G, class S, class V>
+direct_history<G, plain_t<V>> make_history(direct const& policy, S const& alpha, V const& like) {
+    detail::same_scalar<S, plain_t<V>>();
+    if (policy.steps > direct::many and history_warning())
+        history_warning()("the direct sum over " + std::to_string(policy.steps) +
+                          " values takes the square of that many products; exponentials{} need a few dozen each");
+    return {alpha, like};
+}
+
+} // namespace hilger

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSL-1.0
+// The history of a fractional difference at a cost that does not grow: the first weights directly, all others as a sum of exponentials
+// (see modes.hpp), each of which is one number that is multiplied and added to at every step. Nothing of the past is kept.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/history/direct.hpp"
+#include "hilger/history/modes.hpp"
+#include "hilger/history/recent.hpp"
+
+namespace hilger {
+
+/// For every n up to `steps`, |w_n - (what is used in its place)| <= tolerance |w_n|; without a tolerance 64 epsilon of the scalar. This
+/// is checked when the history is made.
+struct exponentials {
+    double tolerance = 0;
+    index steps = 1'000'000'000;
+};
+
+namespace detail {
+
+/// Weights, rates and coefficients of a generating function and an order.
+template <class G, class S>
+class exponential_weights {
+    using W = modes_scalar<S>;
+
+public:
+    std::vector<S> first;             ///< w_1, ..., w_T
+    line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
+
+    exponential_weights(S const& alpha, exponentials const& policy) {
+        using std::floor;
+        W const tolerance = policy.tolerance == 0 ? W(64) * W(epsilon<S>()) : W(policy.tolerance);
+        if (not(tolerance >= W(32) * W(epsilon<S>()) and tolerance < W(1)))
+            error::raise<error::invalid_parameter>("the tolerance of exponentials is between ", S(32) * epsilon<S>(),
+                                                   " (32 epsilon of the scalar) and 1, not ", policy.tolerance);
+        if (policy.steps < 1) error::raise<error::invalid_parameter>("exponentials are made for one step or more, not for ", policy.steps);
+        bool const whole = alpha == floor(alpha);
+        if (not(S(-9) <= S(10) * alpha and alpha <= S(2)) or (whole and alpha < S(0)))
+            error::raise<error::invalid_parameter>("exponentials represent the history of orders from -9/10 to 2, not ", alpha);
+        index const degree = static_cast<index>(G::template numerator<S>().size()) - 1;
+        if (whole) { // the weights end
+            auto const all = first_weights<G, S>(alpha, 2 * degree + 1);
+            for (index n = 1; S(static_cast<int>(n)) <= alpha * S(static_cast<int>(degree)); ++n)
+                first.push_back(all[static_cast<std::size_t>(n)]);
+            return;
+        }
+        index const taps = static_cast<index>(padded<S>(static_cast<std::size_t>(direct_terms(static_cast<double>(tolerance)))));
+        auto const all = first_weights<G, S>(alpha, taps + 1);
+        first.assign(all.begin() + 1, all.end());
+        index const last = std::max(policy.steps, taps + 1);
+        cut_integral<G, W> const integral(W(alpha), taps + 1, last, tolerance);
+        auto const rule = integral.rule();
+        rate.assign(padded<S>(rule.node.size()), S(1));
+        coefficient.assign(rate.size(), S(0));
+        for (std::size_t j = 0; j < rule.node.size(); ++j) {
+            using std::expm1;
+            rate[j] = static_cast<S>(W(-expm1(W(-rule.node[j]))));
+            coefficient[j] = static_cast<S>(W(integral.factor() * rule.weight[j]));
+        }
+        check(alpha, taps + 1, last, tolerance);
+    }
+
+private:
+    /// The parasitic roots' share of w_n, rho^n against n^{-1-alpha}, is below the tolerance from here on.
+    static double direct_terms(double tolerance) {
+        double const rho = parasitic_root<G>::modulus;
+        return rho > 0 ? (12 - std::log(tolerance)) / -std::log(rho) : 8;
+    }
+    /// Against the recurrence for the first hundred n, then against a finer rule at powers of four.
+    void check(S const& alpha, index n, index last, W const& tolerance) const {
+        using std::exp, std::log1p;
+        using wide = typename wider<W>::type;
+        std::vector<wide> decay, term;
+        for (std::size_t j = 0; j < rate.size(); ++j) {
+            decay.push_back(wide(static_cast<int>(1)) - wide(W(rate[j])));
+            term.push_back(wide(W(coefficient[j])));
+        }
+        weight_sequence<G, W> sequence{W(alpha)};
+        for (index i = 0; i < n; ++i) sequence.next();
+        for (index i = n; i < n + 100; ++i) {
+            wide sum(static_cast<int>(0));
+            for (std::size_t j = 0; j < term.size(); ++j) {
+                sum = sum + term[j];
+                term[j] = term[j] * decay[j];
+            }
+            compare(static_cast<W>(sum), sequence.next(), i, tolerance);
+        }
+        cut_integral<G, W> const integral(W(alpha), n, last, W(tolerance / W(1000)));
+        auto const finer = integral.trapezoidal_rule(2);
+        for (index distance = 64; n + distance <= last; distance *= 4) {
+            W const d(static_cast<double>(distance));
+            W modes(0), weight(0);
+            for (std::size_t j = 0; j < rate.size(); ++j)
+                if (rate[j] < S(1)) modes = modes + W(coefficient[j]) * exp(W(d * log1p(W(-W(rate[j])))));
+            for (std::size_t j = 0; j < finer.node.size(); ++j)
+                if (finer.node[j] * d < W(1000)) weight = weight + finer.weight[j] * exp(W(-finer.node[j] * d));
+            compare(modes, W(integral.factor() * weight), n + distance, tolerance);
+        }
+    }
+    static void compare(W const& modes, W const& weight, index n, W const& tolerance) {
+        using std::abs;
+        if (not(abs(W(modes - weight)) <= tolerance * abs(weight)))
+            error::raise<error::invalid_parameter>("exponentials do not reach the tolerance ", tolerance, " in this scalar: weight ", n,
+                                                   " is ", weight, " and they make it ", modes);
+    }
+};
+
+} // namespace detail
+
+template <class G, class V>
+class exponentials_history {
+    using S = detail::component_t<V>;
+
+public:
+    exponentials_history(exponentials const& policy, S const& alpha, V const& like)
+        : exponentials_history(detail::exponential_weights<G, S>(alpha, policy), policy.steps, like) {}
+
+    /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha.
+    V const& past() const { return past_; }
+    /// @throws error::mismatch, error::not_finite, error::outside_domain after as many values as the policy names
+    void push(V const& x) {
+        detail::check_value(x, size_, count_);
+        if (count_ == steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " values");
+        for (index c = 0; c < size_; ++c) {
+            auto const i = static_cast<std::size_t>(c);
+            // The modes' share was made one value ahead, and a processor can go on with it while the next value is computed.
+            detail::component(past_, c) = recent_.push(detail::component(x, c), c, sums_) + ahead_[i];
+            ahead_[i] = sums_.relax(rate_.data(), coefficient_.data(), state_.data() + i * rate_.size(), rate_.size(), recent_.oldest(c));
+        }
+        recent_.advance();
+        ++count_;
+    }
+    index count() const { return count_; }
+    void reset() {
+        recent_.reset();
+        state_.assign(state_.size(), S(0));
+        ahead_.assign(ahead_.size(), S(0));
+        past_ = detail::zero_of_size(past_);
+        count_ = 0;
+    }
+    /// Terms of the sum of exponentials, a multiple of the width of the loops.
+    index modes() const { return static_cast<index>(rate_.size()); }
+    std::size_t bytes() const { return (rate_.size() + coefficient_.size() + state_.size() + ahead_.size()) * sizeof(S) + recent_.bytes(); }
+    static std::string name() { return "exponentials"; }
+
+private:
+    exponentials_history(detail::exponential_weights<G, S> w, index steps, V const& like)
+        : size_(detail::components(like)), steps_(steps), recent_(w.first, size_), rate_(std::move(w.rate)),
+          coefficient_(std::move(w.coefficient)), state_(rate_.size() * static_cast<std::size_t>(size_), S(0)),
+          ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::zero_of_size(like)) {}
+
+    index size_, steps_, count_ = 0;
+    detail::recent_values<S> recent_;
+    detail::line_vector<S> rate_, coefficient_, state_;
+    std::vector<S> ahead_;
+    V past_;
+    detail::sums<S> sums_;
+};
+
+/// @throws error::invalid_parameter for a tolerance that the scalar cannot hold, or an order that is not between -9/10 and 2.
+template <generating_function G, class S, class V>
+exponentials_history<G, plain_t<V>> make_history(exponentials const& policy, S const& alpha, V const& like) {
+    static_assert(strongly_damped<G>, "exponentials know Gruenwald-Letnikov and the BDF, this generating function needs direct or blocks");
+    static_assert(not std::numeric_limits<S>::is_exact, "exponentials are accurate to a tolerance, exact scalars need direct or blocks");
+    detail::same_scalar<S, plain_t<V>>();
+    return {policy, alpha, like};
+}
+
+} // namespace hilger

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+// The two loops a history spends its time in: a sum of products, and one step of all exponentials.
+#pragma once
+
+#include <type_traits>
+
+#include "hilger/history/simd.hpp"
+
+namespace hilger::detail {
+
+/// sum_i x_i y_i, n a multiple of padding<S> (or any n for one number at a time).
+template <class S, int Bytes>
+HILGER_DETAIL_INLINE S product_sum_in(S const* x, S const* y, std::size_t n) {
+    using P = pack<S, Bytes>;
+    typename P::type sum[2]{};
+    sum[0] = sum[0] - sum[0];
+    sum[1] = sum[0];
+    std::size_t i = 0;
+    for (; i + 2 * P::width <= n; i += 2 * P::width) {
+        typename P::type a, b, c, d;
+        load(a, x + i);
+        load(b, y + i);
+        load(c, x + i + P::width);
+        load(d, y + i + P::width);
+        sum[0] = sum[0] + a * b;
+        sum[1] = sum[1] + c * d;
+    }
+    S total = sum_of_lanes<S>(typename P::type(sum[0] + sum[1]));
+    for (; i < n; ++i) total = total + x[i] * y[i];
+    return total;
+}
+
+/// State_j <- (1 - rate_j) state_j + x, written so that rates far below epsilon count; returns sum_j coefficient_j state_j.
+template <class S, int Bytes>
+HILGER_DETAIL_INLINE S relax_in(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
+    using P = pack<S, Bytes>;
+    typename P::type sum[2]{}, in = sum[0];
+    in = in + x;
+    std::size_t i = 0;
+    for (; i + 2 * P::width <= n; i += 2 * P::width) {
+        typename P::type r, s, c, r2, s2, c2;
+        load(r, rate + i);
+        load(s, state + i);
+        load(c, coefficient + i);
+        load(r2, rate + i + P::width);
+        load(s2, state + i + P::width);
+        load(c2, coefficient + i + P::width);
+        s = s + (in - r * s);
+        s2 = s2 + (in - r2 * s2);
+        store(s, state + i);
+        store(s2, state + i + P::width);
+        sum[0] = sum[0] + c * s;
+        sum[1] = sum[1] + c2 * s2;
+    }
+    S total = sum_of_lanes<S>(typename P::type(sum[0] + sum[1]));
+    for (; i < n; ++i) {
+        state[i] = state[i] + (x - rate[i] * state[i]);
+        total = total + coefficient[i] * state[i];
+    }
+    return total;
+}
+
+template <class S>
+S product_sum_baseline(S const* x, S const* y, std::size_t n) {
+    return product_sum_in<S, 16>(x, y, n);
+}
+template <class S>
+S relax_baseline(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
+    return relax_in<S, 16>(rate, coefficient, state, n, x);
+}
+#ifdef HILGER_DETAIL_X86
+template <class S>
+HILGER_DETAIL_AVX2 S product_sum_avx2(S const* x, S const* y, std::size_t n) {
+    return product_sum_in<S, 32>(x, y, n);
+}
+template <class S>
+HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
+    return relax_in<S, 32>(rate, coefficient, state, n, x);
+}
+template <class S>
+HILGER_DETAIL_AVX512 S product_sum_avx512(S const* x, S const* y, std::size_t n) {
+    return product_sum_in<S, 64>(x, y, n);
+}
+template <class S>
+HILGER_DETAIL_AVX512 S relax_avx512(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
+    return relax_in<S, 64>(rate, coefficient, state, n, x);
+}
+#endif
+
+/// The loops for this processor.
+template <class S>
+struct sums {
+    S (*product_sum)(S const*, S const*, std::size_t) = product_sum_baseline<S>;
+    S (*relax)(S const*, S const*, S*, std::size_t, S const&) = relax_baseline<S>;
+
+    sums() {
+#ifdef HILGER_DETAIL_X86
+        if constexpr (std::is_same_v<S, double> or std::is_same_v<S, float>) {
+            if (available_instructions() == instructions::avx2) product_sum = product_sum_avx2<S>, relax = relax_avx2<S>;
+            if (available_instructions() == instructions::avx512) product_sum = product_sum_avx512<S>, relax = relax_avx512<S>;
+        }
+#endif
+    }
+};
+
+} // namespace hilger::detail
