@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the tests of histories share: data, and the comparison of an engine with the sum as it is written.
+// What the tests of histories share: data, and the sum as it is written.
 #pragma once
 
 #include <vector>
@@ -40,12 +40,37 @@ std::vector<V> random_values(index count) {
     for (index i = 0; i < count; ++i) x.push_back(random_value<V>(source));
     return x;
 }
-/// sum_{n=1..m} w_n x_{m-n}, newest first, with nothing but + and *.
-template <class S, class V>
-V sum_as_written(std::vector<S> const& w, std::vector<V> const& x, index m) {
-    V sum = x[0] * S(0);
-    for (index n = 1; n <= m; ++n) sum = V(sum + x[static_cast<std::size_t>(m - n)] * w[static_cast<std::size_t>(n)]);
-    return sum;
+/// Where sums are made to compare with: no rounding of theirs is seen in S.
+template <class S>
+struct wider_scalar {
+    using type = S;
+};
+template <>
+struct wider_scalar<float> {
+    using type = double;
+};
+template <>
+struct wider_scalar<double> {
+    using type = long double;
+};
+
+/// sum_{n=1..m} w_n x_{m-n} for m = 1, ..., N by nothing but + and *, component after component, rounded to S once.
+template <class G, class V>
+std::vector<V> sums_as_written(detail::component_t<V> const& alpha, std::vector<V> const& x) {
+    using S = detail::component_t<V>;
+    using W = typename wider_scalar<S>::type;
+    auto const w = first_weights<G, S>(alpha, static_cast<index>(x.size()) + 1);
+    std::vector<V> sums(x.size(), x[0]);
+    std::vector<W> values(x.size()), weights(w.begin(), w.end());
+    for (index c = 0; c < detail::components(x[0]); ++c) {
+        for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::component(x[k], c));
+        for (std::size_t m = 1; m <= x.size(); ++m) {
+            W sum(0);
+            for (std::size_t n = 1; n <= m; ++n) sum = sum + weights[n] * values[m - n];
+            detail::component(sums[m - 1], c) = static_cast<S>(sum);
+        }
+    }
+    return sums;
 }
 
 } // namespace hilger::testing

@@ -11,8 +11,8 @@
 
 namespace hilger {
 
-/// For every n up to `steps`, |w_n - (what is used in its place)| <= tolerance |w_n|; without a tolerance 64 epsilon of the scalar. This
-/// is checked when the history is made.
+/// For every n up to `steps`, |w_n - (what is used in its place)| <= tolerance |w_n|; without a tolerance 64 epsilon (1024 of a wide
+/// scalar). This is checked when the history is made.
 struct exponentials {
     double tolerance = 0;
     index steps = 1'000'000'000;
@@ -26,21 +26,22 @@ class exponential_weights {
     using W = modes_scalar<S>;
 
 public:
+    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no twofold.
+    static constexpr int least = std::is_floating_point_v<S> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
 
     exponential_weights(S const& alpha, exponentials const& policy) {
         using std::floor;
-        W const tolerance = policy.tolerance == 0 ? W(64) * W(epsilon<S>()) : W(policy.tolerance);
-        if (not(tolerance >= W(32) * W(epsilon<S>()) and tolerance < W(1)))
-            error::raise<error::invalid_parameter>("the tolerance of exponentials is between ", S(32) * epsilon<S>(),
-                                                   " (32 epsilon of the scalar) and 1, not ", policy.tolerance);
-        if (policy.steps < 1) error::raise<error::invalid_parameter>("exponentials are made for one step or more, not for ", policy.steps);
-        bool const whole = alpha == floor(alpha);
-        if (not(S(-9) <= S(10) * alpha and alpha <= S(2)) or (whole and alpha < S(0)))
+        W const tolerance = policy.tolerance == 0 ? W(2 * least) * W(epsilon<S>()) : W(policy.tolerance);
+        if (not holds(policy.tolerance))
+            error::raise<error::invalid_parameter>("the tolerance of exponentials is between ", S(least) * epsilon<S>(), " (", least,
+                                                   " epsilon of the scalar) and 1/10, not ", policy.tolerance);
+        if (not has(alpha))
             error::raise<error::invalid_parameter>("exponentials represent the history of orders from -9/10 to 2, not ", alpha);
+        if (policy.steps < 1) error::raise<error::invalid_parameter>("exponentials are made for one step or more, not for ", policy.steps);
         index const degree = static_cast<index>(G::template numerator<S>().size()) - 1;
-        if (whole) { // the weights end
+        if (alpha == floor(alpha)) { // the weights end
             auto const all = first_weights<G, S>(alpha, 2 * degree + 1);
             for (index n = 1; S(static_cast<int>(n)) <= alpha * S(static_cast<int>(degree)); ++n)
                 first.push_back(all[static_cast<std::size_t>(n)]);
@@ -61,6 +62,9 @@ public:
         }
         check(alpha, taps + 1, last, tolerance);
     }
+
+    static bool holds(double tolerance) { return tolerance == 0 or (W(tolerance) >= W(least) * W(epsilon<S>()) and tolerance * 10 <= 1); }
+    static bool has(S const& alpha) { return S(-9) <= S(10) * alpha and alpha <= S(2); }
 
 private:
     /// The parasitic roots' share of w_n, rho^n against n^{-1-alpha}, is below the tolerance from here on.

@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-// Histories of fractional differences: make_history<G>(policy, alpha, like) for a policy below.
+// Histories of fractional differences. make_history<G>(policy, alpha, like) with a generating function, an order and a value of the size of
+// all values makes an engine: past() is sum_{n>=1} w_n x_{m-n} after m values, push(x) appends x_m, then there are count() and reset().
 //   direct{}                  the sum over everything; exact in exact scalars
-//   exponentials{tolerance}   a constant cost per step and a few kB, for Gruenwald-Letnikov and the BDF
+//   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
+//   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
+//   window{length}            short memory, with a bound on what is cut off
+//   automatic{steps}          direct, blocks or exponentials
+// convolve<G>(alpha, x) is for sequences that are there already.
 #pragma once
 
+#include "hilger/history/automatic.hpp"
+#include "hilger/history/blocks.hpp"
+#include "hilger/history/convolve.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/exponentials.hpp"
+#include "hilger/history/window.hpp"

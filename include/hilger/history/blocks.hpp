@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSL-1.0
+// The exact history in O(N log^2 N), for any number of values (Hairer, Lubich, Schlichte 1985): whenever 2^k divides the count m of values,
+// and 2^{k+1} does not, the last 2^k of them meet w_1, ..., w_{2^{k+1} - 1} in one convolution, which is their whole share in the next 2^k
+// sums. Every pair of a value and a later sum meets once: the highest bit in which their numbers differ says where.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+
+#include "hilger/history/direct.hpp"
+#include "hilger/history/fourier.hpp"
+
+namespace hilger {
+
+/// The sum over everything in blocks, with the accuracy of the direct sum; exact scalars are summed directly.
+struct blocks {};
+
+template <class G, class V>
+class blocks_history {
+    using S = detail::component_t<V>;
+
+public:
+    blocks_history(S const& alpha, V const& like)
+        : alpha_(alpha), size_(detail::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
+          past_(detail::zero_of_size(like)) {
+        weights_up_to(shortest);
+        reversed_.assign(2 * shortest, S(0));
+        for (std::size_t n = 1; n < shortest; ++n) reversed_[shortest - n] = weights_[n];
+    }
+
+    /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha. Made when it is asked for first, so that the last
+    /// value of a run costs nothing; not for two threads at once.
+    V const& past() const {
+        if (not ready_) const_cast<blocks_history*>(this)->make_past();
+        return past_;
+    }
+    /// @throws error::mismatch, error::not_finite
+    void push(V const& x) {
+        detail::check_value(x, size_, count_);
+        if (not ready_) make_past(); // a block whose sum nobody asked for has its share in later ones
+        auto const m = static_cast<std::size_t>(count_);
+        for (std::size_t c = 0; c < parts_.size(); ++c) {
+            auto& values = parts_[c].values;
+            if (m == values.size()) values.resize(std::max(shortest, 2 * m), S(0));
+            values[m] = detail::component(x, static_cast<index>(c));
+        }
+        ++count_;
+        ready_ = false;
+    }
+    index count() const { return count_; }
+    void reset() {
+        for (auto& part : parts_) part = {};
+        past_ = detail::zero_of_size(past_);
+        count_ = 0;
+        ready_ = true;
+    }
+    std::size_t bytes() const {
+        std::size_t numbers = weights_.size() + reversed_.size() + 2 * work_.re.size();
+        for (auto const& s : spectra_) numbers += 2 * s.re.size();
+        for (auto const& part : parts_) numbers += part.values.size() + part.ahead.size();
+        return numbers * sizeof(S);
+    }
+    static std::string name() { return "blocks"; }
+
+private:
+    /// Sums within this many values are made directly.
+    static constexpr std::size_t shortest = 32;
+    static_assert(shortest % detail::padding<S> == 0);
+
+    struct part {                             // of one component
+        detail::line_vector<S> values, ahead; ///< x_m, and what finished blocks have in the sum m
+    };
+
+    void make_past() {
+        auto const m = static_cast<std::size_t>(count_), inside = m % shortest;
+        if (inside == 0) convolve_block(m);
+        for (std::size_t c = 0; c < parts_.size(); ++c) {
+            auto const& p = parts_[c];
+            // Behind w_1 the table is zero: whole packs are summed.
+            S const sum =
+                sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside), detail::padded<S>(inside));
+            detail::component(past_, static_cast<index>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
+        }
+        ready_ = true;
+    }
+    void convolve_block(std::size_t m) {
+        std::size_t length = shortest, level = 0;
+        for (; m % (2 * length) == 0; length *= 2) ++level;
+        if (level >= spectra_.size()) spectra_.resize(level + 1);
+        auto& weights = spectra_[level];
+        if (weights.re.empty()) { // modulo z^{2 length} + 1
+            weights_up_to(2 * length);
+            S const scale = S(1) / S(static_cast<double>(length)); // a power of two
+            for (std::size_t n = 0; n < length; ++n) {
+                weights.re.push_back(weights_[n] * scale);
+                weights.im.push_back(weights_[n + length] * scale);
+            }
+            transform_.forward(weights, length);
+        }
+        for (auto& p : parts_) {
+            work_.re.assign(p.values.begin() + static_cast<index>(m - length), p.values.begin() + static_cast<index>(m));
+            work_.im.assign(length, S(0));
+            transform_.forward(work_, length);
+            transform_.multiply(work_, weights, length);
+            transform_.backward(work_, length);
+            if (p.ahead.size() < m + length) p.ahead.resize(2 * m, S(0)); // m >= length
+            for (std::size_t i = 0; i < length; ++i) p.ahead[m + i] = p.ahead[m + i] + work_.im[i];
+        }
+    }
+    void weights_up_to(std::size_t count) {
+        while (weights_.size() < count) weights_.push_back(sequence_.next());
+    }
+
+    S alpha_;
+    index size_, count_ = 0;
+    weight_sequence<G, S> sequence_;
+    std::vector<S> weights_;
+    detail::line_vector<S> reversed_;
+    std::vector<part> parts_;
+    std::vector<detail::spectrum<S>> spectra_; // of the weights, for blocks of 32, 64, ...
+    detail::spectrum<S> work_;
+    V past_;
+    bool ready_ = true;
+    detail::fourier<S> transform_;
+    detail::sums<S> sums_;
+};
+
+/// @throws error::invalid_parameter for an order that is not finite.
+template <generating_function G, class S, class V>
+auto make_history(blocks const&, S const& alpha, V const& like) {
+    detail::same_scalar<S, plain_t<V>>();
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return direct_history<G, plain_t<V>>(alpha, like);
+    else
+        return blocks_history<G, plain_t<V>>(alpha, like);
+}
+
+} // namespace hilger

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSL-1.0
+// Short memory: the last values only, sum_{n=1..min(m, length)} w_n x_{m-n}, and a bound on what is cut off.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hilger/history/direct.hpp"
+#include "hilger/history/modes.hpp"
+#include "hilger/history/recent.hpp"
+
+namespace hilger {
+
+/// The last `length` values.
+struct window {
+    index length;
+};
+
+template <class G, class V>
+class window_history {
+    using S = detail::component_t<V>;
+
+public:
+    window_history(window const& policy, S const& alpha, V const& like)
+        : window_history(alpha, policy.length, weights(alpha, policy.length), like) {}
+
+    /// sum_{n=1..length} w_n x_{m-n} after m values; without the leading weight and h^-alpha.
+    V const& past() const { return past_; }
+    /// @throws error::mismatch, error::not_finite
+    void push(V const& x) {
+        detail::check_value(x, size_, count_);
+        for (index c = 0; c < size_; ++c) detail::component(past_, c) = recent_.push(detail::component(x, c), c, sums_);
+        recent_.advance();
+        ++count_;
+    }
+    index count() const { return count_; }
+    void reset() {
+        recent_.reset();
+        past_ = detail::zero_of_size(past_);
+        count_ = 0;
+    }
+    /// At least sum_{n > length} |w_n| max |x|, whatever the number of values, and equal to it but for rounding where the weights beyond
+    /// the window have one sign. For Gruenwald-Letnikov and length >= alpha > 0 it is |(1 - alpha)(1 - alpha/2)...(1 - alpha/length)| times
+    /// the magnitude. @throws error::invalid_parameter for alpha < 0, where the sum does not end
+    S error_estimate(S const& magnitude) const requires strongly_damped<G> {
+        if (alpha_ < S(0)) error::raise<error::invalid_parameter>("what a window cuts off has no bound for the order ", alpha_, " < 0");
+        auto const absolute = [](S const& x) { return x < S(0) ? S(-x) : x; };
+        S bound(0);
+        if constexpr (parasitic_root<G>::modulus == 0) { // w_0 + ... + w_n is the n-th weight of the order alpha - 1
+            index n = 1;
+            S sum = S(1);
+            for (; n <= length_ or S(static_cast<int>(n)) < alpha_; ++n) {
+                S const before = sum;
+                sum = sum * (S(1) - alpha_ / S(static_cast<int>(n)));
+                if (n > length_) bound = bound + absolute(S(sum - before)); // |w_n| whose sign is not yet that of the rest
+            }
+            bound = bound + absolute(sum);
+        } else { // all weights sum up to omega(1)^alpha = 0; from `settled` on they have one sign
+            auto const settled = std::max(length_, static_cast<index>(40 / -std::log(parasitic_root<G>::modulus)));
+            auto const w = first_weights<G, S>(alpha_, settled + 1);
+            S sum(0);
+            for (index n = 0; n <= settled; ++n) {
+                sum = sum + w[static_cast<std::size_t>(n)];
+                if (n > length_) bound = bound + absolute(w[static_cast<std::size_t>(n)]);
+            }
+            bound = bound + absolute(sum) + S(8) * epsilon<S>();
+        }
+        return bound * magnitude;
+    }
+    std::size_t bytes() const { return recent_.bytes(); }
+    static std::string name() { return "window"; }
+
+private:
+    static std::vector<S> weights(S const& alpha, index length) {
+        if (length < 0) error::raise<error::invalid_parameter>("a window has a length of 0 or more, not ", length);
+        auto w = first_weights<G, S>(alpha, length + 1);
+        w.erase(w.begin());
+        return w;
+    }
+    window_history(S const& alpha, index length, std::vector<S> const& w, V const& like)
+        : alpha_(alpha), length_(length), size_(detail::components(like)), recent_(w, size_), past_(detail::zero_of_size(like)) {}
+
+    S alpha_;
+    index length_, size_, count_ = 0;
+    detail::recent_values<S> recent_;
+    V past_;
+    detail::sums<S> sums_;
+};
+
+/// @throws error::invalid_parameter for a negative length.
+template <generating_function G, class S, class V>
+window_history<G, plain_t<V>> make_history(window const& policy, S const& alpha, V const& like) {
+    detail::same_scalar<S, plain_t<V>>();
+    return {policy, alpha, like};
+}
+
+} // namespace hilger
