@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Two-sided problems of the fractional embedding: exact solutions, closed forms, and what is refused.
+// Two-sided problems of the fractional embedding: exact solutions, limits h -> 0, and what is refused.
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/boundary.hpp"
+#include "hilger/integrator/boundary_extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
 
 using namespace hilger;
@@ -10,26 +10,8 @@ using namespace hilger;
 namespace {
 
 constexpr auto dirichlet = [](auto const&, auto const& v) { return v * v / 2; };
-constexpr auto oscillator = [](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; };
-constexpr auto attracted = [](auto const& x, auto const& v) { return (x * x + v * v) / 2; };
-/// A mass that depends on the position, a gyroscopic term and a force that depends on the time.
-constexpr auto general = [](auto const& t, auto const& x, auto const& v) {
-    using std::cos, std::sin;
-    return v.dot(v) * (2 + sin(x(0))) / 2 + v(0) * v(1) / 3 + x(0) * v(1) + cos(x(1)) * t + x.dot(x) * x.dot(x) / 4;
-};
-
 template <class S>
 using plane = Eigen::Matrix<S, 2, 1>;
-
-/// The largest coefficient of (EL_h^alpha) in front of a value, times that value: what its rounding is measured by.
-template <class S, class X>
-S rounding(X const& x, S const& alpha) {
-    using std::pow;
-    S largest(0);
-    for (auto const& value : x) largest = std::max(largest, S(magnitude(value)));
-    return S(8) * epsilon<S>() * S(static_cast<int>(std::bit_width(static_cast<std::size_t>(x.size())))) * largest *
-           pow(x.root().h(), S(-2 * alpha));
-}
 
 } // namespace
 
@@ -63,18 +45,71 @@ TEST_CASE("quadratic Lagrangians are solved exactly in the rationals") {
     }
 }
 
-TEST_CASE_TEMPLATE("the equation holds at every inner point, to rounding", S, float, double, long double, float50) {
-    for (S const& alpha : {S(1), S(3) / 4, S(2) / 5}) {
-        auto const T = uniform(interval{S(0), S(1)}, 100);
-        auto const scalar = solve_boundary(fractional_problem(attracted, alpha), T, S(1), S(2));
-        CHECK(scalar.residual <= rounding(scalar.q, alpha));
-        auto const two = solve_boundary(fractional_problem(oscillator, alpha), T, plane<S>(S(1), S(0)), plane<S>(S(-1), S(2)));
-        CHECK(two.residual <= rounding(two.q, alpha));
-        auto const any = solve_boundary(fractional_problem(general, alpha), T, plane<S>(S(1), S(0)), plane<S>(S(-1), S(1)));
-        CHECK(any.residual <= S(8) * rounding(any.q, alpha));
-        CHECK(any.iterations <= 8);
-        MESSAGE(static_cast<double>(alpha), ": ", static_cast<double>(scalar.residual / rounding(scalar.q, alpha)), " ",
-                static_cast<double>(two.residual / rounding(two.q, alpha)), " ", static_cast<double>(any.residual / rounding(any.q, alpha)),
-                " iterations ", two.iterations, " ", two.applications, "; ", any.iterations, " ", any.applications);
+TEST_CASE("the solution for L = v^2/2 is a quotient of sums, at every point and for both ways to convolve") {
+    for (double const alpha : {0.25, 0.5, 0.75, 1.0})
+        for (int N : {1, 2, 40, 47, 48, 49, 300}) {
+            auto const x = solve_boundary(fractional_problem(dirichlet, alpha), uniform(interval{-1.0, 2.0}, N), 0.5, 3);
+            auto const beta = first_weights<grunwald_letnikov>(-alpha, N + 1);
+            auto const sum = [&](int k) {
+                double total = 0;
+                for (int j = 1; j <= k; ++j) total += beta[static_cast<std::size_t>(k - j)] * beta[static_cast<std::size_t>(N - j)];
+                return total;
+            };
+            double const c = (3 - 0.5 * beta.back()) / sum(N);
+            for (int k = 0; k <= N; ++k)
+                CHECK(std::abs(x.q[k] - (0.5 * beta[static_cast<std::size_t>(k)] + c * sum(k))) <= 64 * epsilon<double>() * 3);
+            CHECK(x.q[0] == 0.5);
+            CHECK(x.q[N] == 3);
+            CHECK(x.iterations == 0);
+        }
+}
+
+TEST_CASE("a time-dependent mass takes one correction, and components do not mix") {
+    auto const T = uniform(interval{0.0, 1.0}, 200);
+    auto const weighted = [](auto const& t, auto const&, auto const& v) { return (v(0) * v(0) * (1 + t) + v(1) * v(1)) / 2; };
+    auto const x = solve_boundary(fractional_problem(weighted, 0.75), T, plane<double>(0, 0), plane<double>(1, 1));
+    auto const alone = solve_boundary(fractional_problem(dirichlet, 0.75), T, 0, 1);
+    CHECK(x.iterations == 1);
+    CHECK(x.applications == 0);
+    double largest = 0;
+    for (int k = 0; k <= 200; ++k) {
+        CHECK(std::abs(x.q[k](1) - alone.q[k]) <= 64 * epsilon<double>());
+        largest = std::max(largest, std::abs(x.q[k](0) - alone.q[k]));
     }
+    CHECK(largest > 1e-3);
+}
+
+TEST_CASE("below alpha = 1/2 the solutions of L = v^2/2 tend to 0 inside, like h^(1 - 2 alpha)") {
+    fractional_problem const problem(dirichlet, fraction<3, 10>{});
+    std::vector<float50> middle;
+    for (int N : {1024, 2048, 4096}) middle.push_back(solve_boundary(problem, uniform(interval{float50(0), float50(1)}, N), 0, 1).q[N / 2]);
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(static_cast<double>(log(float50(middle[i] / middle[i + 1])) / log(float50(2))) == doctest::Approx(0.4).epsilon(0.05));
+}
+
+TEST_CASE("for alpha < 1 a first value that is not 0 is forgotten, like h^(1 - alpha)") {
+    fractional_problem const problem(dirichlet, fraction<3, 4>{});
+    std::vector<float50> difference;
+    for (int N : {1024, 2048, 4096}) {
+        auto const T = uniform(interval{float50(0), float50(1)}, N);
+        difference.push_back(solve_boundary(problem, T, 2, 1).q[N / 2] - solve_boundary(problem, T, 0, 1).q[N / 2]);
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(static_cast<double>(log(float50(difference[i] / difference[i + 1])) / log(float50(2))) ==
+              doctest::Approx(0.25).epsilon(0.08));
+}
+
+TEST_CASE("what is no boundary value problem is refused") {
+    auto const T = uniform(interval{0.0, 1.0}, 10);
+    for (double const alpha : {0.0, -0.5, 1.25, std::numeric_limits<double>::quiet_NaN()})
+        CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, alpha), T, 0, 1), error::invalid_parameter);
+    double const none = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, 0.75), T, none, 1), error::not_finite);
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, 0.75), T, 0, -none), error::not_finite);
+    auto const exact = uniform(Q(0), Q(1, 2), 3);
+    CHECK_THROWS_WITH_AS((void)solve_boundary(fractional_problem(dirichlet, Q(1, 2)), exact, 0, 1),
+                         "h^alpha is no rational number for h = 1/2 and alpha = 1/2: exact scalars take alpha = 1 or h = 1",
+                         error::invalid_parameter);
+    CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.5), T, 0, 1, 3), error::invalid_parameter);
+    CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.75), T, 0.1, 1, 3), error::invalid_parameter);
 }
