@@ -41,13 +41,6 @@ struct damped_problem {
     Damping damping;
 };
 
-namespace detail {
-template <class Order>
-inline constexpr bool is_fraction = false;
-template <int P, int Q>
-inline constexpr bool is_fraction<fraction<P, Q>> = true;
-} // namespace detail
-
 /// The damping -rho D^beta q beside dL/dq. rho is a number, or for vectors a vector of them: components whose rho is zero keep no history.
 /// beta in ]0, 2[ is fraction<P, Q>{} or a number; its unit of time is that of T, so rho has the unit force / (length / time^beta).
 /// Forces come first: with_fractional_damping(with_force(L, f), ...). @throws error::invalid_parameter when beta or rho is out of range

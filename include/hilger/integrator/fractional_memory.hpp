@@ -30,6 +30,11 @@ inline constexpr int terms_of<grunwald_letnikov> = 1;
 template <int K>
 inline constexpr int terms_of<bdf<K>> = K;
 
+template <class Order>
+inline constexpr bool is_fraction = false;
+template <int P, int Q>
+inline constexpr bool is_fraction<fraction<P, Q>> = true;
+
 /// Whether an order is known to be 1 by its type.
 template <class Order>
 inline constexpr bool is_one = false;
@@ -107,8 +112,7 @@ class fractional_memory {
 public:
     /// @throws error::invalid_parameter for an order outside ]0, 2[, or a power of h that the scalar does not have
     fractional_memory(Order const& order, Policy const& policy, initial_history initial, S const& h, V const& like)
-        : beta_(order.template as<S>()), h_(h), initial_(initial), zero_(zero_like(like)), x0_(zero_), v0_(zero_), y_(zero_),
-          derivative_(zero_) {
+        : beta_(order.template as<S>()), h_(h), initial_(initial), x0_(zero_like(like)), v0_(x0_), y_(x0_), past_(x0_), derivative_(x0_) {
         require_order(beta_);
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
         if constexpr (always_local)
@@ -138,26 +142,27 @@ public:
             }
         }
     }
-    /// The derivative at the next point is present_weight() * x + rest(), x being the value there.
-    V const& rest() {
-        if (local_)
-            derivative_ = local_->past() * scale_;
-        else if constexpr (not always_local) {
-            measure_from_start(zero_);
-            derivative_ = (y_ + engine_->past()) * scale_;
+    /// The derivative at the next point if the value there is x.
+    V const& at_next(V const& x) {
+        if (not past_known_) {
+            if (local_)
+                past_ = local_->past();
+            else if constexpr (not always_local)
+                past_ = engine_->past();
+            past_known_ = true;
         }
+        measure_from_start(x);
+        derivative_ = (y_ + past_) * scale_;
         return derivative_;
     }
-    /// Takes the value at the next point. @returns the derivative there
+    /// Takes x as the value at the next point. @returns the derivative there
     V const& arrive(V const& x) {
-        if (local_) {
-            derivative_ = (x + local_->past()) * scale_;
-            local_->push(x);
-        } else if constexpr (not always_local) {
-            measure_from_start(x);
-            derivative_ = (y_ + engine_->past()) * scale_;
+        at_next(x);
+        if (local_)
+            local_->push(y_);
+        else if constexpr (not always_local)
             engine_->push(y_);
-        }
+        past_known_ = false;
         return derivative_;
     }
 
@@ -165,11 +170,12 @@ private:
     void measure_from_start(V const& x) {
         y_ = x - x0_;
         if constexpr (not always_local)
-            if (S(1) < beta_) y_ = y_ - v0_ * S(h_ * S(static_cast<long long>(engine_->count())));
+            if (not local_ and S(1) < beta_) y_ = y_ - v0_ * S(h_ * S(static_cast<long long>(engine_->count())));
     }
     S beta_, h_, scale_{};
     initial_history initial_;
-    V zero_, x0_, v0_, y_, derivative_;
+    V x0_, v0_, y_, past_, derivative_;
+    bool past_known_ = false;
     std::optional<local> local_;
     [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
 };
