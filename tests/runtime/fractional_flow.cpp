@@ -27,14 +27,14 @@ fractional_oscillator<double>::value reference(Order beta, initial_history histo
     return {static_cast<double>(u), static_cast<double>(v)};
 }
 /// The orders in position and momentum at t = 1.
-template <class Order>
+template <generating_function G = grunwald_letnikov, class Order>
 std::array<double, 2> orders(Order beta, damping_options options) {
     auto const exact = reference(beta, options.history);
-    auto const flow = embed(with_fractional_damping(spring, c, beta, direct{}, options), midpoint);
+    auto const flow = embed(with_fractional_damping<G>(spring, c, beta, direct{}, options), midpoint);
     std::vector<double> eq, ep;
     for (int const N : {512, 1024, 2048}) {
         state<double, double> last;
-        for (auto const& x : flow.along(uniform(interval{0.0, 1.0}, N), u0, v0)) last = x;
+        for (auto const& x : flow.along(uniform(interval{0.0, 1.0}, N), u0, v0)) last = x; // p = v
         eq.push_back(std::abs(last.q - exact.u));
         ep.push_back(std::abs(last.p - exact.v));
     }
@@ -75,6 +75,16 @@ TEST_CASE("the flow of order 1/2, 1 and 3/2 has order one against Caputo's equat
         is_of_order_one(fraction<1>{}, {.at = at});
         is_of_order_one(fraction<3, 2>{}, {.at = at});
     }
+}
+
+TEST_CASE("half of the damping at each end, with weights of order two, has order two") {
+    auto const is_of_order_two = [](auto beta) {
+        for (double const slope : orders<bdf<2>>(beta, {.at = damping_at::both})) CHECK(std::abs(slope - 2) < 0.02);
+    };
+    is_of_order_two(fraction<1, 2>{});
+    is_of_order_two(fraction<1>{});
+    is_of_order_two(fraction<3, 2>{});
+    for (double const slope : orders(fraction<1, 2>{}, {.at = damping_at::both})) CHECK(std::abs(slope - 1) < 0.02);
 }
 
 TEST_CASE("and against Riemann and Liouville's, whose x jumps from zero at t_0, where the jump is in a step") {

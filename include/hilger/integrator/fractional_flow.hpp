@@ -3,10 +3,11 @@
 // beta = 2 alpha, from the restricted variation of a pair of curves. With (Delta q)_k the difference of order beta at t_k,
 //   damping_at::start   p_k = -d_1 L_h(q_k, q_{k+1}) + h rho (Delta q)_k,   p_{k+1} = d_2 L_h(q_k, q_{k+1})              (21)
 //   damping_at::end     p_k = -d_1 L_h(q_k, q_{k+1}),   p_{k+1} = d_2 L_h(q_k, q_{k+1}) - h rho (Delta q)_{k+1}          (remark 2)
-// Both have the positions of (20), once the first two are the same: each is a step of the flow without damping, before or after which the
-// momentum is changed. So both are explicit where that flow is, whatever the embedding. At the start they have order one against the
-// continuous equation for every beta in ]0, 2[ and initial_history; at the end, with Riemann and Liouville's and x_0 != 0, the impulse of
-// the jump at t_0 is in no step, and the order is 1 - beta.
+//   damping_at::both    half of it at each end
+// All have the positions of (20), once the first two are the same: each is a step of the flow without damping, before and after which the
+// momentum is changed. So they are explicit where that flow is, whatever the embedding. Against the continuous equation the first two have
+// order one, and the third has order two with mid-point and the weights of bdf<2>. With Riemann and Liouville's history and x_0 != 0 the
+// impulse of the jump at t_0 belongs to the start: at the end it is in no step, and the order is 1 - beta.
 //   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), midpoint);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
 #pragma once
@@ -17,7 +18,7 @@
 namespace hilger {
 
 /// Which end of a step a damping belongs to.
-enum class damping_at { start, end };
+enum class damping_at { start, end, both };
 
 /// How a fractional damping is read where the order does not say it.
 struct damping_options {
@@ -73,7 +74,9 @@ public:
     damping_impulse(Damping const& d, S const& h, V const& like)
         : damped_(components(d, like)), memory_(d.order, d.policy, d.options.history, h, shape<kept>::zero(count())),
           weight_(shape<kept>::zero(count())), impulse_(weight_), x_(weight_) {
-        for (int k = 0; k < count(); ++k) shape<kept>::component(weight_, k) = h * coefficient(d, damped_[static_cast<std::size_t>(k)]);
+        S const impulse = d.options.at == damping_at::both ? S(h / S(2)) : h;
+        for (int k = 0; k < count(); ++k)
+            shape<kept>::component(weight_, k) = impulse * coefficient(d, damped_[static_cast<std::size_t>(k)]);
     }
     [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
     [[nodiscard]] index values_kept() const { return count() == 0 ? 0 : memory_.kept(); }
@@ -165,11 +168,11 @@ public:
     private:
         void move(damped_flow const& f, state<S, V>& x) {
             next_ = x;
-            bool const first = f.damping_.options.at == damping_at::start;
-            if (first) impulse_.damp(next_.p);
+            damping_at const where = f.damping_.options.at;
+            if (where != damping_at::end) impulse_.damp(next_.p);
             step_.advance(f.undamped_, next_, h_);
             impulse_.arrive(next_.q);
-            if (not first) impulse_.damp(next_.p);
+            if (where != damping_at::start) impulse_.damp(next_.p);
             x = next_;
         }
         undamped step_;
