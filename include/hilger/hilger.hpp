@@ -26,6 +26,14 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
+// Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
+#include "hilger/history/history.hpp"
+#include "hilger/integrator/boundary.hpp"
+#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/integrator/fractional_newmark.hpp"
+#include "hilger/integrator/of_variation.hpp"
+#include "hilger/mechanics/fractional_noether.hpp"
+
 // Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
 #include "hilger/integrator/checkpoint.hpp"
 #include "hilger/integrator/dense_output.hpp"

@@ -164,7 +164,7 @@ TEST_CASE("components without a coefficient move as if nothing were damped, and 
     // Where the order is 1 by its type there is not even room for an engine.
     auto const local = embed(with_fractional_damping(pendulum, 0.5, fraction<1>{}), midpoint);
     auto const whole = embed(with_fractional_damping(pendulum, 0.5, fraction<1, 2>{}), midpoint);
-    static_assert(sizeof(decltype(local)::memory<double, double>) + sizeof(detail::direct_history<grunwald_letnikov, double, double>) <=
+    static_assert(sizeof(decltype(local)::memory<double, double>) + sizeof(decltype(make_history<grunwald_letnikov>(direct{}, 0.5, 1.0))) <=
                   sizeof(decltype(whole)::memory<double, double>));
 }
 

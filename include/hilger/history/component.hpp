@@ -10,16 +10,16 @@
 namespace hilger::detail {
 
 template <class V>
-struct component_of {
+struct value_component {
     using type = V;
 };
 template <class V>
     requires requires { typename V::Scalar; }
-struct component_of<V> {
+struct value_component<V> {
     using type = typename V::Scalar;
 };
 template <class V>
-using component_t = typename component_of<V>::type;
+using component_t = typename value_component<V>::type;
 
 template <class V>
 inline constexpr bool is_vector = not std::is_same_v<V, component_t<V>>;

@@ -63,7 +63,7 @@ public:
         factor_ = -sine_of_pi_times(alpha) / pi();
     }
     /// The trapezoidal rule in ln s with steps `refinement` times as short as the tolerance asks for.
-    quadrature<W> trapezoidal_rule(int refinement = 1) const {
+    quadrature_rule<W> trapezoidal_rule(int refinement = 1) const {
         using std::exp, std::log;
         using wide = typename wider<W>::type;
         W y(1); // the rule with steps 2 pi/y misses s^alpha by 2 |Gamma(1 + alpha + iy)| / Gamma(1 + alpha) < 6 y^{1/2 + alpha} e^{-pi y/2}
@@ -75,7 +75,7 @@ public:
         W highest = (digits_ + W(3) + positive * log(digits_)) / lead;
         // Up to a parasitic root q has no zero, and beyond it the weights from `first` on see nothing.
         if (parasitic_root<G>::modulus > 0) highest = std::min(highest, W(W(99) / W(100) * -log(W(parasitic_root<G>::modulus))));
-        quadrature<W> rule;
+        quadrature_rule<W> rule;
         wide s(static_cast<int>(1));
         while (static_cast<W>(s) < highest) s = s * wide(ratio);
         for (; lowest < static_cast<W>(s); s = s / wide(ratio)) {
@@ -87,8 +87,8 @@ public:
         return rule;
     }
     /// The same with the nodes below 1/last merged.
-    quadrature<W> rule() const {
-        quadrature<W> all = trapezoidal_rule(), low, result;
+    quadrature_rule<W> rule() const {
+        quadrature_rule<W> all = trapezoidal_rule(), low, result;
         W const limit = W(1) / W(static_cast<double>(last_));
         for (std::size_t i = 0; i < all.node.size(); ++i) {
             auto& to = all.node[i] < limit ? low : result;

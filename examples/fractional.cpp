@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+// Fractional calculus as types: damping of order 1/2 from a variational principle, and a problem with values at both ends.
+#include <cmath>
+#include <iostream>
+
+#include "hilger/hilger.hpp"
+
+using namespace hilger;
+
+int main() {
+    constexpr unknown q;
+    constexpr unknown<text("y")> y; // a second curve with the same variation
+    constexpr auto q_o = extend[q];
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); }};
+    auto const T = uniform(0.0, 0.01, 4000);
+
+    auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T)) - 0.2 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T);
+    auto const EL = variation(S); // [∂L/∂q]½,− − Δ½,−[∂L/∂v] = ρ Δ₋^½[q], and the same of y in reversed time
+    static_assert(decltype(EL)::damping() == Delta_minus_alpha<1, 2>);
+    static_assert(adjoint(Delta_minus_alpha<1, 4>) == Delta_plus_alpha<1, 4>);
+    std::cout << EL;
+
+    double amplitude = 0, last = 0;
+    for (auto const& x : flow_of(EL, exponentials{}).along(T, 1.0, 0.0)) { // a history of a few kB, however long the run
+        last = x.q;
+        if (x.t > 30) amplitude = std::max(amplitude, std::abs(x.q));
+    }
+    std::cout << "released at 1, the pendulum swings to " << amplitude << " after t = 30 and is at " << last << " in the end\n";
+
+    constexpr lagrangian kinetic{[](auto const& x, auto const& v) { return v * v / 2 + 0 * x; }};
+    auto const D = uniform(interval{0.0, 1.0}, 100'000);
+    auto const two_sided = variation(nabla_integral(kinetic(q, Delta_minus_alpha<3, 4>[q]), D));
+    auto const x = solve_boundary(two_sided, 0.0, 1.0);
+    std::cout << two_sided << "q(0) = 0, q(1) = 1: q(1/2) = " << x.q[50'000] << '\n';
+    return amplitude < 0.7 and std::abs(x.q[50'000] - 0.4) < 0.1 ? 0 : 1;
+}
