@@ -83,7 +83,7 @@ private:
         }
         weight_sequence<G, W> sequence{W(alpha)};
         for (index i = 0; i < n; ++i) sequence.next();
-        for (index i = n; i < n + 100; ++i) {
+        for (index i = n; i < n + 100 and i <= last; ++i) {
             wide sum(static_cast<int>(0));
             for (std::size_t j = 0; j < term.size(); ++j) {
                 sum = sum + term[j];
