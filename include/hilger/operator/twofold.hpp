@@ -31,12 +31,19 @@ public:
         twofold const p = two_product(x.high_, y.high_);
         return fast_two_sum(p.high_, p.low_ + (x.high_ * y.low_ + x.low_ * y.high_));
     }
+    friend constexpr twofold operator*(twofold x, S y) {
+        twofold const p = two_product(x.high_, y);
+        return fast_two_sum(p.high_, p.low_ + x.low_ * y);
+    }
+    friend constexpr twofold operator/(twofold x, S y) {
+        S const q = x.high_ / y;
+        twofold const p = two_product(q, y);
+        return fast_two_sum(q, (((x.high_ - p.high_) - p.low_) + x.low_) / y);
+    }
     friend constexpr twofold operator/(twofold x, twofold y) {
         S const q = x.high_ / y.high_;
-        twofold const rest = x - y * twofold(q);
-        S const q2 = rest.high_ / y.high_;
-        twofold const rest2 = rest - y * twofold(q2);
-        return fast_two_sum(q, q2) + twofold(rest2.high_ / y.high_);
+        twofold const rest = x - y * q;
+        return fast_two_sum(q, (rest.high_ + rest.low_) / y.high_);
     }
 
 private:

@@ -105,6 +105,11 @@ public:
                 a_[i + j] = a_[i + j] + both;
                 if (i + j > 0) b_[i + j - 1] = b_[i + j - 1] + wide(alpha) * slope * both; // of z^(i+j-1) in alpha (p' q - p q')
             }
+        wide const first = a_[0];
+        for (std::size_t j = 0; j < taps; ++j) {
+            a_[j] = a_[j] / first;
+            b_[j] = b_[j] / first;
+        }
     }
     /// w_0, then w_1, ...
     constexpr S next() {
@@ -112,8 +117,8 @@ public:
         if (n_ > 0) {
             w = wide(0);
             for (std::size_t j = 1; j < taps; ++j)
-                w = w + (b_[j - 1] - wide(static_cast<int>(n_ - static_cast<index>(j))) * a_[j]) * last_[j - 1];
-            w = w / (wide(static_cast<int>(n_)) * a_[0]);
+                w = w + (b_[j - 1] - a_[j] * S(static_cast<int>(n_ - static_cast<index>(j)))) * last_[j - 1];
+            w = w / S(static_cast<int>(n_));
         }
         for (std::size_t j = taps - 1; j-- > 1;) last_[j] = last_[j - 1];
         if constexpr (taps > 1) last_[0] = w;
