@@ -3,20 +3,23 @@
 //   hilger_bench                the tables
 //   hilger_bench rounding [n]   energy error of mid-point over 10^n steps (default 7.5), plain and compensated
 //   hilger_bench history        what the memory of a fractional difference costs
-#include <cstring>
-
+//   hilger_bench fractional     steps with fractional damping, and their errors
+//   hilger_bench boundary       two-sided fractional problems
 #include "timing.hpp"
 
 int main(int count, char** arguments) {
-    if (count > 1 and std::strcmp(arguments[1], "rounding") == 0) {
+    std::string const what = count > 1 ? arguments[1] : "";
+    if (what == "rounding")
         bench::rounding(count > 2 ? std::atof(arguments[2]) : 7.5);
-        return 0;
-    }
-    if (count > 1 and std::strcmp(arguments[1], "history") == 0) {
+    else if (what == "history")
         bench::histories();
-        return 0;
+    else if (what == "boundary")
+        bench::boundary();
+    else if (what == "fractional")
+        bench::fractional();
+    else {
+        std::cout << "Nanoseconds a step, ratio to the fastest loop by hand, and the sum of the positions seen\n\n";
+        bench::small_systems();
+        bench::large_systems();
     }
-    std::cout << "Nanoseconds a step, ratio to the fastest loop by hand, and the sum of the positions seen\n\n";
-    bench::small_systems();
-    bench::large_systems();
 }

@@ -159,7 +159,7 @@ private:
         bool forced = false, finite = true;
         at.coupled = false;
         for (std::size_t i = 0; i < count_; ++i) {
-            S const t = T_.point(static_cast<index>(i) + 1);
+            S const t = T_.element(static_cast<index>(i) + 1);
             at.at.push_back(expand(at_time{problem_.lagrangian(), t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
             force.push_back(i + 1 < count_ ? e.by_q : zero_like(e.by_q)); // the row N is no equation

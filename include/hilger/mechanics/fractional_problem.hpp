@@ -79,67 +79,88 @@ public:
     /// Delta_-^alpha x on T^- (B (7), and 0 for k = 0 left out).
     template <discrete_function X>
     [[nodiscard]] auto velocity(X const& x) const {
-        auto values = values_of(x);
-        values = difference(x.root(), values, detail::direction::forward);
-        values.erase(values.begin());
-        return function(minus(x.root()), std::move(values));
+        return function(minus(x.root()), velocities(triangle<X>(x.root()), x));
     }
     /// dL/dv(x, Delta_-^alpha x, t) on T^-.
     template <discrete_function X>
     [[nodiscard]] auto momentum(X const& x) const {
-        return function(minus(x.root()), along(x, [](auto const& L, auto const& q, auto const& v) { return gradient_second(L, q, v); }));
+        return function(minus(x.root()), momenta(x, velocities(triangle<X>(x.root()), x)));
     }
     /// Delta_+^alpha y on T^+- for y on T^- (B (8)).
     template <discrete_function Y>
     [[nodiscard]] auto right_difference(Y const& y) const {
-        auto values = difference(y.root(), values_of(y), detail::direction::backward);
-        values.pop_back();
-        return function(interior(y.root()), std::move(values));
+        return function(interior(y.root()), right_differences(triangle<Y>(y.root()), y.root(), values_of(y)));
     }
     /// The functional (12).
     template <discrete_function X>
     [[nodiscard]] auto action(X const& x) const {
         using S = typename X::root_type::scalar_type;
+        auto const values =
+            along(x, velocities(triangle<X>(x.root()), x), [](auto const& L, auto const& q, auto const& v) { return S(L(q, v)); });
         S sum(0);
-        for (S const &value : along(x, [](auto const&L, auto const&q, auto const&v) { return S(L(q, v)); })) sum = sum + value;
+        for (S const& value : values) sum = sum + value;
         return S(x.root().h() * sum);
     }
     /// The left-hand side of (EL_h^alpha) on T^+-. Its rounding error is of the size of epsilon h^(-2 alpha) |x|, as that of a second
     /// difference is.
     template <discrete_function X>
     [[nodiscard]] auto residual(X const& x) const {
-        auto const force = along(x, [](auto const& L, auto const& q, auto const& v) { return gradient_first(L, q, v); });
-        auto rest = values_of(right_difference(momentum(x)));
+        auto const difference = triangle<X>(x.root());
+        auto const v = velocities(difference, x);
+        auto rest = right_differences(difference, x.root(), momenta(x, v));
+        auto const force = along(x, v, [](auto const& L, auto const& q, auto const& u) { return gradient_first(L, q, u); });
         for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = rest[k] + force[k];
         return function(interior(x.root()), std::move(rest));
     }
 
-    /// Delta_-^alpha, or Delta_+^alpha, of all values given.
-    template <class S, index Steps, class V>
-    [[nodiscard]] std::vector<V> difference(uniform_scale<S, Steps> const& T, std::vector<V> const& x, detail::direction to) const {
-        S const alpha = order<S>();
-        toeplitz_triangle<S> const triangle(first_weights<grunwald_letnikov>(alpha, static_cast<index>(x.size())));
-        return x.empty() ? x : detail::apply_triangle(triangle, x, S(S(1) / detail::power_of_step(T.h(), alpha)), to);
-    }
-
 private:
-    template <discrete_function X>
-    static auto values_of(X const& x) {
+    /// The weights of Delta_-^alpha for all of T, without h^-alpha.
+    template <class X>
+    [[nodiscard]] auto triangle(typename X::root_type const& T) const {
         static_assert(X::root_type::is_uniform, "a fractional difference is a convolution: it needs a uniform scale");
+        using S = typename X::root_type::scalar_type;
+        return toeplitz_triangle<S>(first_weights<grunwald_letnikov>(order<S>(), T.size()));
+    }
+    template <class Root>
+    [[nodiscard]] auto steepness(Root const& T) const {
+        using S = typename Root::scalar_type;
+        return S(S(1) / detail::power_of_step(T.h(), order<S>()));
+    }
+    template <class X>
+    static auto values_of(X const& x) {
         std::vector<value_of<X>> values;
-        values.reserve(static_cast<std::size_t>(x.size()));
+        values.reserve(static_cast<std::size_t>(x.size()) + 1);
         for (index k = x.first(); k <= x.last(); ++k) values.push_back(x.get(k));
         return values;
     }
+    template <class Triangle, class X>
+    [[nodiscard]] auto velocities(Triangle const& difference, X const& x) const {
+        auto v = detail::apply_triangle(difference, values_of(x), steepness(x.root()), detail::direction::forward);
+        v.erase(v.begin());
+        return v;
+    }
+    /// From the values for k = 1..N to those for k = 1..N-1.
+    template <class Triangle, class Root, class V>
+    [[nodiscard]] auto right_differences(Triangle const& difference, Root const& T, std::vector<V> y) const {
+        y.insert(y.begin(), zero_like(y.front())); // as many as the triangle has rows; what is for k = 0 is not asked for
+        y = detail::apply_triangle(difference, y, steepness(T), detail::direction::backward);
+        y.erase(y.begin());
+        y.pop_back();
+        return y;
+    }
+    template <class X, class V>
+    [[nodiscard]] auto momenta(X const& x, std::vector<V> const& v) const {
+        return along(x, v, [](auto const& L, auto const& q, auto const& u) { return gradient_second(L, q, u); });
+    }
     /// what(L at t_k, Q_k, v_k) for k = 1..N.
-    template <discrete_function X, class What>
-    [[nodiscard]] auto along(X const& x, What const& what) const {
-        auto const v = velocity(x);
+    template <class X, class V, class What>
+    [[nodiscard]] auto along(X const& x, std::vector<V> const& v, What const& what) const {
         using S = typename X::root_type::scalar_type;
-        std::vector<std::remove_cvref_t<decltype(what(detail::at_time{lagrangian_, std::declval<S const&>()}, v.get(1), v.get(1)))>> result;
+        std::vector<std::remove_cvref_t<decltype(what(detail::at_time{lagrangian_, std::declval<S const&>()}, v[0], v[0]))>> result;
+        result.reserve(v.size());
         for (index k = 1; k <= x.last(); ++k) {
-            S const t = x.root().point(k);
-            result.push_back(what(detail::at_time{lagrangian_, t}, value_of<X>(x.get(k)), v.get(k)));
+            S const t = x.root().element(k);
+            result.push_back(what(detail::at_time{lagrangian_, t}, V(x.get(k)), v[static_cast<std::size_t>(k) - 1]));
         }
         return result;
     }
