@@ -11,7 +11,7 @@
 
 #include "hilger/history/automatic.hpp"
 #include "hilger/history/blocks.hpp"
-#include "hilger/history/convolve.hpp"
+#include "hilger/history/convolution.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/exponentials.hpp"
 #include "hilger/history/window.hpp"
