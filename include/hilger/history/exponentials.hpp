@@ -47,7 +47,7 @@ public:
                 first.push_back(all[static_cast<std::size_t>(n)]);
             return;
         }
-        index const taps = static_cast<index>(padded<S>(static_cast<std::size_t>(direct_terms(static_cast<double>(tolerance)))));
+        index const taps = recent_values<S>::room(direct_terms(static_cast<double>(tolerance)));
         auto const all = first_weights<G, S>(alpha, taps + 1);
         first.assign(all.begin() + 1, all.end());
         index const last = std::max(policy.steps, taps + 1);
@@ -68,9 +68,9 @@ public:
 
 private:
     /// The parasitic roots' share of w_n, rho^n against n^{-1-alpha}, is below the tolerance from here on.
-    static double direct_terms(double tolerance) {
+    static index direct_terms(double tolerance) {
         double const rho = parasitic_root<G>::modulus;
-        return rho > 0 ? (12 - std::log(tolerance)) / -std::log(rho) : 8;
+        return rho > 0 ? static_cast<index>((12 - std::log(tolerance)) / -std::log(rho)) : 8;
     }
     /// Against the recurrence for the first hundred n, then against a finer rule at powers of four.
     void check(S const& alpha, index n, index last, W const& tolerance) const {
@@ -129,9 +129,12 @@ public:
         if (count_ == steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " values");
         for (index c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
-            // The modes' share was made one value ahead, and a processor can go on with it while the next value is computed.
-            detail::component(past_, c) = recent_.push(detail::component(x, c), c, sums_) + ahead_[i];
-            ahead_[i] = sums_.relax(rate_.data(), coefficient_.data(), state_.data() + i * rate_.size(), rate_.size(), recent_.oldest(c));
+            S const& value = detail::component(x, c);
+            detail::component(past_, c) = recent_.first() * value + ahead_[i];
+            S const entering = recent_.oldest(c);
+            S* const state = state_.data() + 2 * i * rate_.size();
+            ahead_[i] = recent_.push(value, c, sums_) +
+                        sums_.relax(rate_.data(), coefficient_.data(), state, state + rate_.size(), rate_.size(), entering);
         }
         recent_.advance();
         ++count_;
@@ -152,12 +155,13 @@ public:
 private:
     exponentials_history(detail::exponential_weights<G, S> w, index steps, V const& like)
         : size_(detail::components(like)), steps_(steps), recent_(w.first, size_), rate_(std::move(w.rate)),
-          coefficient_(std::move(w.coefficient)), state_(rate_.size() * static_cast<std::size_t>(size_), S(0)),
+          coefficient_(std::move(w.coefficient)), state_(2 * rate_.size() * static_cast<std::size_t>(size_), S(0)),
           ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::zero_of_size(like)) {}
 
     index size_, steps_, count_ = 0;
     detail::recent_values<S> recent_;
-    detail::line_vector<S> rate_, coefficient_, state_;
+    detail::line_vector<S> rate_, coefficient_;
+    detail::line_vector<S> state_; // of each component, then what its sums rounded away
     std::vector<S> ahead_;
     V past_;
     detail::sums<S> sums_;

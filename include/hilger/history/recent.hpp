@@ -7,25 +7,43 @@
 
 namespace hilger::detail {
 
-/// Each value is kept twice, `length` apart, so that the last ones are contiguous wherever the newest is.
+/// What a new value adds to the next sum is one product; all else was added up when the value before it came. A scheme that waits for the
+/// sum waits for that product only, and the processor goes on with the rest while the next value is computed. Each value is kept twice,
+/// `length` apart, so that the last ones are contiguous wherever the newest is. The newest few are read one by one: a pack with a number in
+/// it that has just been written would have to wait until it has reached the cache.
 template <class S>
 class recent_values {
 public:
     /// `weights` are w_1, w_2, ...
-    recent_values(std::vector<S> const& weights, index components) : length_(padded<S>(weights.empty() ? 1 : weights.size())) {
+    recent_values(std::vector<S> const& weights, index components)
+        : length_(static_cast<std::size_t>(room(static_cast<index>(weights.size()))) - 1), first_(weights.empty() ? S(0) : weights[0]) {
         reversed_.assign(length_, S(0));
-        for (std::size_t n = 0; n < weights.size(); ++n) reversed_[length_ - 1 - n] = weights[n];
+        for (std::size_t n = 1; n < weights.size(); ++n) reversed_[length_ - n] = weights[n];
         values_.assign(2 * length_ * static_cast<std::size_t>(components), S(0));
     }
-    /// Makes x_m the newest value of a component and returns the sum for m + 1. All components are pushed before advance().
+    /// w_1
+    S const& first() const { return first_; }
+    /// How many weights there is room for, where so many are asked for.
+    static index room(index weights) {
+        index const near = static_cast<index>(one_by_one) + 1;
+        return near + (weights <= near ? 0 : static_cast<index>(padded<S>(static_cast<std::size_t>(weights - near))));
+    }
+    /// The oldest value, which the next one replaces.
+    S const& oldest(index component) { return begin(component)[newest_]; }
+    /// Makes x_m the newest value of a component and returns sum_{n=2..} w_n x_{m+2-n}. All components are pushed before advance().
     S push(S const& x, index component, sums<S> const& loops) {
         S* const values = begin(component);
         values[newest_] = x;
         values[newest_ + length_] = x;
-        return loops.product_sum(reversed_.data(), values + newest_ + 1, length_);
+        std::size_t const old = length_ - one_by_one;
+        S const *const window = values + newest_ + 1, *const w = reversed_.data();
+        S even = w[old] * window[old], odd = w[old + 1] * window[old + 1];
+        for (std::size_t i = old + 2; i < length_; i += 2) {
+            even = even + w[i] * window[i];
+            odd = odd + w[i + 1] * window[i + 1];
+        }
+        return old == 0 ? S(even + odd) : S(even + odd + loops.product_sum(w, window, old));
     }
-    /// x_{m+1-length}, before advance().
-    S const& oldest(index component) { return begin(component)[newest_ + 1]; }
     void advance() { newest_ = newest_ + 1 == length_ ? 0 : newest_ + 1; }
     void reset() {
         newest_ = 0;
@@ -35,7 +53,9 @@ public:
 
 private:
     S* begin(index component) { return values_.data() + 2 * length_ * static_cast<std::size_t>(component); }
+    static constexpr std::size_t one_by_one = 8;
     std::size_t length_, newest_ = 0;
+    S first_;
     line_vector<S> reversed_, values_;
 };
 

@@ -30,34 +30,27 @@ HILGER_DETAIL_INLINE S product_sum_in(S const* x, S const* y, std::size_t n) {
     return total;
 }
 
-/// State_j <- (1 - rate_j) state_j + x, written so that rates far below epsilon count; returns sum_j coefficient_j state_j.
+/// State_j <- (1 - rate_j) state_j + x, so that rates far below epsilon count, and with what each sum rounds away in `low` (Kahan): else a
+/// state that grows for 1/rate steps would stop where its increments are below its last digit. Returns sum_j coefficient_j state_j.
 template <class S, int Bytes>
-HILGER_DETAIL_INLINE S relax_in(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
+HILGER_DETAIL_INLINE S relax_in(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
     using P = pack<S, Bytes>;
     typename P::type sum[2]{}, in = sum[0];
     in = in + x;
-    std::size_t i = 0;
-    for (; i + 2 * P::width <= n; i += 2 * P::width) {
-        typename P::type r, s, c, r2, s2, c2;
-        load(r, rate + i);
-        load(s, state + i);
-        load(c, coefficient + i);
-        load(r2, rate + i + P::width);
-        load(s2, state + i + P::width);
-        load(c2, coefficient + i + P::width);
-        s = s + (in - r * s);
-        s2 = s2 + (in - r2 * s2);
-        store(s, state + i);
-        store(s2, state + i + P::width);
-        sum[0] = sum[0] + c * s;
-        sum[1] = sum[1] + c2 * s2;
-    }
-    S total = sum_of_lanes<S>(typename P::type(sum[0] + sum[1]));
-    for (; i < n; ++i) {
-        state[i] = state[i] + (x - rate[i] * state[i]);
-        total = total + coefficient[i] * state[i];
-    }
-    return total;
+    for (std::size_t i = 0; i < n; i += 2 * P::width)
+        for (std::size_t k = 0; k < 2; ++k) {
+            std::size_t const j = i + k * P::width;
+            typename P::type r, s, c, l;
+            load(r, rate + j);
+            load(s, state + j);
+            load(c, coefficient + j);
+            load(l, low + j);
+            typename P::type const change = (in - r * s) + l, next = s + change;
+            store(next, state + j);
+            store(typename P::type(change - (next - s)), low + j);
+            sum[k] = sum[k] + c * next;
+        }
+    return sum_of_lanes<S>(typename P::type(sum[0] + sum[1]));
 }
 
 template <class S>
@@ -65,8 +58,8 @@ S product_sum_baseline(S const* x, S const* y, std::size_t n) {
     return product_sum_in<S, 16>(x, y, n);
 }
 template <class S>
-S relax_baseline(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
-    return relax_in<S, 16>(rate, coefficient, state, n, x);
+S relax_baseline(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
+    return relax_in<S, 16>(rate, coefficient, state, low, n, x);
 }
 #ifdef HILGER_DETAIL_X86
 template <class S>
@@ -74,16 +67,16 @@ HILGER_DETAIL_AVX2 S product_sum_avx2(S const* x, S const* y, std::size_t n) {
     return product_sum_in<S, 32>(x, y, n);
 }
 template <class S>
-HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
-    return relax_in<S, 32>(rate, coefficient, state, n, x);
+HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
+    return relax_in<S, 32>(rate, coefficient, state, low, n, x);
 }
 template <class S>
 HILGER_DETAIL_AVX512 S product_sum_avx512(S const* x, S const* y, std::size_t n) {
     return product_sum_in<S, 64>(x, y, n);
 }
 template <class S>
-HILGER_DETAIL_AVX512 S relax_avx512(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
-    return relax_in<S, 64>(rate, coefficient, state, n, x);
+HILGER_DETAIL_AVX512 S relax_avx512(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
+    return relax_in<S, 64>(rate, coefficient, state, low, n, x);
 }
 #endif
 
@@ -91,7 +84,7 @@ HILGER_DETAIL_AVX512 S relax_avx512(S const* rate, S const* coefficient, S* stat
 template <class S>
 struct sums {
     S (*product_sum)(S const*, S const*, std::size_t) = product_sum_baseline<S>;
-    S (*relax)(S const*, S const*, S*, std::size_t, S const&) = relax_baseline<S>;
+    S (*relax)(S const*, S const*, S*, S*, std::size_t, S const&) = relax_baseline<S>;
 
     sums() {
 #ifdef HILGER_DETAIL_X86

@@ -29,13 +29,18 @@ public:
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
         detail::check_value(x, size_, count_);
-        for (index c = 0; c < size_; ++c) detail::component(past_, c) = recent_.push(detail::component(x, c), c, sums_);
+        for (index c = 0; c < size_; ++c) {
+            auto const i = static_cast<std::size_t>(c);
+            detail::component(past_, c) = recent_.first() * detail::component(x, c) + ahead_[i];
+            ahead_[i] = recent_.push(detail::component(x, c), c, sums_);
+        }
         recent_.advance();
         ++count_;
     }
     index count() const { return count_; }
     void reset() {
         recent_.reset();
+        ahead_.assign(ahead_.size(), S(0));
         past_ = detail::zero_of_size(past_);
         count_ = 0;
     }
@@ -67,7 +72,7 @@ public:
         }
         return bound * magnitude;
     }
-    std::size_t bytes() const { return recent_.bytes(); }
+    std::size_t bytes() const { return recent_.bytes() + ahead_.size() * sizeof(S); }
     static std::string name() { return "window"; }
 
 private:
@@ -78,11 +83,13 @@ private:
         return w;
     }
     window_history(S const& alpha, index length, std::vector<S> const& w, V const& like)
-        : alpha_(alpha), length_(length), size_(detail::components(like)), recent_(w, size_), past_(detail::zero_of_size(like)) {}
+        : alpha_(alpha), length_(length), size_(detail::components(like)), recent_(w, size_), ahead_(static_cast<std::size_t>(size_), S(0)),
+          past_(detail::zero_of_size(like)) {}
 
     S alpha_;
     index length_, size_, count_ = 0;
     detail::recent_values<S> recent_;
+    std::vector<S> ahead_;
     V past_;
     detail::sums<S> sums_;
 };
