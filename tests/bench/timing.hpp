@@ -46,5 +46,6 @@ void large_systems();
 void boundary();
 void rounding(double log10_of_steps);
 void histories();
+void fractional();
 
 } // namespace bench

@@ -112,7 +112,7 @@ class fractional_memory {
 public:
     /// @throws error::invalid_parameter for an order outside ]0, 2[, or a power of h that the scalar does not have
     fractional_memory(Order const& order, Policy const& policy, initial_history initial, S const& h, V const& like)
-        : beta_(order.template as<S>()), h_(h), initial_(initial), x0_(zero_like(like)), v0_(x0_), y_(x0_), past_(x0_), derivative_(x0_) {
+        : beta_(order.template as<S>()), h_(h), initial_(initial), x0_(zero_like(like)), v0_(x0_), y_(x0_), derivative_(x0_) {
         require_order(beta_);
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
         if constexpr (always_local)
@@ -144,25 +144,25 @@ public:
     }
     /// The derivative at the next point if the value there is x.
     V const& at_next(V const& x) {
-        if (not past_known_) {
+        // The last point's value goes into the history now: that of t_N, which no step needs, never does.
+        if (taken_) {
+            taken_ = false;
             if (local_)
-                past_ = local_->past();
+                local_->push(y_);
             else if constexpr (not always_local)
-                past_ = engine_->past();
-            past_known_ = true;
+                engine_->push(y_);
         }
         measure_from_start(x);
-        derivative_ = (y_ + past_) * scale_;
+        if (local_)
+            derivative_ = (y_ + local_->past()) * scale_;
+        else if constexpr (not always_local)
+            derivative_ = (y_ + engine_->past()) * scale_;
         return derivative_;
     }
     /// Takes x as the value at the next point. @returns the derivative there
     V const& arrive(V const& x) {
         at_next(x);
-        if (local_)
-            local_->push(y_);
-        else if constexpr (not always_local)
-            engine_->push(y_);
-        past_known_ = false;
+        taken_ = true;
         return derivative_;
     }
 
@@ -174,8 +174,8 @@ private:
     }
     S beta_, h_, scale_{};
     initial_history initial_;
-    V x0_, v0_, y_, past_, derivative_;
-    bool past_known_ = false;
+    V x0_, v0_, y_, derivative_;
+    bool taken_ = false;
     std::optional<local> local_;
     [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
 };
