@@ -29,9 +29,12 @@
 // Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
 #include "hilger/history/history.hpp"
 #include "hilger/integrator/boundary.hpp"
+#include "hilger/integrator/boundary_extrapolation.hpp"
 #include "hilger/integrator/fractional_flow.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
+#include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/integrator/of_variation.hpp"
+#include "hilger/mechanics/beam.hpp"
 #include "hilger/mechanics/fractional_noether.hpp"
 
 // Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
