@@ -47,14 +47,6 @@ template <class S>
 HILGER_DETAIL_AVX2 void join_avx2(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
     join_widest<S, 32>(re, im, n, count, b, cosine, sine);
 }
-template <class S>
-HILGER_DETAIL_AVX512 void split_avx512(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
-    split_widest<S, 64>(re, im, n, count, b, cosine, sine);
-}
-template <class S>
-HILGER_DETAIL_AVX512 void join_avx512(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
-    join_widest<S, 64>(re, im, n, count, b, cosine, sine);
-}
 #endif
 
 /// The passes for this processor.
@@ -66,7 +58,6 @@ struct fourier_passes {
 #ifdef HILGER_DETAIL_X86
         if constexpr (std::is_same_v<S, double> or std::is_same_v<S, float>) {
             if (available_instructions() == instructions::avx2) split = split_avx2<S>, join = join_avx2<S>;
-            if (available_instructions() == instructions::avx512) split = split_avx512<S>, join = join_avx512<S>;
         }
 #endif
     }

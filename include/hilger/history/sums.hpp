@@ -70,14 +70,6 @@ template <class S>
 HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
     return relax_in<S, 32>(rate, coefficient, state, low, n, x);
 }
-template <class S>
-HILGER_DETAIL_AVX512 S product_sum_avx512(S const* x, S const* y, std::size_t n) {
-    return product_sum_in<S, 64>(x, y, n);
-}
-template <class S>
-HILGER_DETAIL_AVX512 S relax_avx512(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
-    return relax_in<S, 64>(rate, coefficient, state, low, n, x);
-}
 #endif
 
 /// The loops for this processor.
@@ -90,7 +82,6 @@ struct sums {
 #ifdef HILGER_DETAIL_X86
         if constexpr (std::is_same_v<S, double> or std::is_same_v<S, float>) {
             if (available_instructions() == instructions::avx2) product_sum = product_sum_avx2<S>, relax = relax_avx2<S>;
-            if (available_instructions() == instructions::avx512) product_sum = product_sum_avx512<S>, relax = relax_avx512<S>;
         }
 #endif
     }
