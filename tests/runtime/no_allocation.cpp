@@ -158,3 +158,21 @@ TEST_CASE("no step allocates: small systems, a chain of 128, bodies in space, fr
     Eigen::VectorXd const z = Eigen::VectorXd::LinSpaced(12, -1, 1);
     CHECK(allocations_along(embed(bodies, midpoint).along(T, z, z)) == 0);
 }
+
+TEST_CASE("nor does fractional damping: of order 1, by exponentials, of structures and materials") {
+    auto const T = uniform(0.0, 0.01, 1000);
+    exponentials const history{1e-10, 1000};
+    auto const kepler = [](auto const& x, auto const& v) { return v.dot(v) / 2 + 1 / x.norm(); };
+    Eigen::Vector2d const q(0.4, 0.0), p(0.0, 2.0);
+    CHECK(allocations_along(embed(with_fractional_damping(kepler, 0.1, fraction<1>{}), midpoint).along(T, q, p)) == 0);
+    CHECK(allocations_along(embed(with_fractional_damping(kepler, 0.1, fraction<1, 2>{}, history), midpoint).along(T, q, p)) == 0);
+    auto const one = [](double t) { return t; };
+    CHECK(allocations_along(
+              newmark<bdf<2>>(fractional_structure{1.0, 1.0, 1.0, 1.0, 0.5}, one, average_acceleration, history).along(T, 1.0, 0.0)) == 0);
+    CHECK(allocations_along(
+              newmark<bdf<2>>(zener_structure{1.0, 1.0, 1.0, 2.0, 1.0, 0.5}, one, average_acceleration, history).along(T, 1.0, 0.0)) == 0);
+    Eigen::Matrix2d const M = Eigen::Matrix2d::Identity();
+    auto const load = [](double t) { return Eigen::Vector2d(t, 1); };
+    CHECK(allocations_along(newmark<bdf<2>>(fractional_structure{M, M, M, 1.0, 0.5}, load, average_acceleration, history).along(T, q, p)) ==
+          0);
+}
