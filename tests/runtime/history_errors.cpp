@@ -65,9 +65,8 @@ TEST_CASE("parameters out of range") {
     CHECK_THROWS_AS((void)make_history<GL>(window{-1}, 0.5, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)make_history<GL>(automatic{0}, 0.5, 0.0), error::invalid_parameter);
     auto short_run = make_history<GL>(exponentials{0, 2}, 0.5, 0.0);
-    short_run.push(1);
-    short_run.push(1);
-    CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 values", error::outside_domain);
+    for (int n = 0; n <= 2; ++n) short_run.push(1); // at t_0, t_1, t_2
+    CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps", error::outside_domain);
 }
 
 TEST_CASE("the direct sum over more than 100 000 values warns once when it is made, where the caller wants it") {

@@ -123,10 +123,10 @@ public:
 
     /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha.
     V const& past() const { return past_; }
-    /// @throws error::mismatch, error::not_finite, error::outside_domain after as many values as the policy names
+    /// @throws error::mismatch, error::not_finite, error::outside_domain after one value more than the policy has steps
     void push(V const& x) {
         detail::check_value(x, size_, count_);
-        if (count_ == steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " values");
+        if (count_ > steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps");
         for (index c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
             S const& value = detail::component(x, c);

@@ -144,14 +144,6 @@ public:
     }
     /// The derivative at the next point if the value there is x.
     V const& at_next(V const& x) {
-        // The last point's value goes into the history now: that of t_N, which no step needs, never does.
-        if (taken_) {
-            taken_ = false;
-            if (local_)
-                local_->push(y_);
-            else if constexpr (not always_local)
-                engine_->push(y_);
-        }
         measure_from_start(x);
         if (local_)
             derivative_ = (y_ + local_->past()) * scale_;
@@ -162,7 +154,11 @@ public:
     /// Takes x as the value at the next point. @returns the derivative there
     V const& arrive(V const& x) {
         at_next(x);
-        taken_ = true;
+        // Into the history at once: nothing waits for its sums until the next value is there, and the processor makes them meanwhile.
+        if (local_)
+            local_->push(y_);
+        else if constexpr (not always_local)
+            engine_->push(y_);
         return derivative_;
     }
 
@@ -175,7 +171,6 @@ private:
     S beta_, h_, scale_{};
     initial_history initial_;
     V x0_, v0_, y_, derivative_;
-    bool taken_ = false;
     std::optional<local> local_;
     [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
 };
