@@ -53,10 +53,11 @@ private:
 /// @throws error::invalid_parameter for less than one step.
 template <generating_function G, class S, class V>
 auto make_history(automatic const& policy, S const& alpha, V const& like) {
-    detail::same_scalar<S, plain_t<V>>();
     using value = plain_t<V>;
     if (policy.steps < 1) error::raise<error::invalid_parameter>("a history has one step or more, not ", policy.steps);
-    if constexpr (std::numeric_limits<S>::is_exact)
+    if constexpr (not detail::same_scalar<S, V>)
+        return detail::refused<S, detail::scalars_differ>();
+    else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, value>(alpha, like);
     else if constexpr (strongly_damped<G>) {
         using engine = one_of_histories<direct_history<G, value>, blocks_history<G, value>, exponentials_history<G, value>>;

@@ -128,8 +128,9 @@ private:
 /// @throws error::invalid_parameter for an order that is not finite.
 template <generating_function G, class S, class V>
 auto make_history(blocks const&, S const& alpha, V const& like) {
-    detail::same_scalar<S, plain_t<V>>();
-    if constexpr (std::numeric_limits<S>::is_exact)
+    if constexpr (not detail::same_scalar<S, V>)
+        return detail::refused<S, detail::scalars_differ>();
+    else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, plain_t<V>>(alpha, like);
     else
         return blocks_history<G, plain_t<V>>(alpha, like);

@@ -6,6 +6,7 @@
 #include "hilger/error.hpp"
 #include "hilger/history/simd.hpp"
 #include "hilger/scalar.hpp"
+#include "hilger/text.hpp"
 
 namespace hilger::detail {
 
@@ -64,10 +65,13 @@ void check_value(V const& x, index size, index number) {
     if (not is_finite(x)) error::raise<error::not_finite>("value ", number, " of a history is not finite");
 }
 
+/// What make_history returns for an order and values that differ in their scalar.
 template <class S, class V>
-constexpr void same_scalar() {
-    static_assert(std::is_same_v<S, component_t<V>>,
-                  "the order of a fractional difference and the values of its history have the same scalar");
+inline constexpr bool same_scalar = std::is_same_v<S, component_t<plain_t<V>>>;
+template <class S, text Sentence>
+auto refused() { // depends on S: instantiated where it is reached only
+    return does_not_compile<Sentence>{};
 }
+inline constexpr text scalars_differ{"the order of a fractional difference and the values of its history have the same scalar"};
 
 } // namespace hilger::detail

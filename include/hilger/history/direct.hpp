@@ -76,12 +76,15 @@ private:
 
 /// The engine of a policy for the order alpha and values of the size of `like`. @throws error::invalid_parameter
 template <generating_function G, class S, class V>
-direct_history<G, plain_t<V>> make_history(direct const& policy, S const& alpha, V const& like) {
-    detail::same_scalar<S, plain_t<V>>();
-    if (policy.steps > direct::many and history_warning())
-        history_warning()("the direct sum over " + std::to_string(policy.steps) +
-                          " values takes the square of that many products; exponentials{} need a few dozen each");
-    return {alpha, like};
+auto make_history(direct const& policy, S const& alpha, V const& like) {
+    if constexpr (not detail::same_scalar<S, V>)
+        return detail::refused<S, detail::scalars_differ>();
+    else {
+        if (policy.steps > direct::many and history_warning())
+            history_warning()("the direct sum over " + std::to_string(policy.steps) +
+                              " values takes half the square of that many products; exponentials{} need a few dozen each");
+        return direct_history<G, plain_t<V>>(alpha, like);
+    }
 }
 
 } // namespace hilger

@@ -169,11 +169,16 @@ private:
 
 /// @throws error::invalid_parameter for a tolerance that the scalar cannot hold, or an order that is not between -9/10 and 2.
 template <generating_function G, class S, class V>
-exponentials_history<G, plain_t<V>> make_history(exponentials const& policy, S const& alpha, V const& like) {
-    static_assert(strongly_damped<G>, "exponentials know Gruenwald-Letnikov and the BDF, this generating function needs direct or blocks");
-    static_assert(not std::numeric_limits<S>::is_exact, "exponentials are accurate to a tolerance, exact scalars need direct or blocks");
-    detail::same_scalar<S, plain_t<V>>();
-    return {policy, alpha, like};
+auto make_history(exponentials const& policy, S const& alpha, V const& like) {
+    if constexpr (not detail::same_scalar<S, V>)
+        return detail::refused<S, detail::scalars_differ>();
+    else if constexpr (not strongly_damped<G>)
+        return detail::refused<
+            S, "exponentials know Gruenwald-Letnikov and the BDF, for this generating function there are direct and blocks">();
+    else if constexpr (std::numeric_limits<S>::is_exact)
+        return detail::refused<S, "exponentials are accurate to a tolerance, for exact scalars there is direct">();
+    else
+        return exponentials_history<G, plain_t<V>>(policy, alpha, like);
 }
 
 } // namespace hilger

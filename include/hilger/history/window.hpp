@@ -96,9 +96,11 @@ private:
 
 /// @throws error::invalid_parameter for a negative length.
 template <generating_function G, class S, class V>
-window_history<G, plain_t<V>> make_history(window const& policy, S const& alpha, V const& like) {
-    detail::same_scalar<S, plain_t<V>>();
-    return {policy, alpha, like};
+auto make_history(window const& policy, S const& alpha, V const& like) {
+    if constexpr (not detail::same_scalar<S, V>)
+        return detail::refused<S, detail::scalars_differ>();
+    else
+        return window_history<G, plain_t<V>>(policy, alpha, like);
 }
 
 } // namespace hilger

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSL-1.0
+// The loops of a history in every instruction set that this processor has give what one number at a time gives.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "histories.hpp"
+
+using namespace hilger;
+using namespace hilger::testing;
+
+namespace {
+template <class S>
+struct loops {
+    std::string name;
+    detail::sums<S> sum;
+    detail::fourier_passes<S> pass;
+};
+/// What a user of an older processor runs is tested here as well.
+template <class S>
+std::vector<loops<S>> all_loops() {
+    loops<S> baseline;
+    baseline.name = "baseline";
+    baseline.sum.product_sum = detail::product_sum_baseline<S>;
+    baseline.sum.relax = detail::relax_baseline<S>;
+    baseline.pass.split = detail::split_baseline<S>;
+    baseline.pass.join = detail::join_baseline<S>;
+    std::vector<loops<S>> all{baseline};
+#ifdef HILGER_DETAIL_X86
+    auto const available = detail::available_instructions();
+    if (available != detail::instructions::baseline) {
+        loops<S> avx2;
+        avx2.name = "AVX2";
+        avx2.sum.product_sum = detail::product_sum_avx2<S>;
+        avx2.sum.relax = detail::relax_avx2<S>;
+        avx2.pass.split = detail::split_avx2<S>;
+        avx2.pass.join = detail::join_avx2<S>;
+        all.push_back(avx2);
+    }
+    if (available == detail::instructions::avx512) {
+        loops<S> avx512;
+        avx512.name = "AVX-512";
+        avx512.sum.product_sum = detail::product_sum_avx512<S>;
+        avx512.sum.relax = detail::relax_avx512<S>;
+        avx512.pass.split = detail::split_avx512<S>;
+        avx512.pass.join = detail::join_avx512<S>;
+        all.push_back(avx512);
+    }
+#endif
+    return all;
+}
+
+template <class S>
+void check_sums() {
+    noise source;
+    S const eps = epsilon<S>();
+    for (auto const& loop : all_loops<S>()) {
+        CAPTURE(loop.name);
+        for (std::size_t n = 0; n <= 70; ++n) { // any address and length
+            std::vector<S> x, y;
+            for (std::size_t i = 0; i < n + 1; ++i) x.push_back(source.next<S>()), y.push_back(source.next<S>());
+            S expected(0);
+            for (std::size_t i = 1; i <= n; ++i) expected += x[i] * y[i];
+            CHECK(std::abs(loop.sum.product_sum(x.data() + 1, y.data() + 1, n) - expected) <= S(20) * eps);
+        }
+        std::size_t const n = detail::padded<S>(90);
+        detail::line_vector<S> rate(n, S(1)), coefficient(n, S(0)), state(n, S(0)), low(n, S(0)), expected(n, S(0));
+        for (std::size_t i = 0; i < 90; ++i) {
+            rate[i] = std::abs(source.next<S>());
+            coefficient[i] = source.next<S>() / S(90);
+        }
+        for (int step = 0; step < 100; ++step) {
+            S const x = source.next<S>(), sum = loop.sum.relax(rate.data(), coefficient.data(), state.data(), low.data(), n, x);
+            S expected_sum(0);
+            for (std::size_t i = 0; i < n; ++i) {
+                expected[i] = (S(1) - rate[i]) * expected[i] + x;
+                expected_sum += coefficient[i] * expected[i];
+                REQUIRE(std::abs(state[i] - expected[i]) <= S(1000) * eps);
+            }
+            REQUIRE(std::abs(sum - expected_sum) <= S(1000) * eps);
+        }
+    }
+}
+
+template <class S>
+void check_passes() {
+    std::size_t const length = 1024;
+    detail::roots_of_unity<S> roots;
+    roots.reserve(length);
+    for (auto const& loop : all_loops<S>())
+        for (std::size_t const n : {4, 16, 64, 256, 1024}) {
+            CAPTURE(loop.name);
+            CAPTURE(n);
+            std::size_t const count = length / n, b = 2 * count;
+            detail::spectrum<S> x;
+            noise source;
+            for (std::size_t j = 0; j < length; ++j) x.re.push_back(source.next<S>()), x.im.push_back(source.next<S>());
+            auto expected = x;
+            auto const before = x;
+            detail::split_in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
+            loop.pass.split(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
+            for (std::size_t j = 0; j < length; ++j) {
+                REQUIRE(std::abs(x.re[j] - expected.re[j]) <= S(8) * epsilon<S>());
+                REQUIRE(std::abs(x.im[j] - expected.im[j]) <= S(8) * epsilon<S>());
+            }
+            loop.pass.join(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
+            for (std::size_t j = 0; j < length; ++j) {
+                REQUIRE(std::abs(x.re[j] / S(4) - before.re[j]) <= S(8) * epsilon<S>());
+                REQUIRE(std::abs(x.im[j] / S(4) - before.im[j]) <= S(8) * epsilon<S>());
+            }
+        }
+}
+} // namespace
+
+TEST_CASE_TEMPLATE("sums of products and exponentials", S, float, double) { check_sums<S>(); }
+TEST_CASE_TEMPLATE("passes of the transform", S, float, double) { check_passes<S>(); }
