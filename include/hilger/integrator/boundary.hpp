@@ -99,6 +99,7 @@ private:
         std::vector<expansion<V>> at{};
         bool coupled = false; ///< some second derivative by the position is not zero
         block_of<V> stiffness{};
+        values forces{}; ///< -(p + A^-T F)
         values rest{};
         S merit{0};
     };
@@ -162,7 +163,7 @@ private:
             S const t = T_.element(static_cast<index>(i) + 1);
             at.at.push_back(expand(at_time{problem_.lagrangian(), t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
-            force.push_back(i + 1 < count_ ? e.by_q : zero_like(e.by_q)); // the row N is no equation
+            force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g: lambda takes it up
             forced = forced or magnitude(force.back()) != S(0);
             at.coupled = at.coupled or largest_entry(e.qq) != S(0) or largest_entry(e.qv) != S(0);
             finite =
@@ -179,6 +180,7 @@ private:
             at.at[i].vv = inverted(at.at[i].vv);
         }
         at.stiffness = inverted(pairwise_sum(0, count_, [&](std::size_t i) { return block_of<V>(S(g(i) * g(i)) * at.at[i].vv); }));
+        at.forces = at.rest;
         at.rest = projected(at, std::move(at.rest));
         if constexpr (not exact) at.merit = euclidean_norm(at.rest);
     }
@@ -221,7 +223,6 @@ private:
                 force[i] = e.qq * q[i] + e.qv * y[i];
             }
         }
-        force.back() = zero_like(force.back());
         force = integrated_back(force);
         for (std::size_t i = 0; i < count_; ++i) c[i] = c[i] + force[i];
         c = projected(at, std::move(c));
@@ -268,6 +269,13 @@ private:
         for (int row = 0; row < n; ++row) component(x, row) = rhs(row);
         return x;
     }
+    /// The size of the rest at a later point, measured as at the earlier one: a norm that changed with the point would not be monotone.
+    [[nodiscard]] S natural(point const& earlier, point const& later) const {
+        if constexpr (exact)
+            return S(0);
+        else
+            return euclidean_norm(projected(earlier, later.forces));
+    }
     /// One step of Newton's method, shortened until the residual shrinks. False when it does not.
     [[nodiscard]] bool advance(point& at, values const& correction, bool last) const {
         S const before = at.merit;
@@ -280,7 +288,7 @@ private:
             V const missing = at.stiffness * (last_ - next.q.back());
             for (std::size_t i = 0; i < count_; ++i) next.v[i] = next.v[i] + at.at[i].vv * V(g(i) * missing);
             if (not last) evaluate(next);
-            bool const better = last or exact or (all_finite(next.rest) and next.merit <= (S(1) - part / S(4)) * before);
+            bool const better = last or exact or (all_finite(next.rest) and natural(at, next) <= (S(1) - part / S(4)) * before);
             if (better) {
                 at = std::move(next);
                 return true;
