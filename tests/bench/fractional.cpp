@@ -64,7 +64,8 @@ void fractional() {
     time_of_a_step("blocks", damped(fraction<1, 2>{}, hilger::blocks{}), 17, undamped);
     time_of_a_step("exponentials, 1e-12", damped(fraction<1, 2>{}, hilger::exponentials{1e-12, 1 << 17}), 17, undamped);
     time_of_a_step("exponentials, 1e-8", damped(fraction<1, 2>{}, hilger::exponentials{1e-8, 1 << 17}), 17, undamped);
-    time_of_a_step("exponentials, 1e-12, good for 1e7 steps", damped(fraction<1, 2>{}, hilger::exponentials{1e-12, 10'000'000}), 20, undamped);
+    time_of_a_step("exponentials, 1e-12, good for 1e7 steps", damped(fraction<1, 2>{}, hilger::exponentials{1e-12, 10'000'000}), 20,
+                   undamped);
 
     std::cout << "\nu'' + D^alpha u + u = 1 from rest, G^alpha-Newmark, exponentials as accurate as the direct sum: errors\n"
                  "  alpha    t        2^16        2^18        2^20   seconds for 2^20\n";

@@ -37,15 +37,6 @@ std::vector<loops<S>> all_loops() {
         avx2.pass.join = detail::join_avx2<S>;
         all.push_back(avx2);
     }
-    if (available == detail::instructions::avx512) {
-        loops<S> avx512;
-        avx512.name = "AVX-512";
-        avx512.sum.product_sum = detail::product_sum_avx512<S>;
-        avx512.sum.relax = detail::relax_avx512<S>;
-        avx512.pass.split = detail::split_avx512<S>;
-        avx512.pass.join = detail::join_avx512<S>;
-        all.push_back(avx512);
-    }
 #endif
     return all;
 }

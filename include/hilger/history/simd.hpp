@@ -104,8 +104,8 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
 
 enum class instructions { baseline, avx2 };
 
-/// What this processor has, asked once. Packs of 64 bytes are not used: a step between two values is made of single numbers, and beside those
-/// they cost a third more than packs of 32.
+/// What this processor has, asked once. Packs of 64 bytes are not used: a step between two values is made of single numbers, and beside
+/// those they cost a third more than packs of 32.
 inline instructions available_instructions() {
 #ifdef HILGER_DETAIL_X86
     static instructions const found = [] {
