@@ -122,3 +122,28 @@ TEST_CASE("the kick at t_0: Riemann and Liouville's first step depends on where 
     CHECK(impulse(printed) == Q(2, 3) / h);
     CHECK(impulse(physical) == Q(-1, 4));
 }
+
+TEST_CASE("(19): summed to N - 1 it has an end term that (20) for y has not; summed to N it has none") {
+    hilger::index const N = 6;
+    auto const T = uniform(Q(0), Q(1), N);
+    auto const x = function(T, [](Q const& t) { return Q(t * t - 3 * t + 2); });
+    auto const y = function(T, [](Q const& t) { return Q(5 / (t + 1) - t); });
+    auto const w = first_weights<grunwald_letnikov>(Q(1, 4), N + 1);
+    auto const dx = Delta_minus_alpha<1, 4>[x];
+    auto const dy = Delta_plus_alpha<1, 4>[y];
+    auto const of_x = Delta_minus_alpha<1, 2>[x];
+    auto const of_y = Delta_plus_alpha<1, 2>[y];
+    for (hilger::index n = 1; n < N; ++n) {
+        // d/d epsilon of sum_k (Delta_-^alpha x)_k (Delta_+^alpha y)_k for x and y varied at t_n alike
+        auto const variation = [&](hilger::index last) {
+            Q sum(0);
+            for (hilger::index k = 0; k <= last; ++k) {
+                if (k >= n) sum += w[static_cast<std::size_t>(k - n)] * dy[k];
+                if (k <= n) sum += w[static_cast<std::size_t>(n - k)] * dx[k];
+            }
+            return sum;
+        };
+        CHECK(variation(N) == of_x[n] + of_y[n]);
+        CHECK(variation(N - 1) == of_x[n] + of_y[n] - w[static_cast<std::size_t>(N - n)] * y[N]);
+    }
+}
