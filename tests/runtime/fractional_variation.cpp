@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Variations of fractional actions: the equations are the adjoints', and the action is stationary exactly where they hold.
+#include <cmath>
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -110,4 +111,28 @@ TEST_CASE("fractional equations are written down") {
                         "the same of y = ρ Δ₊^(1/2)[y],   ρ = 0.25\n");
     CHECK(latex(variation(nabla_integral(quadratic(q, Delta_minus_alpha<1, 3>[q]), T))).find("\\Delta_{+}^{1/3}\\left[") !=
           std::string::npos);
+}
+
+TEST_CASE("what is walked and solved are solutions of the equations") {
+    auto const T = uniform(0.0, 0.125, 40);
+    lagrangian const pendulum{[](auto const& x, auto const& v) { return v * v / 2 + cos(x); }};
+    auto const damped = variation(integral(pendulum(q_o, Delta_o_plus[q_o]), half(T)) -
+                                  0.5 * integral(Delta_minus_alpha<1, 3>[q] * Delta_plus_alpha<1, 3>[y], T));
+    std::vector<double> positions;
+    auto const flow = flow_of(damped, direct{}, {.history = initial_history::riemann_liouville}); // (20) as it is printed
+    for (auto const& x : flow.along(T, 1.0, 0.5)) positions.push_back(x.q);
+    auto const rest = damped.residual(function(T, positions));
+    for (hilger::index k = 1; k < 40; ++k) CHECK(std::abs(rest[k]) <= 64 * epsilon<double>() / (0.125 * 0.125));
+    CHECK(positions.back() != positions.front());
+
+    lagrangian const quartic{[](auto const& x, auto const& v) { return v * v / 2 + x * x * x * x / 4 + x * v / 3; }};
+    auto const two_sided = variation(nabla_integral(quartic(q, Delta_minus_alpha<3, 4>[q]), T));
+    auto const solution = solve_boundary(two_sided, 0.25, 1.0);
+    CHECK(solution.q[0] == 0.25);
+    CHECK(solution.q[40] == 1.0);
+    auto const left = two_sided.residual(solution.q);
+    for (hilger::index k = 1; k < 40; ++k) CHECK(std::abs(left[k]) <= 64 * epsilon<double>() / std::pow(0.125, 1.5));
+    // An order known at run time is the same problem.
+    auto const again = solve_boundary(variation(nabla_integral(quartic(q, Delta_minus(0.75)[q]), T)), 0.25, 1.0);
+    for (hilger::index k = 0; k <= 40; ++k) CHECK(std::abs(again.q[k] - solution.q[k]) <= 64 * epsilon<double>());
 }
