@@ -23,9 +23,9 @@ std::vector<state<double, V>> states(Scheme const& scheme, Scale const& T, V con
     return all;
 }
 
-struct frame { // three storeys; a damper between the first two, another below the first, none at the third
+struct frame { // three storeys; a damper between the upper two, another from the second to the ground, none at the first
     Eigen::MatrixXd mass{{2, 0.5, 0}, {0.5, 1, 0}, {0, 0, 1.5}};
-    Eigen::MatrixXd damping{{0.75, -0.5, 0}, {-0.5, 0.5, 0}, {0, 0, 0}};
+    Eigen::MatrixXd damping{{0, 0, 0}, {0, 0.75, -0.5}, {0, -0.5, 0.5}};
     Eigen::MatrixXd stiffness{{5, -2, 0}, {-2, 3, -1}, {0, -1, 2}};
     Eigen::VectorXd u0{{0.5, -1, 0.25}}, v0{{1, 0, -0.5}};
     static Eigen::VectorXd load(double t) { return Eigen::VectorXd{{std::sin(t), 1, t}}; }
@@ -73,7 +73,7 @@ TEST_CASE("order two from u_0 and u'_0 that are not zero, for orders below, at a
     }
 }
 
-TEST_CASE("three storeys: the scheme is the one of accelerations, and the third keeps no history") {
+TEST_CASE("three storeys: the scheme is the one of accelerations, and the first keeps no history") {
     frame const f;
     double const alpha = 0.5, tau = 0.3, h = 0.05;
     int const N = 200;
