@@ -191,7 +191,7 @@ public:
     template <time_scale_like Scale, class V>
     auto along(Scale const& T, V q0, V p0) const {
         if constexpr (not(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>))
-            return does_not_compile<text("fractional damping lives on a uniform T, and this one has steps of different lengths")>{};
+            return does_not_compile<detail::uneven_steps<Scale>>{};
         else {
             if constexpr (not detail::shape<decltype(damping_.coefficient)>::is_scalar)
                 if (detail::shape<V>::dimension(q0) != damping_.coefficient.size())
@@ -207,7 +207,7 @@ public:
     /// One step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
-        return does_not_compile<text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)")>{};
+        return does_not_compile<detail::single_step<S>>{};
     }
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {

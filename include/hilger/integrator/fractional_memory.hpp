@@ -14,6 +14,7 @@
 
 #include "hilger/history/direct.hpp"
 #include "hilger/mechanics/shape.hpp"
+#include "hilger/text.hpp"
 
 namespace hilger {
 
@@ -52,6 +53,12 @@ S power(S const& h, S const& beta) {
         return S(pow(h, beta));
     }
 }
+
+/// Why there is no trajectory on steps of different lengths, and no single step. They depend on a type, so that only a use of them fails.
+template <class>
+inline constexpr auto uneven_steps = text("fractional damping lives on a uniform T, and this one has steps of different lengths");
+template <class>
+inline constexpr auto single_step = text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
 
 /// @throws error::invalid_parameter
 template <class S>
