@@ -13,7 +13,6 @@ using hilger::grunwald_letnikov;
 
 double seconds_since(clock::time_point begin) { return std::chrono::duration<double>(clock::now() - begin).count(); }
 
-/// x_m = cos(m/100) + what a scheme would add.
 struct line {
     double seconds = std::numeric_limits<double>::infinity(), making = seconds, distance = 0;
     std::size_t bytes = 0;
@@ -64,12 +63,28 @@ void table(std::string const& title) {
     std::cout << '\n';
 }
 
+/// Steps of a scheme by hand, two Newton corrections of x + sin(x)/10 = 1/2 - s/10 each, with and without a history s.
+template <bool Remembers>
+double scheme(long steps) {
+    auto engine = hilger::make_history<bdf<2>>(hilger::exponentials{}, 0.5, 0.0);
+    double x = 1, sum = 0;
+    for (long m = 0; m < steps; ++m) {
+        double const right = 0.5 - 0.1 * (Remembers ? engine.past() : x);
+        for (int i = 0; i < 2; ++i) x -= (x + 0.1 * std::sin(x) - right) / (1 + 0.1 * std::cos(x));
+        if (Remembers) engine.push(x);
+        sum += x;
+    }
+    return sum;
+}
+
 } // namespace
 
 void histories() {
     std::cout << "Histories of order 1/2 in double: time for past() and push() of one value\n\n";
     table<grunwald_letnikov>("Gruenwald-Letnikov");
     table<bdf<2>>("G^alpha");
+    race("Two Newton corrections a step, and G^alpha's history beside them", 1L << 20, 7,
+         {{"without a history", scheme<false>, true}, {"exponentials", scheme<true>}});
     std::size_t const N = 1U << 20;
     std::vector<double> const x(N, 1.0);
     double all = std::numeric_limits<double>::infinity(), weights = all;
@@ -81,7 +96,7 @@ void histories() {
         auto const y = hilger::convolve<grunwald_letnikov>(0.5, x);
         all = std::min(all, seconds_since(begin));
     }
-    std::cout << "convolve of 2^20 values: " << all << " s, of which " << weights << " s are the weights\n";
+    std::cout << std::setprecision(3) << "convolve of 2^20 values: " << all << " s, of which " << weights << " s are the weights\n";
 }
 
 } // namespace bench

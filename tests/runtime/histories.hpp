@@ -56,18 +56,18 @@ struct wider_scalar<double> {
 
 /// sum_{n=1..m} w_n x_{m-n} for m = 1, ..., N by nothing but + and *, component after component, rounded to S once.
 template <class G, class V>
-std::vector<V> sums_as_written(detail::component_t<V> const& alpha, std::vector<V> const& x) {
-    using S = detail::component_t<V>;
+std::vector<V> sums_as_written(detail::memory::component_t<V> const& alpha, std::vector<V> const& x) {
+    using S = detail::memory::component_t<V>;
     using W = typename wider_scalar<S>::type;
     auto const w = first_weights<G, S>(alpha, static_cast<index>(x.size()) + 1);
     std::vector<V> sums(x.size(), x[0]);
     std::vector<W> values(x.size()), weights(w.begin(), w.end());
-    for (index c = 0; c < detail::components(x[0]); ++c) {
-        for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::component(x[k], c));
+    for (index c = 0; c < detail::memory::components(x[0]); ++c) {
+        for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::memory::component(x[k], c));
         for (std::size_t m = 1; m <= x.size(); ++m) {
             W sum(0);
             for (std::size_t n = 1; n <= m; ++n) sum = sum + weights[n] * values[m - n];
-            detail::component(sums[m - 1], c) = static_cast<S>(sum);
+            detail::memory::component(sums[m - 1], c) = static_cast<S>(sum);
         }
     }
     return sums;

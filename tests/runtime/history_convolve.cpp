@@ -12,8 +12,8 @@ using namespace hilger::testing;
 
 namespace {
 template <class G, class V>
-void right_at_every_point(detail::component_t<V> const& alpha, hilger::index N, double bound) {
-    using S = detail::component_t<V>;
+void right_at_every_point(detail::memory::component_t<V> const& alpha, hilger::index N, double bound) {
+    using S = detail::memory::component_t<V>;
     auto const x = random_values<V>(N);
     auto const expected = sums_as_written<G>(alpha, x); // [m - 1]: for the value m
     auto const y = convolve<G>(alpha, x);
@@ -90,8 +90,8 @@ TEST_CASE("memory sums that are overwritten instead of added: of constant values
 
 TEST_CASE("the transform has the values of the polynomial at the roots of i, each once, and the way back is the inverse") {
     for (std::size_t const length : {1, 2, 4, 8, 32, 256, 2048, 8192}) {
-        detail::fourier<double> transform;
-        detail::spectrum<double> x;
+        detail::memory::fourier<double> transform;
+        detail::memory::spectrum<double> x;
         noise source;
         for (std::size_t j = 0; j < length; ++j) {
             x.re.push_back(source.next<double>());
@@ -99,7 +99,7 @@ TEST_CASE("the transform has the values of the polynomial at the roots of i, eac
         }
         auto const before = x;
         // The polynomial z has the roots themselves as values: for length 1 the constant is its own.
-        detail::spectrum<double> z;
+        detail::memory::spectrum<double> z;
         z.re.assign(length, 0.0);
         z.im.assign(length, 0.0);
         z.re[length > 1 ? 1 : 0] = 1;

@@ -11,7 +11,7 @@ using namespace hilger::testing;
 
 namespace {
 template <class V>
-using scalar_t = detail::component_t<V>;
+using scalar_t = detail::memory::component_t<V>;
 
 /// Random numbers between -1 and 1 and their sums as they are written.
 template <class G, class V>

@@ -49,7 +49,7 @@ TEST_CASE("every weight is within the tolerance of the weight in 50 digits, next
 TEST_CASE("and up to the billionth, against quotients of Gamma functions") {
     using boost::math::tgamma, boost::math::lgamma;
     for (double const alpha : {-0.5, 1e-12, 0.25, 0.75, 1 - 1e-12, 1.5}) {
-        detail::exponential_weights<grunwald_letnikov, double> const modes(alpha, exponentials{1e-13});
+        detail::memory::exponential_weights<grunwald_letnikov, double> const modes(alpha, exponentials{1e-13});
         float50 const a(alpha);
         auto const T = static_cast<double>(modes.first.size());
         for (double n = 20; n <= 1e9; n = std::floor(n * 1.7)) {
@@ -91,12 +91,12 @@ TEST_CASE("the state is small: less than 8 kB for G^alpha, and does not grow") {
 }
 
 TEST_CASE("few Gauss nodes have the moments of many") {
-    detail::quadrature<float50> many;
+    detail::memory::quadrature<float50> many;
     for (int i = 0; i < 60; ++i) {
         many.node.push_back(1 / float50(1 + i * i));
         many.weight.push_back(1 / float50(2 + i));
     }
-    auto const few = detail::gauss(many, 6);
+    auto const few = detail::memory::gauss(many, 6);
     REQUIRE(few.node.size() == 6);
     for (int power = 0; power <= 12; ++power) {
         float50 expected(0), sum(0);
@@ -108,5 +108,5 @@ TEST_CASE("few Gauss nodes have the moments of many") {
         else
             CHECK(distance > 1e-20); // 2 * 6 moments, and no more
     }
-    CHECK(detail::gauss(many, 60).node.size() == 60);
+    CHECK(detail::memory::gauss(many, 60).node.size() == 60);
 }

@@ -13,28 +13,27 @@ namespace {
 template <class S>
 struct loops {
     std::string name;
-    detail::sums<S> sum;
-    detail::fourier_passes<S> pass;
+    detail::memory::sums<S> sum;
+    detail::memory::fourier_passes<S> pass;
 };
 /// What a user of an older processor runs is tested here as well.
 template <class S>
 std::vector<loops<S>> all_loops() {
     loops<S> baseline;
     baseline.name = "baseline";
-    baseline.sum.product_sum = detail::product_sum_baseline<S>;
-    baseline.sum.relax = detail::relax_baseline<S>;
-    baseline.pass.split = detail::split_baseline<S>;
-    baseline.pass.join = detail::join_baseline<S>;
+    baseline.sum.product_sum = detail::memory::product_sum_baseline<S>;
+    baseline.sum.relax = detail::memory::relax_baseline<S>;
+    baseline.pass.split = detail::memory::split_baseline<S>;
+    baseline.pass.join = detail::memory::join_baseline<S>;
     std::vector<loops<S>> all{baseline};
 #ifdef HILGER_DETAIL_X86
-    auto const available = detail::available_instructions();
-    if (available != detail::instructions::baseline) {
+    if (detail::memory::available_instructions() == detail::memory::instructions::avx2) {
         loops<S> avx2;
         avx2.name = "AVX2";
-        avx2.sum.product_sum = detail::product_sum_avx2<S>;
-        avx2.sum.relax = detail::relax_avx2<S>;
-        avx2.pass.split = detail::split_avx2<S>;
-        avx2.pass.join = detail::join_avx2<S>;
+        avx2.sum.product_sum = detail::memory::product_sum_avx2<S>;
+        avx2.sum.relax = detail::memory::relax_avx2<S>;
+        avx2.pass.split = detail::memory::split_avx2<S>;
+        avx2.pass.join = detail::memory::join_avx2<S>;
         all.push_back(avx2);
     }
 #endif
@@ -54,8 +53,8 @@ void check_sums() {
             for (std::size_t i = 1; i <= n; ++i) expected += x[i] * y[i];
             CHECK(std::abs(loop.sum.product_sum(x.data() + 1, y.data() + 1, n) - expected) <= S(20) * eps);
         }
-        std::size_t const n = detail::padded<S>(90);
-        detail::line_vector<S> rate(n, S(1)), coefficient(n, S(0)), state(n, S(0)), low(n, S(0)), expected(n, S(0));
+        std::size_t const n = detail::memory::padded<S>(90);
+        detail::memory::line_vector<S> rate(n, S(1)), coefficient(n, S(0)), state(n, S(0)), low(n, S(0)), expected(n, S(0));
         for (std::size_t i = 0; i < 90; ++i) {
             rate[i] = std::abs(source.next<S>());
             coefficient[i] = source.next<S>() / S(90);
@@ -76,19 +75,19 @@ void check_sums() {
 template <class S>
 void check_passes() {
     std::size_t const length = 1024;
-    detail::roots_of_unity<S> roots;
+    detail::memory::roots_of_unity<S> roots;
     roots.reserve(length);
     for (auto const& loop : all_loops<S>())
         for (std::size_t const n : {4, 16, 64, 256, 1024}) {
             CAPTURE(loop.name);
             CAPTURE(n);
             std::size_t const count = length / n, b = 2 * count;
-            detail::spectrum<S> x;
+            detail::memory::spectrum<S> x;
             noise source;
             for (std::size_t j = 0; j < length; ++j) x.re.push_back(source.next<S>()), x.im.push_back(source.next<S>());
             auto expected = x;
             auto const before = x;
-            detail::split_in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
+            detail::memory::split_in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
             loop.pass.split(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
             for (std::size_t j = 0; j < length; ++j) {
                 REQUIRE(std::abs(x.re[j] - expected.re[j]) <= S(8) * epsilon<S>());

@@ -55,14 +55,14 @@ template <generating_function G, class S, class V>
 auto make_history(automatic const& policy, S const& alpha, V const& like) {
     using value = plain_t<V>;
     if (policy.steps < 1) error::raise<error::invalid_parameter>("a history has one step or more, not ", policy.steps);
-    if constexpr (not detail::same_scalar<S, V>)
-        return detail::refused<S, detail::scalars_differ>();
+    if constexpr (not detail::memory::same_scalar<S, V>)
+        return detail::memory::refused<S, detail::memory::scalars_differ>();
     else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, value>(alpha, like);
     else if constexpr (strongly_damped<G>) {
         using engine = one_of_histories<direct_history<G, value>, blocks_history<G, value>, exponentials_history<G, value>>;
         if (policy.steps <= automatic::few) return engine(direct_history<G, value>(alpha, like));
-        using weights = detail::exponential_weights<G, S>;
+        using weights = detail::memory::exponential_weights<G, S>;
         if (weights::has(alpha) and weights::holds(policy.tolerance))
             return engine(exponentials_history<G, value>(exponentials{policy.tolerance, policy.steps}, alpha, like));
         return engine(blocks_history<G, value>(alpha, like));

@@ -17,12 +17,12 @@ struct blocks {};
 
 template <class G, class V>
 class blocks_history {
-    using S = detail::component_t<V>;
+    using S = detail::memory::component_t<V>;
 
 public:
     blocks_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
-          past_(detail::zero_of_size(like)) {
+        : alpha_(alpha), size_(detail::memory::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
+          past_(detail::memory::zero_of_size(like)) {
         weights_up_to(shortest);
         reversed_.assign(2 * shortest, S(0));
         for (std::size_t n = 1; n < shortest; ++n) reversed_[shortest - n] = weights_[n];
@@ -36,13 +36,13 @@ public:
     }
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
-        detail::check_value(x, size_, count_);
+        detail::memory::check_value(x, size_, count_);
         if (not ready_) make_past(); // a block whose sum nobody asked for has its share in later ones
         auto const m = static_cast<std::size_t>(count_);
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto& values = parts_[c].values;
             if (m == values.size()) values.resize(std::max(shortest, 2 * m), S(0));
-            values[m] = detail::component(x, static_cast<index>(c));
+            values[m] = detail::memory::component(x, static_cast<index>(c));
         }
         ++count_;
         ready_ = false;
@@ -50,7 +50,7 @@ public:
     index count() const { return count_; }
     void reset() {
         for (auto& part : parts_) part = {};
-        past_ = detail::zero_of_size(past_);
+        past_ = detail::memory::zero_of_size(past_);
         count_ = 0;
         ready_ = true;
     }
@@ -65,10 +65,10 @@ public:
 private:
     /// Sums within this many values are made directly.
     static constexpr std::size_t shortest = 32;
-    static_assert(shortest % detail::padding<S> == 0);
+    static_assert(shortest % detail::memory::padding<S> == 0);
 
-    struct part {                             // of one component
-        detail::line_vector<S> values, ahead; ///< x_m, and what finished blocks have in the sum m
+    struct part {                                     // of one component
+        detail::memory::line_vector<S> values, ahead; ///< x_m, and what finished blocks have in the sum m
     };
 
     void make_past() {
@@ -77,9 +77,9 @@ private:
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto const& p = parts_[c];
             // Behind w_1 the table is zero: whole packs are summed.
-            S const sum =
-                sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside), detail::padded<S>(inside));
-            detail::component(past_, static_cast<index>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
+            S const sum = sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside),
+                                            detail::memory::padded<S>(inside));
+            detail::memory::component(past_, static_cast<index>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
         }
         ready_ = true;
     }
@@ -115,21 +115,21 @@ private:
     index size_, count_ = 0;
     weight_sequence<G, S> sequence_;
     std::vector<S> weights_;
-    detail::line_vector<S> reversed_;
+    detail::memory::line_vector<S> reversed_;
     std::vector<part> parts_;
-    std::vector<detail::spectrum<S>> spectra_; // of the weights, for blocks of 32, 64, ...
-    detail::spectrum<S> work_;
+    std::vector<detail::memory::spectrum<S>> spectra_; // of the weights, for blocks of 32, 64, ...
+    detail::memory::spectrum<S> work_;
     V past_;
     bool ready_ = true;
-    detail::fourier<S> transform_;
-    detail::sums<S> sums_;
+    detail::memory::fourier<S> transform_;
+    detail::memory::sums<S> sums_;
 };
 
 /// @throws error::invalid_parameter for an order that is not finite.
 template <generating_function G, class S, class V>
 auto make_history(blocks const&, S const& alpha, V const& like) {
-    if constexpr (not detail::same_scalar<S, V>)
-        return detail::refused<S, detail::scalars_differ>();
+    if constexpr (not detail::memory::same_scalar<S, V>)
+        return detail::memory::refused<S, detail::memory::scalars_differ>();
     else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, plain_t<V>>(alpha, like);
     else

@@ -8,19 +8,19 @@
 #include "hilger/scalar.hpp"
 #include "hilger/text.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 template <class V>
-struct value_component {
+struct component_of {
     using type = V;
 };
 template <class V>
     requires requires { typename V::Scalar; }
-struct value_component<V> {
+struct component_of<V> {
     using type = typename V::Scalar;
 };
 template <class V>
-using component_t = typename value_component<V>::type;
+using component_t = typename component_of<V>::type;
 
 template <class V>
 inline constexpr bool is_vector = not std::is_same_v<V, component_t<V>>;
@@ -74,4 +74,4 @@ auto refused() { // depends on S: instantiated where it is reached only
 }
 inline constexpr text scalars_differ{"the order of a fractional difference and the values of its history have the same scalar"};
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

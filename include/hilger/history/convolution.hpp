@@ -50,8 +50,8 @@ private:
     static constexpr bool has_transform = std::numeric_limits<S>::is_specialized and not std::numeric_limits<S>::is_exact;
     static constexpr std::size_t few_values = 48;
     [[nodiscard]] bool by_transform() const { return has_transform and kernel_.size() > few_values; }
-    [[nodiscard]] detail::spectrum<S> padded(std::vector<S> const& x) const {
-        detail::spectrum<S> z;
+    [[nodiscard]] detail::memory::spectrum<S> padded(std::vector<S> const& x) const {
+        detail::memory::spectrum<S> z;
         z.re.assign(length_, S(0));
         z.im.assign(length_, S(0));
         std::copy(x.begin(), x.end(), z.re.begin());
@@ -60,25 +60,26 @@ private:
     struct nothing {};
     std::vector<S> kernel_;
     std::size_t length_;
-    std::conditional_t<has_transform, detail::spectrum<S>, nothing> transformed_;
-    mutable std::conditional_t<has_transform, detail::fourier<S>, nothing> transform_; // makes its roots when they are needed
+    std::conditional_t<has_transform, detail::memory::spectrum<S>, nothing> transformed_;
+    mutable std::conditional_t<has_transform, detail::memory::fourier<S>, nothing> transform_; // makes its roots when they are needed
 };
 
 /// y_k = sum_{n=0..k} w_n x_{k-n}, scalars or vectors, without the leading weight and h^-alpha.
 /// @throws error::invalid_parameter, error::mismatch, error::not_finite
 template <generating_function G, class S, class V>
 std::vector<V> convolve(S const& alpha, std::vector<V> const& x) {
-    static_assert(std::is_same_v<S, detail::component_t<V>>, "the order of a fractional difference and the values have the same scalar");
+    static_assert(std::is_same_v<S, detail::memory::component_t<V>>,
+                  "the order of a fractional difference and the values have the same scalar");
     if (x.empty()) return {};
-    index const size = detail::components(x[0]);
-    for (std::size_t k = 0; k < x.size(); ++k) detail::check_value(x[k], size, static_cast<index>(k));
+    index const size = detail::memory::components(x[0]);
+    for (std::size_t k = 0; k < x.size(); ++k) detail::memory::check_value(x[k], size, static_cast<index>(k));
     toeplitz_triangle<S> const weights(first_weights<G, S>(alpha, static_cast<index>(x.size())));
-    std::vector<V> y(x.size(), detail::zero_of_size(x[0]));
+    std::vector<V> y(x.size(), detail::memory::zero_of_size(x[0]));
     std::vector<S> row(x.size(), S(0));
     for (index c = 0; c < size; ++c) {
-        for (std::size_t k = 0; k < x.size(); ++k) row[k] = detail::component(x[k], c);
+        for (std::size_t k = 0; k < x.size(); ++k) row[k] = detail::memory::component(x[k], c);
         auto const sums = weights(row);
-        for (std::size_t k = 0; k < x.size(); ++k) detail::component(y[k], c) = sums[k];
+        for (std::size_t k = 0; k < x.size(); ++k) detail::memory::component(y[k], c) = sums[k];
     }
     return y;
 }

@@ -27,12 +27,12 @@ struct direct {
 
 template <class G, class V>
 class direct_history {
-    using S = detail::component_t<V>;
+    using S = detail::memory::component_t<V>;
 
 public:
     direct_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::components(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)),
-          past_(detail::zero_of_size(like)) {
+        : alpha_(alpha), size_(detail::memory::components(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)),
+          past_(detail::memory::zero_of_size(like)) {
         weights_.next(); // w_0, the present's
     }
 
@@ -40,15 +40,15 @@ public:
     V const& past() const { return past_; }
     /// O(m) products. @throws error::mismatch, error::not_finite
     void push(V const& x) {
-        detail::check_value(x, size_, count_);
+        detail::memory::check_value(x, size_, count_);
         auto const m = static_cast<std::size_t>(count_) + 1;
         if (m > reversed_.size()) grow();
         reversed_[reversed_.size() - m] = weights_.next();
         for (index c = 0; c < size_; ++c) {
             auto& values = values_[static_cast<std::size_t>(c)];
-            values[m - 1] = detail::component(x, c);
+            values[m - 1] = detail::memory::component(x, c);
             // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
-            detail::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
+            detail::memory::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
         }
         ++count_;
     }
@@ -60,7 +60,7 @@ public:
 private:
     void grow() {
         std::size_t const old = reversed_.size(), now = old == 0 ? 64 : 2 * old;
-        detail::line_vector<S> longer(now, S(0));
+        detail::memory::line_vector<S> longer(now, S(0));
         std::copy(reversed_.begin(), reversed_.end(), longer.end() - static_cast<index>(old));
         reversed_ = std::move(longer);
         for (auto& values : values_) values.resize(now, S(0));
@@ -68,17 +68,17 @@ private:
     S alpha_;
     index size_, count_ = 0;
     weight_sequence<G, S> weights_;
-    detail::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
-    std::vector<detail::line_vector<S>> values_; // x_0, x_1, ... of each component
+    detail::memory::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
+    std::vector<detail::memory::line_vector<S>> values_; // x_0, x_1, ... of each component
     V past_;
-    detail::sums<S> sums_;
+    detail::memory::sums<S> sums_;
 };
 
 /// The engine of a policy for the order alpha and values of the size of `like`. @throws error::invalid_parameter
 template <generating_function G, class S, class V>
 auto make_history(direct const& policy, S const& alpha, V const& like) {
-    if constexpr (not detail::same_scalar<S, V>)
-        return detail::refused<S, detail::scalars_differ>();
+    if constexpr (not detail::memory::same_scalar<S, V>)
+        return detail::memory::refused<S, detail::memory::scalars_differ>();
     else {
         if (policy.steps > direct::many and history_warning())
             history_warning()("the direct sum over " + std::to_string(policy.steps) +

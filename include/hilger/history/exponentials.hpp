@@ -18,7 +18,7 @@ struct exponentials {
     index steps = 1'000'000'000;
 };
 
-namespace detail {
+namespace detail::memory {
 
 /// Weights, rates and coefficients of a generating function and an order.
 template <class G, class S>
@@ -111,26 +111,26 @@ private:
     }
 };
 
-} // namespace detail
+} // namespace detail::memory
 
 template <class G, class V>
 class exponentials_history {
-    using S = detail::component_t<V>;
+    using S = detail::memory::component_t<V>;
 
 public:
     exponentials_history(exponentials const& policy, S const& alpha, V const& like)
-        : exponentials_history(detail::exponential_weights<G, S>(alpha, policy), policy.steps, like) {}
+        : exponentials_history(detail::memory::exponential_weights<G, S>(alpha, policy), policy.steps, like) {}
 
     /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha.
     V const& past() const { return past_; }
     /// @throws error::mismatch, error::not_finite, error::outside_domain after one value more than the policy has steps
     void push(V const& x) {
-        detail::check_value(x, size_, count_);
+        detail::memory::check_value(x, size_, count_);
         if (count_ > steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps");
         for (index c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
-            S const& value = detail::component(x, c);
-            detail::component(past_, c) = recent_.first() * value + ahead_[i];
+            S const& value = detail::memory::component(x, c);
+            detail::memory::component(past_, c) = recent_.first() * value + ahead_[i];
             S const entering = recent_.oldest(c);
             S* const state = state_.data() + 2 * i * rate_.size();
             ahead_[i] = recent_.push(value, c, sums_) +
@@ -144,7 +144,7 @@ public:
         recent_.reset();
         state_.assign(state_.size(), S(0));
         ahead_.assign(ahead_.size(), S(0));
-        past_ = detail::zero_of_size(past_);
+        past_ = detail::memory::zero_of_size(past_);
         count_ = 0;
     }
     /// Terms of the sum of exponentials, a multiple of the width of the loops.
@@ -153,30 +153,30 @@ public:
     static std::string name() { return "exponentials"; }
 
 private:
-    exponentials_history(detail::exponential_weights<G, S> w, index steps, V const& like)
-        : size_(detail::components(like)), steps_(steps), recent_(w.first, size_), rate_(std::move(w.rate)),
+    exponentials_history(detail::memory::exponential_weights<G, S> w, index steps, V const& like)
+        : size_(detail::memory::components(like)), steps_(steps), recent_(w.first, size_), rate_(std::move(w.rate)),
           coefficient_(std::move(w.coefficient)), state_(2 * rate_.size() * static_cast<std::size_t>(size_), S(0)),
-          ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::zero_of_size(like)) {}
+          ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
 
     index size_, steps_, count_ = 0;
-    detail::recent_values<S> recent_;
-    detail::line_vector<S> rate_, coefficient_;
-    detail::line_vector<S> state_; // of each component, then what its sums rounded away
+    detail::memory::recent_values<S> recent_;
+    detail::memory::line_vector<S> rate_, coefficient_;
+    detail::memory::line_vector<S> state_; // of each component, then what its sums rounded away
     std::vector<S> ahead_;
     V past_;
-    detail::sums<S> sums_;
+    detail::memory::sums<S> sums_;
 };
 
 /// @throws error::invalid_parameter for a tolerance that the scalar cannot hold, or an order that is not between -9/10 and 2.
 template <generating_function G, class S, class V>
 auto make_history(exponentials const& policy, S const& alpha, V const& like) {
-    if constexpr (not detail::same_scalar<S, V>)
-        return detail::refused<S, detail::scalars_differ>();
+    if constexpr (not detail::memory::same_scalar<S, V>)
+        return detail::memory::refused<S, detail::memory::scalars_differ>();
     else if constexpr (not strongly_damped<G>)
-        return detail::refused<
+        return detail::memory::refused<
             S, "exponentials know Gruenwald-Letnikov and the BDF, for this generating function there are direct and blocks">();
     else if constexpr (std::numeric_limits<S>::is_exact)
-        return detail::refused<S, "exponentials are accurate to a tolerance, for exact scalars there is direct">();
+        return detail::memory::refused<S, "exponentials are accurate to a tolerance, for exact scalars there is direct">();
     else
         return exponentials_history<G, plain_t<V>>(policy, alpha, like);
 }

@@ -12,7 +12,7 @@
 #include "hilger/history/fourier_loops.hpp"
 #include "hilger/scalar.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 /// exp(i theta_b / 4), theta_b = 2 pi (the bits of b behind the binary point in reversed order): the first quadrant.
 template <class S>
@@ -143,4 +143,4 @@ private:
     fourier_passes<S> passes_;
 };
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

@@ -4,7 +4,7 @@
 
 #include "hilger/history/fourier_pass.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 template <class S, int Bytes>
 HILGER_DETAIL_INLINE void split_widest(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
@@ -63,4 +63,4 @@ struct fourier_passes {
     }
 };
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

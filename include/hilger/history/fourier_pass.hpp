@@ -7,7 +7,7 @@
 
 #include "hilger/history/simd.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 /// `count` neighbouring blocks of length n, the first of them number b, are split into four each.
 template <class S, class P>
@@ -76,4 +76,4 @@ HILGER_DETAIL_INLINE void join_in(S* re, S* im, std::size_t n, std::size_t count
     }
 }
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

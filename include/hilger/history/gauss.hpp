@@ -8,10 +8,10 @@
 
 #include "hilger/scalar.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 template <class S>
-struct quadrature_rule {
+struct quadrature {
     std::vector<S> node, weight;
 };
 
@@ -25,7 +25,7 @@ S dot(std::vector<S> const& x, std::vector<S> const& y) {
 /// The eigenvalues of the symmetric tridiagonal matrix with the diagonal d and e beside it, and the squares of the first components of its
 /// eigenvectors times `mass`.
 template <class S>
-quadrature_rule<S> nodes_of_jacobi_matrix(std::vector<S> d, std::vector<S> e, S const& mass) {
+quadrature<S> nodes_of_jacobi_matrix(std::vector<S> d, std::vector<S> e, S const& mass) {
     using std::abs, std::sqrt;
     std::size_t const n = d.size();
     std::vector<S> z(n, S(0));
@@ -70,7 +70,7 @@ quadrature_rule<S> nodes_of_jacobi_matrix(std::vector<S> d, std::vector<S> e, S 
 
 /// The Gauss quadrature with `count` nodes (fewer if there are no more) of the measure with these nodes and positive weights.
 template <class S>
-quadrature_rule<S> gauss(quadrature_rule<S> const& measure, std::size_t count) {
+quadrature<S> gauss(quadrature<S> const& measure, std::size_t count) {
     using std::sqrt;
     std::size_t const n = measure.node.size();
     if (n <= count) return measure;
@@ -96,4 +96,4 @@ quadrature_rule<S> gauss(quadrature_rule<S> const& measure, std::size_t count) {
     return nodes_of_jacobi_matrix(std::move(d), std::move(e), mass);
 }
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

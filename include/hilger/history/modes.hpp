@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hilger/history/gauss.hpp"
@@ -25,15 +26,14 @@ struct parasitic_root<grunwald_letnikov> {
 };
 template <int K>
 struct parasitic_root<bdf<K>> {
-    static constexpr double moduli[] = {0, 0, 0.3334, 0.4265, 0.5609, 0.7088, 0.8634}; // rounded up
-    static constexpr double modulus = moduli[K];
+    static constexpr double modulus = std::array{0.0, 0.0, 0.3334, 0.4265, 0.5609, 0.7088, 0.8634}[K]; // rounded up
 };
 template <class G>
 concept strongly_damped = generating_function<G> and requires {
     parasitic_root<G>::modulus;
 };
 
-namespace detail {
+namespace detail::memory {
 
 /// Where modes are computed: float in double; the others in themselves, with nodes by twofold products.
 template <class S>
@@ -63,7 +63,7 @@ public:
         factor_ = -sine_of_pi_times(alpha) / pi();
     }
     /// The trapezoidal rule in ln s with steps `refinement` times as short as the tolerance asks for.
-    quadrature_rule<W> trapezoidal_rule(int refinement = 1) const {
+    quadrature<W> trapezoidal_rule(int refinement = 1) const {
         using std::exp, std::log;
         using wide = typename wider<W>::type;
         W y(1); // the rule with steps 2 pi/y misses s^alpha by 2 |Gamma(1 + alpha + iy)| / Gamma(1 + alpha) < 6 y^{1/2 + alpha} e^{-pi y/2}
@@ -75,7 +75,7 @@ public:
         W highest = (digits_ + W(3) + positive * log(digits_)) / lead;
         // Up to a parasitic root q has no zero, and beyond it the weights from `first` on see nothing.
         if (parasitic_root<G>::modulus > 0) highest = std::min(highest, W(W(99) / W(100) * -log(W(parasitic_root<G>::modulus))));
-        quadrature_rule<W> rule;
+        quadrature<W> rule;
         wide s(static_cast<int>(1));
         while (static_cast<W>(s) < highest) s = s * wide(ratio);
         for (; lowest < static_cast<W>(s); s = s / wide(ratio)) {
@@ -87,8 +87,8 @@ public:
         return rule;
     }
     /// The same with the nodes below 1/last merged.
-    quadrature_rule<W> rule() const {
-        quadrature_rule<W> all = trapezoidal_rule(), low, result;
+    quadrature<W> rule() const {
+        quadrature<W> all = trapezoidal_rule(), low, result;
         W const limit = W(1) / W(static_cast<double>(last_));
         for (std::size_t i = 0; i < all.node.size(); ++i) {
             auto& to = all.node[i] < limit ? low : result;
@@ -127,5 +127,5 @@ private:
     std::vector<W> q_;
 };
 
-} // namespace detail
+} // namespace detail::memory
 } // namespace hilger

@@ -5,7 +5,7 @@
 #include "hilger/history/component.hpp"
 #include "hilger/history/sums.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 /// What a new value adds to the next sum is one product; all else was added up when the value before it came. A scheme that waits for the
 /// sum waits for that product only, and the processor goes on with the rest while the next value is computed. Each value is kept twice,
@@ -59,4 +59,4 @@ private:
     line_vector<S> reversed_, values_;
 };
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

@@ -19,7 +19,7 @@
 #define HILGER_DETAIL_INLINE inline
 #endif
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 /// So many numbers of type S at once: one, unless S is a processor float.
 template <class S, int Bytes>
@@ -66,7 +66,7 @@ struct line_allocator {
     template <class T>
     line_allocator(line_allocator<T> const&) {}
     S* allocate(std::size_t n) { return static_cast<S*>(::operator new(n * sizeof(S), alignment)); }
-    void deallocate(S* p, std::size_t n) { ::operator delete(p, n * sizeof(S), alignment); }
+    void deallocate(S* p, std::size_t) { ::operator delete(p, alignment); }
     friend bool operator==(line_allocator, line_allocator) { return true; }
     static constexpr std::align_val_t alignment{alignof(S) > 64 ? alignof(S) : 64};
 };
@@ -102,10 +102,10 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
     }
 }
 
+/// AVX-512 is left out: its loops are faster alone, and the scheme around them slower.
 enum class instructions { baseline, avx2 };
 
-/// What this processor has, asked once. Packs of 64 bytes are not used: a step between two values is made of single numbers, and beside
-/// those they cost a third more than packs of 32.
+/// What this processor has, asked once.
 inline instructions available_instructions() {
 #ifdef HILGER_DETAIL_X86
     static instructions const found = [] {
@@ -118,4 +118,4 @@ inline instructions available_instructions() {
 #endif
 }
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

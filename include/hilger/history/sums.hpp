@@ -6,7 +6,7 @@
 
 #include "hilger/history/simd.hpp"
 
-namespace hilger::detail {
+namespace hilger::detail::memory {
 
 /// sum_i x_i y_i, n a multiple of padding<S> (or any n for one number at a time).
 template <class S, int Bytes>
@@ -87,4 +87,4 @@ struct sums {
     }
 };
 
-} // namespace hilger::detail
+} // namespace hilger::detail::memory

@@ -18,7 +18,7 @@ struct window {
 
 template <class G, class V>
 class window_history {
-    using S = detail::component_t<V>;
+    using S = detail::memory::component_t<V>;
 
 public:
     window_history(window const& policy, S const& alpha, V const& like)
@@ -28,11 +28,11 @@ public:
     V const& past() const { return past_; }
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
-        detail::check_value(x, size_, count_);
+        detail::memory::check_value(x, size_, count_);
         for (index c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
-            detail::component(past_, c) = recent_.first() * detail::component(x, c) + ahead_[i];
-            ahead_[i] = recent_.push(detail::component(x, c), c, sums_);
+            detail::memory::component(past_, c) = recent_.first() * detail::memory::component(x, c) + ahead_[i];
+            ahead_[i] = recent_.push(detail::memory::component(x, c), c, sums_);
         }
         recent_.advance();
         ++count_;
@@ -41,7 +41,7 @@ public:
     void reset() {
         recent_.reset();
         ahead_.assign(ahead_.size(), S(0));
-        past_ = detail::zero_of_size(past_);
+        past_ = detail::memory::zero_of_size(past_);
         count_ = 0;
     }
     /// At least sum_{n > length} |w_n| max |x|, whatever the number of values, and equal to it but for rounding where the weights beyond
@@ -83,22 +83,22 @@ private:
         return w;
     }
     window_history(S const& alpha, index length, std::vector<S> const& w, V const& like)
-        : alpha_(alpha), length_(length), size_(detail::components(like)), recent_(w, size_), ahead_(static_cast<std::size_t>(size_), S(0)),
-          past_(detail::zero_of_size(like)) {}
+        : alpha_(alpha), length_(length), size_(detail::memory::components(like)), recent_(w, size_),
+          ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
 
     S alpha_;
     index length_, size_, count_ = 0;
-    detail::recent_values<S> recent_;
+    detail::memory::recent_values<S> recent_;
     std::vector<S> ahead_;
     V past_;
-    detail::sums<S> sums_;
+    detail::memory::sums<S> sums_;
 };
 
 /// @throws error::invalid_parameter for a negative length.
 template <generating_function G, class S, class V>
 auto make_history(window const& policy, S const& alpha, V const& like) {
-    if constexpr (not detail::same_scalar<S, V>)
-        return detail::refused<S, detail::scalars_differ>();
+    if constexpr (not detail::memory::same_scalar<S, V>)
+        return detail::memory::refused<S, detail::memory::scalars_differ>();
     else
         return window_history<G, plain_t<V>>(policy, alpha, like);
 }
