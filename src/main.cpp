@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "beam.hpp"
 #include "demo.hpp"
 #include "hilger/version.hpp"
 #include "prove.hpp"
@@ -21,11 +22,14 @@ int main(int argc, char** argv) {
     demo->add_option("--step", options.step, "step h in days")->capture_default_str();
     demo->add_option("--data", options.data, "initial data, a CSV file like src/data/outer_solar_system.csv");
     demo->add_option("--out", options.out, "directory for the CSV files and the picture")->capture_default_str();
+    auto* beam = app.add_subcommand("beam", "a viscoelastic cantilever with memory: the tip's deflection and phase diagram");
+    beam->add_option("--out", options.out, "directory for the CSV file and the picture")->capture_default_str();
     auto* identities = app.add_subcommand("identities", "prove the identities behind the embeddings in exact rationals");
 
     CLI11_PARSE(app, argc, argv);
     try {
         if (*demo) return program::run_demo(options);
+        if (*beam) return program::run_beam(options.out);
         if (*identities) return program::prove_identities(std::cout) ? 0 : 1;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "hilger: %s\n", e.what());

@@ -4,38 +4,39 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace program {
 
-std::string plot_solar_system(std::string const& directory, std::vector<std::string> const& bodies) {
-    auto const script = std::filesystem::path(directory) / "outer_solar_system.gp";
-    auto const picture = std::filesystem::path(directory) / "outer_solar_system.png";
-    {
-        std::ofstream out(script);
-        out << "set datafile separator ','\n"
-               "set terminal pngcairo size 1500,720 font 'sans,12'\n"
-               "set output 'outer_solar_system.png'\n"
-               "set multiplot layout 1,2\n"
-               "set title 'Mid-point embedding: orbits seen from the Sun'\n"
-               "set xlabel 'x / au'; set ylabel 'y / au'; set zlabel 'z / au'\n"
-               "set view 60, 35; set xyplane relative 0.1; set key left top\n"
-               "splot ";
-        for (std::size_t i = 1; i < bodies.size(); ++i) {
-            std::size_t const column = 4 + 3 * i;
-            out << (i > 1 ? ", " : "") << "'midpoint.csv' using " << column << ':' << column + 1 << ':' << column + 2
-                << " with lines title '" << bodies[i] << "'";
-        }
-        out << "\nset title 'Relative energy error'\n"
-               "set xlabel 't / 1000 days'; set ylabel '|H - H_0| / |H_0|' offset 1; set logscale y; set format y '10^{%L}'\n"
-               "set yrange [1e-10:10]; set grid; set key right bottom opaque\n"
-               "plot 'euler.csv' using ($1/1000):2 with lines title 'explicit Euler', "
-               "'runge_kutta.csv' using ($1/1000):2 with lines title 'Runge-Kutta 4', "
-               "'order_one.csv' using ($1/1000):2 with lines title 'hilger, order one', "
-               "'midpoint.csv' using ($1/1000):2 with lines title 'hilger, mid-point'\n"
-               "unset multiplot\n";
-    }
-    std::string const command = "cd '" + directory + "' && gnuplot outer_solar_system.gp >/dev/null 2>&1";
+std::string draw(std::string const& directory, std::string const& name, std::string const& commands) {
+    auto const script = std::filesystem::path(directory) / (name + ".gp");
+    auto const picture = std::filesystem::path(directory) / (name + ".png");
+    std::ofstream(script) << "set datafile separator ','\nset terminal pngcairo size 1500,720 font 'sans,12'\nset output '" << name
+                          << ".png'\nset multiplot layout 1,2\n"
+                          << commands << "unset multiplot\n";
+    std::string const command = "cd '" + directory + "' && gnuplot " + name + ".gp >/dev/null 2>&1";
     return std::system(command.c_str()) == 0 ? picture.string() : script.string() + " (a gnuplot script: gnuplot itself did not run)";
+}
+
+std::string plot_solar_system(std::string const& directory, std::vector<std::string> const& bodies) {
+    std::ostringstream out;
+    out << "set title 'Mid-point embedding: orbits seen from the Sun'\n"
+           "set xlabel 'x / au'; set ylabel 'y / au'; set zlabel 'z / au'\n"
+           "set view 60, 35; set xyplane relative 0.1; set key left top\n"
+           "splot ";
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+        std::size_t const column = 4 + 3 * i;
+        out << (i > 1 ? ", " : "") << "'midpoint.csv' using " << column << ':' << column + 1 << ':' << column + 2 << " with lines title '"
+            << bodies[i] << "'";
+    }
+    out << "\nset title 'Relative energy error'\n"
+           "set xlabel 't / 1000 days'; set ylabel '|H - H_0| / |H_0|' offset 1; set logscale y; set format y '10^{%L}'\n"
+           "set yrange [1e-10:10]; set grid; set key right bottom opaque\n"
+           "plot 'euler.csv' using ($1/1000):2 with lines title 'explicit Euler', "
+           "'runge_kutta.csv' using ($1/1000):2 with lines title 'Runge-Kutta 4', "
+           "'order_one.csv' using ($1/1000):2 with lines title 'hilger, order one', "
+           "'midpoint.csv' using ($1/1000):2 with lines title 'hilger, mid-point'\n";
+    return draw(directory, "outer_solar_system", out.str());
 }
 
 } // namespace program

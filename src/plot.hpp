@@ -6,6 +6,9 @@
 
 namespace program {
 
+/// Two pictures side by side, by gnuplot, from CSV files in the directory. Returns the name of the picture, or of the script when there is
+/// no gnuplot.
+std::string draw(std::string const& directory, std::string const& name, std::string const& commands);
 /// Draws orbits and energy errors from the demonstration's CSV files with gnuplot. Returns the name of the picture, or of the
 /// script when there is no gnuplot.
 std::string plot_solar_system(std::string const& directory, std::vector<std::string> const& bodies);
