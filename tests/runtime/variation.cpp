@@ -52,7 +52,7 @@ constexpr unknown q;
 constexpr auto q_o = extend[q];
 constexpr auto q_third = extend_lambda<1, 3>[q];
 constexpr auto velocity_third = (pi_lambda_inverse<1, 3> * Delta_plus)[q];
-using trapezoid = mean_weight<fraction<1, 2>>;
+using trapezoid_rule = mean_weight<fraction<1, 2>>;
 
 } // namespace
 
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
     }();
     constexpr lagrangian L{scalar_L};
     SUBCASE("order one") { is_the_derivative_of<delta>(integral(L(q, Delta_plus[q]), T)); }
-    SUBCASE("mid-point") { is_the_derivative_of<trapezoid>(integral(L(q_o, Delta_o_plus[q_o]), half(T))); }
+    SUBCASE("mid-point") { is_the_derivative_of<trapezoid_rule>(integral(L(q_o, Delta_o_plus[q_o]), half(T))); }
     SUBCASE("lambda = 1/3") {
         is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(on_lambda<1, 3>[q_third], velocity_third), at_lambda<1, 3>(T)));
     }
@@ -102,7 +102,7 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
             for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(x[i].cast<D>());
             moved[static_cast<std::size_t>(k)](c) = D::variable(x[static_cast<std::size_t>(k)](c), 0, {1, 0});
             auto const g = function(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
-            CHECK(residual[k](c) * weight_at<trapezoid>(f, k) == D(S(g)).by<0>());
+            CHECK(residual[k](c) * weight_at<trapezoid_rule>(f, k) == D(S(g)).by<0>());
         }
 }
 

@@ -30,6 +30,7 @@ public:
     static constexpr int least = std::is_floating_point_v<S> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
+    std::size_t brief = 0;            ///< so many of them, the first, forget before rounding in their sums is seen
 
     exponential_weights(S const& alpha, exponentials const& policy) {
         using std::floor;
@@ -53,13 +54,19 @@ public:
         index const last = std::max(policy.steps, taps + 1);
         cut_integral<G, W> const integral(W(alpha), taps + 1, last, tolerance);
         auto const rule = integral.rule();
-        rate.assign(padded<S>(rule.node.size()), S(1));
-        coefficient.assign(rate.size(), S(0));
+        // A state is a sum of 1/rate terms, and rounding in it grows like a random walk: 3/2 epsilon sqrt(1/rate) at most.
+        W const terms = tolerance / (W(3) / W(2) * W(epsilon<S>())), least_rate = W(1) / (terms * terms);
+        std::vector<std::pair<S, S>> modes, slow;
         for (std::size_t j = 0; j < rule.node.size(); ++j) {
             using std::expm1;
-            rate[j] = static_cast<S>(W(-expm1(W(-rule.node[j]))));
-            coefficient[j] = static_cast<S>(W(integral.factor() * rule.weight[j]));
+            W const r = -expm1(W(-rule.node[j]));
+            (r < least_rate ? slow : modes).emplace_back(static_cast<S>(r), static_cast<S>(W(integral.factor() * rule.weight[j])));
         }
+        modes.resize(padded<S>(modes.size()), {S(1), S(0)});
+        brief = modes.size();
+        modes.insert(modes.end(), slow.begin(), slow.end());
+        modes.resize(padded<S>(modes.size()), {S(1), S(0)});
+        for (auto const& [r, c] : modes) rate.push_back(r), coefficient.push_back(c);
         check(alpha, taps + 1, last, tolerance);
     }
 
@@ -132,9 +139,13 @@ public:
             S const& value = detail::memory::component(x, c);
             detail::memory::component(past_, c) = recent_.first() * value + ahead_[i];
             S const entering = recent_.oldest(c);
-            S* const state = state_.data() + 2 * i * rate_.size();
-            ahead_[i] = recent_.push(value, c, sums_) +
-                        sums_.relax(rate_.data(), coefficient_.data(), state, state + rate_.size(), rate_.size(), entering);
+            std::size_t const all = rate_.size(), slow = all - brief_;
+            S* const state = state_.data() + i * (all + slow);
+            S sum = recent_.push(value, c, sums_) + sums_.relax(rate_.data(), coefficient_.data(), state, brief_, entering);
+            if (slow > 0)
+                sum = sum + sums_.relax_compensated(rate_.data() + brief_, coefficient_.data() + brief_, state + brief_, state + all, slow,
+                                                    entering);
+            ahead_[i] = sum;
         }
         recent_.advance();
         ++count_;
@@ -154,14 +165,15 @@ public:
 
 private:
     exponentials_history(detail::memory::exponential_weights<G, S> w, index steps, V const& like)
-        : size_(detail::memory::components(like)), steps_(steps), recent_(w.first, size_), rate_(std::move(w.rate)),
-          coefficient_(std::move(w.coefficient)), state_(2 * rate_.size() * static_cast<std::size_t>(size_), S(0)),
+        : size_(detail::memory::components(like)), steps_(steps), recent_(w.first, size_), brief_(w.brief), rate_(std::move(w.rate)),
+          coefficient_(std::move(w.coefficient)), state_((2 * rate_.size() - brief_) * static_cast<std::size_t>(size_), S(0)),
           ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
 
     index size_, steps_, count_ = 0;
     detail::memory::recent_values<S> recent_;
+    std::size_t brief_;
     detail::memory::line_vector<S> rate_, coefficient_;
-    detail::memory::line_vector<S> state_; // of each component, then what its sums rounded away
+    detail::memory::line_vector<S> state_; // of each component, then what the slow ones' sums rounded away
     std::vector<S> ahead_;
     V past_;
     detail::memory::sums<S> sums_;

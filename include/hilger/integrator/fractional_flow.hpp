@@ -166,19 +166,30 @@ public:
         [[nodiscard]] index damped_components() const { return impulse_.count(); }
 
     private:
+        /// What fails leaves x as it was.
+        struct undo {
+            state<S, V>& x;
+            state<S, V> const& before;
+            bool done = false;
+            ~undo() {
+                if (not done) x = before;
+            }
+        };
+        /// In place: a copy that is stepped would have to wait until what was just written can be read as a whole.
         void move(damped_flow const& f, state<S, V>& x) {
-            next_ = x;
+            before_ = x;
+            undo guard{x, before_};
             damping_at const where = f.damping_.options.at;
-            if (where != damping_at::end) impulse_.damp(next_.p);
-            step_.advance(f.undamped_, next_, h_);
-            impulse_.arrive(next_.q);
-            if (where != damping_at::start) impulse_.damp(next_.p);
-            x = next_;
+            if (where != damping_at::end) impulse_.damp(x.p);
+            step_.advance(f.undamped_, x, h_);
+            impulse_.arrive(x.q);
+            if (where != damping_at::start) impulse_.damp(x.p);
+            guard.done = true;
         }
         undamped step_;
         detail::damping_impulse<Damping, S, V> impulse_;
         S h_;
-        state<S, V> next_{};
+        state<S, V> before_{};
         bool begun_ = false;
     };
 
