@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: Delta_minus_alpha<1/2> sums from the first point on, and this function lives on T^-
+// expect: Delta_minus_alpha<1/2> sums from the first point on, and this function lives on T^{-}
 #include "hilger/calculus.hpp"
 
 using namespace hilger;

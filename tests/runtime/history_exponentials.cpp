@@ -65,7 +65,8 @@ TEST_CASE("and up to the billionth, against quotients of Gamma functions") {
 }
 
 TEST_CASE("a state that grows for a long time does not stop at its last digit: 400 000 equal values") {
-    // Without the low parts the distance is 6e-14 here, and grows with the number of values.
+    // Without the low parts of slow modes the distance is 6e-14 here, and grows with the number of values. With them it keeps to the
+    // tolerance, which is 64 epsilon where none is given.
     for (double const alpha : {0.05, 0.1, 0.5}) {
         auto engine = make_history<grunwald_letnikov>(exponentials{}, alpha, 0.0);
         long double product = 1;
@@ -76,7 +77,7 @@ TEST_CASE("a state that grows for a long time does not stop at its last digit: 4
             worst = std::max(worst, std::abs(static_cast<double>(1 + static_cast<long double>(engine.past()) - product)));
         }
         CAPTURE(alpha);
-        CHECK(worst <= 4 * epsilon<double>());
+        CHECK(worst <= 64 * epsilon<double>());
     }
 }
 
