@@ -33,14 +33,10 @@ S fractional_order(Order const& alpha) {
 /// h^alpha; an exact scalar has it for alpha = 1 and for h = 1. @throws error::invalid_parameter
 template <class S>
 S power_of_step(S const& h, S const& alpha) {
-    if (h == S(1) or alpha == S(1)) return alpha == S(1) ? h : S(1);
-    if constexpr (std::numeric_limits<S>::is_exact)
+    return power_or(h, alpha, [&] {
         error::raise<error::invalid_parameter>("h^alpha is no rational number for h = ", h, " and alpha = ", alpha,
                                                ": exact scalars take alpha = 1 or h = 1");
-    else {
-        using std::pow;
-        return S(pow(h, alpha));
-    }
+    });
 }
 
 enum class direction { forward, backward };

@@ -48,14 +48,11 @@ constexpr auto leading_factor(Root const& T, Order const& order) {
         if constexpr (not std::numeric_limits<S>::is_exact) {
             using std::pow;
             return S(leading_weight<G>(alpha) * pow(h, S(-alpha)));
-        } else {
-            S power(1), left = alpha;
-            for (; not(left < S(1)); left = left - S(1)) power = power * h;
-            if (not(left == S(0)) and not(h == S(1)))
-                error::raise<error::invalid_parameter>("in an exact scalar a fractional difference of order ", alpha,
-                                                       " takes steps of length 1, and this one is ", h);
-            return S(leading_weight<G>(alpha) / power);
-        }
+        } else
+            return S(leading_weight<G>(alpha) / power_or(h, alpha, [&] {
+                         error::raise<error::invalid_parameter>("in an exact scalar a fractional difference of order ", alpha,
+                                                                " takes steps of length 1, and this one is ", h);
+                     }));
     }
 }
 

@@ -65,23 +65,33 @@ struct trapezoid {
     }
 };
 
+namespace detail {
+
+/// x^alpha for alpha >= 0. An exact scalar has it where x is 1 or alpha a whole number; where it has not, `refuse` throws.
+template <class S, class Refuse>
+constexpr S power_or(S const& x, S const& alpha, Refuse const& refuse) {
+    if (x == S(1)) return S(1);
+    if (alpha == S(1)) return x;
+    if constexpr (std::numeric_limits<S>::is_exact) {
+        S result(1), left = alpha;
+        for (; not(left < S(1)); left = left - S(1)) result = result * x;
+        if (not(left == S(0))) refuse();
+        return result;
+    } else {
+        using std::pow;
+        return S(pow(x, alpha));
+    }
+}
+
+} // namespace detail
+
 /// omega(0)^alpha, the weight of the present: 1 for Gruenwald-Letnikov, (3/2)^alpha for G^alpha. Exact scalars have it where it is 1 or
 /// alpha is a whole number. @throws error::invalid_parameter where it is not a number of type S.
 template <generating_function G, class S>
 S leading_weight(S const& alpha) {
     S const base = S(G::template numerator<S>()[0] / G::template denominator<S>()[0]);
-    if (base == S(1)) return S(1);
-    if constexpr (std::numeric_limits<S>::is_exact) {
-        S result(1);
-        for (S n = alpha; S(0) < n; n = n - S(1)) {
-            if (n < S(1)) error::raise<error::invalid_parameter>("the leading weight ", base, "^", alpha, " is no rational number");
-            result = result * base;
-        }
-        return result;
-    } else {
-        using std::pow;
-        return S(pow(base, alpha));
-    }
+    return detail::power_or(
+        base, alpha, [&] { error::raise<error::invalid_parameter>("the leading weight ", base, "^", alpha, " is no rational number"); });
 }
 
 /// The weights divided by the leading one, w_0 = 1, w_1, w_2, ..., one at a time: each from the last few by the linear recurrence that
