@@ -62,10 +62,10 @@ public:
             W const r = -expm1(W(-rule.node[j]));
             (r < least_rate ? slow : modes).emplace_back(static_cast<S>(r), static_cast<S>(W(integral.factor() * rule.weight[j])));
         }
-        modes.resize(padded<S>(modes.size()), {S(1), S(0)});
-        brief = modes.size();
+        std::size_t const together = padded<S>(modes.size() + slow.size());
+        brief = together - padded<S>(slow.size());
+        modes.resize(together - slow.size(), {S(1), S(0)});
         modes.insert(modes.end(), slow.begin(), slow.end());
-        modes.resize(padded<S>(modes.size()), {S(1), S(0)});
         for (auto const& [r, c] : modes) rate.push_back(r), coefficient.push_back(c);
         check(alpha, taps + 1, last, tolerance);
     }
@@ -139,13 +139,10 @@ public:
             S const& value = detail::memory::component(x, c);
             detail::memory::component(past_, c) = recent_.first() * value + ahead_[i];
             S const entering = recent_.oldest(c);
-            std::size_t const all = rate_.size(), slow = all - brief_;
-            S* const state = state_.data() + i * (all + slow);
-            S sum = recent_.push(value, c, sums_) + sums_.relax(rate_.data(), coefficient_.data(), state, brief_, entering);
-            if (slow > 0)
-                sum = sum + sums_.relax_compensated(rate_.data() + brief_, coefficient_.data() + brief_, state + brief_, state + all, slow,
-                                                    entering);
-            ahead_[i] = sum;
+            std::size_t const all = rate_.size();
+            S* const state = state_.data() + i * (2 * all - brief_);
+            ahead_[i] =
+                recent_.push(value, c, sums_) + sums_.relax(rate_.data(), coefficient_.data(), state, state + all, brief_, all, entering);
         }
         recent_.advance();
         ++count_;

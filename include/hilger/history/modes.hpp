@@ -86,18 +86,20 @@ public:
         }
         return rule;
     }
-    /// The same with the nodes below 1/last merged.
+    /// The same with the nodes below reach/last merged.
     quadrature<W> rule() const {
         quadrature<W> all = trapezoidal_rule(), low, result;
-        W const limit = W(1) / W(static_cast<double>(last_));
+        W const limit = W(reach) / W(static_cast<double>(last_));
         for (std::size_t i = 0; i < all.node.size(); ++i) {
             auto& to = all.node[i] < limit ? low : result;
             to.node.push_back(all.node[i]);
             to.weight.push_back(all.weight[i]);
         }
-        // The best polynomial of degree 2m - 1 misses e^{-x}, 0 <= x <= 1, by 2 (1/4)^{2m} / (2m)!.
+        // The best polynomial of degree 2m - 1 misses e^{-x}, 0 <= x <= X, by 2 e^{-X/2} (X/4)^{2m} / (2m)! e^{X^2/(32m + 16)} at most, and
+        // there is X^{1+alpha}/Gamma(2+alpha) times as much of it as of the weight: for X = 8 less than 5 (X/4)^{2m} / (2m)! in all.
         std::size_t m = 1;
-        for (W left(1); left > exp_of_minus_digits() / W(8); ++m) left = left / W(static_cast<int>(16 * (2 * m - 1) * (2 * m)));
+        for (W left(5); left > exp_of_minus_digits() / W(4); ++m)
+            left = left * W(reach * reach) / W(static_cast<int>(16 * (2 * m - 1) * (2 * m)));
         auto const merged = gauss(low, m);
         result.node.insert(result.node.end(), merged.node.begin(), merged.node.end());
         result.weight.insert(result.weight.end(), merged.weight.begin(), merged.weight.end());
@@ -106,6 +108,7 @@ public:
     W const& factor() const { return factor_; }
 
 private:
+    static constexpr int reach = 8; // where one more node by Gauss does as much as one of the trapezoidal rule
     static W pi() {
         using std::atan;
         return W(4) * atan(W(1));

@@ -37,12 +37,13 @@ public:
         values[newest_ + length_] = x;
         std::size_t const old = length_ - one_by_one;
         S const *const window = values + newest_ + 1, *const w = reversed_.data();
-        S even = w[old] * window[old], odd = w[old + 1] * window[old + 1];
-        for (std::size_t i = old + 2; i < length_; i += 2) {
-            even = even + w[i] * window[i];
-            odd = odd + w[i + 1] * window[i + 1];
+        constexpr std::size_t half = one_by_one / 2; // apart, so that no compiler makes packs of neighbours
+        S older = w[old] * window[old], newer = w[old + half] * window[old + half];
+        for (std::size_t i = old + 1; i < old + half; ++i) {
+            older = older + w[i] * window[i];
+            newer = newer + w[i + half] * window[i + half];
         }
-        return old == 0 ? S(even + odd) : S(even + odd + loops.product_sum(w, window, old));
+        return old == 0 ? S(older + newer) : S(older + newer + loops.product_sum(w, window, old));
     }
     void advance() { newest_ = newest_ + 1 == length_ ? 0 : newest_ + 1; }
     void reset() {

@@ -94,11 +94,9 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
         return p;
     else {
         constexpr std::size_t width = sizeof(P) / sizeof(S);
-        S lane[width];
-        std::memcpy(lane, &p, sizeof(P));
-        for (std::size_t half = width / 2; half > 0; half /= 2)
-            for (std::size_t i = 0; i < half; ++i) lane[i] += lane[i + half];
-        return lane[0];
+        S sum = p[0] + p[width / 2]; // by subscripts, so that the lanes do not pass through the memory
+        for (std::size_t i = 1; i < width / 2; ++i) sum += p[i] + p[i + width / 2];
+        return sum;
     }
 }
 

@@ -30,32 +30,42 @@ HILGER_DETAIL_INLINE S product_sum_in(S const* x, S const* y, std::size_t n) {
     return total;
 }
 
-/// State_j <- (1 - rate_j) state_j + x, so that rates far below epsilon count. With `low` it takes what each sum rounds away (Kahan): else
-/// a state that grows for 1/rate steps would stop where its increments are below its last digit. Returns sum_j coefficient_j state_j.
-template <class S, int Bytes, bool Compensated>
-HILGER_DETAIL_INLINE S relax_in(S const* rate, S const* coefficient, S* state, [[maybe_unused]] S* low, std::size_t n, S const& x) {
-    using P = pack<S, Bytes>;
-    typename P::type sum[2]{}, in = sum[0];
+/// state <- (1 - rate) state + x, so that rates far below epsilon count; sum <- sum + coefficient state. With `low` it takes what the sum
+/// rounds away (Kahan): else a state that grows for 1/rate steps would stop where its increments are below its last digit.
+template <bool Compensated, class P, class S>
+HILGER_DETAIL_INLINE void relax_pack(S const* rate, S const* coefficient, S* state, [[maybe_unused]] S* low, P const& x, P& sum) {
+    P r, s, c;
+    load(r, rate);
+    load(s, state);
+    load(c, coefficient);
+    P change = x - r * s;
+    if constexpr (Compensated) {
+        P l;
+        load(l, low);
+        change = change + l;
+    }
+    P const next = s + change;
+    store(next, state);
+    if constexpr (Compensated) store(P(change - (next - s)), low);
+    sum = sum + c * next;
+}
+/// One step of all n exponentials, those from the `brief`-th on with `low`, which begins with theirs; returns sum_j coefficient_j state_j.
+template <class S, int Bytes>
+HILGER_DETAIL_INLINE S relax_in(S const* rate, S const* coefficient, S* state, S* low, std::size_t brief, std::size_t n, S const& x) {
+    using P = typename pack<S, Bytes>::type;
+    constexpr std::size_t width = pack<S, Bytes>::width;
+    P even{}, odd{}, in{};
     in = in + x;
-    for (std::size_t i = 0; i < n; i += 2 * P::width)
-        for (std::size_t k = 0; k < 2; ++k) {
-            std::size_t const j = i + k * P::width;
-            typename P::type r, s, c;
-            load(r, rate + j);
-            load(s, state + j);
-            load(c, coefficient + j);
-            typename P::type change = in - r * s;
-            if constexpr (Compensated) {
-                typename P::type l;
-                load(l, low + j);
-                change = change + l;
-            }
-            typename P::type const next = s + change;
-            store(next, state + j);
-            if constexpr (Compensated) store(typename P::type(change - (next - s)), low + j);
-            sum[k] = sum[k] + c * next;
-        }
-    return sum_of_lanes<S>(typename P::type(sum[0] + sum[1]));
+    std::size_t j = 0;
+    for (; j < brief; j += 2 * width) {
+        relax_pack<false>(rate + j, coefficient + j, state + j, low, in, even);
+        relax_pack<false>(rate + j + width, coefficient + j + width, state + j + width, low, in, odd);
+    }
+    for (; j < n; j += 2 * width, low += 2 * width) {
+        relax_pack<true>(rate + j, coefficient + j, state + j, low, in, even);
+        relax_pack<true>(rate + j + width, coefficient + j + width, state + j + width, low + width, in, odd);
+    }
+    return sum_of_lanes<S>(P(even + odd));
 }
 
 template <class S>
@@ -63,12 +73,8 @@ S product_sum_baseline(S const* x, S const* y, std::size_t n) {
     return product_sum_in<S, 16>(x, y, n);
 }
 template <class S>
-S relax_baseline(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
-    return relax_in<S, 16, false>(rate, coefficient, state, nullptr, n, x);
-}
-template <class S>
-S relax_compensated_baseline(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
-    return relax_in<S, 16, true>(rate, coefficient, state, low, n, x);
+S relax_baseline(S const* rate, S const* coefficient, S* state, S* low, std::size_t brief, std::size_t n, S const& x) {
+    return relax_in<S, 16>(rate, coefficient, state, low, brief, n, x);
 }
 #ifdef HILGER_DETAIL_X86
 template <class S>
@@ -76,12 +82,8 @@ HILGER_DETAIL_AVX2 S product_sum_avx2(S const* x, S const* y, std::size_t n) {
     return product_sum_in<S, 32>(x, y, n);
 }
 template <class S>
-HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, std::size_t n, S const& x) {
-    return relax_in<S, 32, false>(rate, coefficient, state, nullptr, n, x);
-}
-template <class S>
-HILGER_DETAIL_AVX2 S relax_compensated_avx2(S const* rate, S const* coefficient, S* state, S* low, std::size_t n, S const& x) {
-    return relax_in<S, 32, true>(rate, coefficient, state, low, n, x);
+HILGER_DETAIL_AVX2 S relax_avx2(S const* rate, S const* coefficient, S* state, S* low, std::size_t brief, std::size_t n, S const& x) {
+    return relax_in<S, 32>(rate, coefficient, state, low, brief, n, x);
 }
 #endif
 
@@ -89,8 +91,7 @@ HILGER_DETAIL_AVX2 S relax_compensated_avx2(S const* rate, S const* coefficient,
 template <class S>
 struct sums {
     S (*product_sum)(S const*, S const*, std::size_t) = product_sum_baseline<S>;
-    S (*relax)(S const*, S const*, S*, std::size_t, S const&) = relax_baseline<S>;
-    S (*relax_compensated)(S const*, S const*, S*, S*, std::size_t, S const&) = relax_compensated_baseline<S>;
+    S (*relax)(S const*, S const*, S*, S*, std::size_t, std::size_t, S const&) = relax_baseline<S>;
 
     sums() {
 #ifdef HILGER_DETAIL_X86
@@ -98,7 +99,6 @@ struct sums {
             if (available_instructions() == instructions::avx2) {
                 product_sum = product_sum_avx2<S>;
                 relax = relax_avx2<S>;
-                relax_compensated = relax_compensated_avx2<S>;
             }
         }
 #endif
