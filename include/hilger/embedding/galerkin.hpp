@@ -3,47 +3,52 @@
 // together with its derivative at the nodes of a quadrature, which is the integral.
 //   galerkin<s, gauss>     degree s, s Gauss nodes: order 2s; s = 1 is mid-point, and s is the Gauss collocation method
 //   galerkin<s, lobatto>   degree s - 1, s Lobatto nodes: order 2s - 2; s = 2 is Stoermer-Verlet for a separable Lagrangian
-// Nodes and weights are computed in the scalar's own digits.
+// Nodes and weights are computed with more digits than the scalar has, for what is made of them to be rounded once.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "hilger/scalar.hpp"
+#include "hilger/error.hpp"
+#include "hilger/operator/twofold.hpp"
 
 namespace hilger {
 
 namespace detail {
 
-/// P_n(x) and P_{n-1}(x), Legendre.
-template <class S>
-constexpr std::pair<S, S> legendre(int n, S const& x) {
-    S before(1), p(x);
-    if (n == 0) return {S(1), S(0)};
+/// P_0(x), ..., P_n(x), Legendre.
+template <class W>
+std::vector<W> legendre(int n, W const& x) {
+    std::vector<W> p{W(1), x};
     for (int k = 2; k <= n; ++k) {
-        S next = (S(2 * k - 1) * x * p - S(k - 1) * before) / S(k);
-        before = p;
-        p = next;
+        auto const last = static_cast<std::size_t>(k - 1);
+        p.push_back((W(2 * k - 1) * (x * p[last]) - W(k - 1) * p[last - 1]) / W(k));
     }
-    return {p, before};
+    return p;
 }
-/// Newton's iteration, as far as the scalar's digits go. Step maps x to f(x) / f'(x).
+/// P_n'(x) from P_n(x) and P_{n-1}(x), |x| < 1.
+template <class W>
+W legendre_slope(int n, W const& x, std::vector<W> const& p) {
+    auto const last = static_cast<std::size_t>(n);
+    return W(n) * (x * p[last] - p[last - 1]) / (x * x - W(1));
+}
+/// Newton's iteration from a start with two right digits: they double in every round, and 2^9 are more than any scalar has. Step maps x to
+/// f(x) / f'(x). @throws error::invalid_parameter where an exact scalar does not reach the root
 template <class S, class Step>
-S polished(double start, Step const& step) {
-    S x(start), last(1);
-    for (int k = 0; k < 20; ++k) {
-        S const d = step(x);
-        x = x - d;
-        S const size = magnitude(d);
-        if (size == S(0) or (k > 3 and not(size < last))) break;
-        last = size;
-    }
+typename wider<S>::type polished(double start, Step const& step) {
+    using W = typename wider<S>::type;
+    W x = W(S(start));
+    if constexpr (std::numeric_limits<S>::is_exact) {
+        for (int k = 0; k < 2; ++k) x = x - step(x);
+        if (not(step(x) == W(0))) error::raise<error::invalid_parameter>("these nodes are irrational: take a scalar that is not exact");
+    } else
+        for (int k = 0; k < 8; ++k) x = x - step(x);
     return x;
 }
 
-template <class S>
+template <class W>
 struct quadrature {
-    std::vector<S> node, weight; ///< on [0, 1], increasing
+    std::vector<W> node, weight; ///< on [0, 1], increasing
 };
 
 } // namespace detail
@@ -51,20 +56,19 @@ struct quadrature {
 struct gauss {
     static constexpr char const* name = "Gauss";
     static constexpr int degree(int stages) { return stages; }
-    /// n nodes, exact up to degree 2n - 1.
+    /// n nodes, exact up to degree 2n - 1, for numbers S.
     template <class S>
-    static detail::quadrature<S> on_unit_interval(int n) {
-        detail::quadrature<S> q;
+    static auto on_unit_interval(int n) {
+        using W = typename detail::wider<S>::type;
+        detail::quadrature<W> q;
         for (int i = 0; i < n; ++i) {
-            double const start = -std::cos(3.14159265358979 * (i + 0.75) / (n + 0.5));
-            auto const slope = [n](S const& x) {
-                auto const [p, before] = detail::legendre(n, x);
-                return S(S(n) * (x * p - before) / (x * x - S(1)));
-            };
-            S const x = detail::polished<S>(start, [&](S const& y) { return S(detail::legendre(n, y).first / slope(y)); });
-            S const d = slope(x);
-            q.node.push_back((S(1) + x) / S(2));
-            q.weight.push_back(S(1) / ((S(1) - x * x) * d * d));
+            W const x = detail::polished<S>(-std::cos(3.14159265358979 * (i + 0.75) / (n + 0.5)), [n](W const& y) {
+                auto const p = detail::legendre(n, y);
+                return W(p[static_cast<std::size_t>(n)] / detail::legendre_slope(n, y, p));
+            });
+            W const d = detail::legendre_slope(n, x, detail::legendre(n, x));
+            q.node.push_back((W(1) + x) / W(2));
+            q.weight.push_back(W(1) / ((W(1) - x * x) * (d * d)));
         }
         return q;
     }
@@ -73,24 +77,25 @@ struct gauss {
 struct lobatto {
     static constexpr char const* name = "Lobatto";
     static constexpr int degree(int stages) { return stages - 1; }
-    /// n >= 2 nodes, both ends among them, exact up to degree 2n - 3.
+    /// n >= 2 nodes, both ends among them, exact up to degree 2n - 3, for numbers S.
     template <class S>
-    static detail::quadrature<S> on_unit_interval(int n) {
-        detail::quadrature<S> q;
+    static auto on_unit_interval(int n) {
+        using W = typename detail::wider<S>::type;
+        detail::quadrature<W> q;
         int const m = n - 1;
         for (int i = 0; i < n; ++i) {
             // The inner nodes are the roots of P_m'; (1 - x^2) P_m'' = 2 x P_m' - m (m + 1) P_m.
-            S x(i == 0 ? -1 : 1);
+            W x(i == 0 ? -1 : 1);
             if (i > 0 and i < m)
-                x = detail::polished<S>(-std::cos(3.14159265358979 * i / m), [m](S const& y) {
-                    auto const [p, before] = detail::legendre(m, y);
-                    S const first = S(m) * (y * p - before) / (y * y - S(1));
-                    S const second = (S(2) * y * first - S(m * (m + 1)) * p) / (S(1) - y * y);
-                    return S(first / second);
+                x = detail::polished<S>(-std::cos(3.14159265358979 * i / m), [m](W const& y) {
+                    auto const p = detail::legendre(m, y);
+                    W const first = detail::legendre_slope(m, y, p);
+                    W const second = (W(2) * (y * first) - W(m * (m + 1)) * p[static_cast<std::size_t>(m)]) / (W(1) - y * y);
+                    return W(first / second);
                 });
-            S const p = detail::legendre(m, x).first;
-            q.node.push_back((S(1) + x) / S(2));
-            q.weight.push_back(S(1) / (S(n * m) * p * p));
+            W const p = detail::legendre(m, x)[static_cast<std::size_t>(m)];
+            q.node.push_back((W(1) + x) / W(2));
+            q.weight.push_back(W(1) / (W(n * m) * (p * p)));
         }
         return q;
     }

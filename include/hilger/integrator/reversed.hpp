@@ -3,7 +3,7 @@
 // Integration, II.3). It is the flow of L_h^*(x, y) = -L_{-h}(y, x) (Marsden-West 2001, section 2.4), that is of the embedding read from
 // the other end: control values in reversed order, velocities and weights as of a step -h. Forces stand beside dL/dq on the same rows, so
 // they are kept.
-//   adjoint(embed(L, order_one)) steps as embed(L, order_one_left); mid-point is its own adjoint; adjoint(adjoint(f)) has the type of f.
+//   adjoint(embed(L, order_one)) steps as embed(L, order_one_left); mid-point and Galerkin are their own adjoints; adjoint(adjoint(f)) has the type of f.
 #pragma once
 
 #include "hilger/integrator/flow.hpp"
@@ -28,6 +28,11 @@ template <class E>
 constexpr reversed<E> turned(E const& e) {
     return {e};
 }
+/// Gauss and Lobatto nodes stand symmetrically: a Galerkin step is its own adjoint.
+template <int Stages, class Quadrature>
+constexpr auto turned(galerkin_embedding<Stages, Quadrature> const& e) {
+    return e;
+}
 template <class E>
 constexpr E turned(reversed<E> const& e) {
     return e.of;
@@ -35,21 +40,18 @@ constexpr E turned(reversed<E> const& e) {
 
 } // namespace detail
 
-/// -L_{-h}(y, x) as a table. The control value j stands where s - j did, seen from the other end: at 1 - fraction.
+/// -L_{-h}(y, x) as a table.
 template <class S, class E>
 tableau<S> tableau_of(reversed<E> const& e, S const& h) {
     tableau<S> const back = tableau_of(e.of, S(-h));
     tableau<S> t = back;
-    for (int j = 0; j < t.controls; ++j) {
-        int const opposite = t.controls - 1 - j;
-        t.fraction_of_step[static_cast<std::size_t>(j)] = S(1) - back.fraction_of_step[static_cast<std::size_t>(opposite)];
-        for (int k = 0; k < t.nodes; ++k) {
-            auto const entry = static_cast<std::size_t>(k * t.controls + j);
-            t.position[entry] = back.a(k, opposite);
-            t.velocity[entry] = back.b(k, opposite);
+    for (int k = 0; k < t.nodes; ++k) {
+        for (int j = 0; j < 2; ++j) {
+            t.position[static_cast<std::size_t>(2 * k + j)] = back.a(k, 1 - j);
+            t.velocity[static_cast<std::size_t>(2 * k + j)] = back.b(k, 1 - j);
         }
+        t.weight[static_cast<std::size_t>(k)] = -back.w(k);
     }
-    for (int k = 0; k < t.nodes; ++k) t.weight[static_cast<std::size_t>(k)] = -back.w(k);
     return t;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// An embedding on one step, in numbers: the control values U_0 = q_i, ..., U_s = q_{i+1} of the step give the position and the velocity at
-// each node of the integral, A_k = sum_j position[k][j] U_j and B_k = sum_j velocity[k][j] U_j, and L_h = sum_k weight[k] L(A_k, B_k)
+// An embedding on one step, in numbers: the ends U_0 = q_i and U_1 = q_{i+1} of the step give the position and the velocity at each node
+// of the integral, A_k = sum_j position[k][j] U_j and B_k = sum_j velocity[k][j] U_j, and L_h = sum_k weight[k] L(A_k, B_k)
 // (Cresson-Safi (47), (48) for mid-point). The numbers are what the embedding's operators make of unit functions; nothing is written per
 // scheme.
 #pragma once
@@ -17,20 +17,14 @@ namespace hilger {
 
 template <class S>
 struct tableau {
-    int controls = 2; ///< s + 1
     int nodes = 1;
-    std::vector<S> position, velocity; ///< nodes x controls, row by row; velocities carry 1/h
+    std::vector<S> position, velocity; ///< nodes x 2, row by row; velocities carry 1/h
     std::vector<S> weight;             ///< carry h
-    [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(k * controls + j)]; }
-    [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(k * controls + j)]; }
+    [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(2 * k + j)]; }
+    [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(2 * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
-    /// The time of node k in a step from t to t + h: the position operator on the function t -> t, control values at the given fractions.
-    [[nodiscard]] S time(int k, S const& t, S const& h) const {
-        S at(0);
-        for (int j = 0; j < controls; ++j) at = at + a(k, j) * fraction_of_step[static_cast<std::size_t>(j)];
-        return t + at * h;
-    }
-    std::vector<S> fraction_of_step; ///< where the control values stand: 0, ..., 1
+    /// The time of node k in a step from t to t + h: the position operator on the function t -> t.
+    [[nodiscard]] S time(int k, S const& t, S const& h) const { return t + a(k, 1) * h; }
 };
 
 namespace detail {
@@ -93,7 +87,6 @@ tableau<S> tableau_of(embedding<A, B, W> const& e, S const& h) {
     using step = detail::on_one_step<A, B, W, S>;
     tableau<S> t;
     t.nodes = step::nodes_;
-    t.fraction_of_step = {S(0), S(1)};
     for (int k = 0; k < t.nodes; ++k) {
         t.weight.push_back(step::weight(e.position, e.velocity, h, k));
         for (int j = 0; j < 2; ++j) {
@@ -108,33 +101,20 @@ tableau<S> tableau_of(embedding<A, B, W> const& e, S const& h) {
 template <int Stages, class Quadrature>
 inline constexpr int controls_of<galerkin_embedding<Stages, Quadrature>> = galerkin_embedding<Stages, Quadrature>::degree + 1;
 
-/// Control values at the Lobatto points, where interpolation is well conditioned; the step does not depend on where they are.
-template <class S, int Stages, class Quadrature>
-tableau<S> tableau_of(galerkin_embedding<Stages, Quadrature> const&, S const& h) {
-    constexpr int degree = galerkin_embedding<Stages, Quadrature>::degree;
-    auto const nodes = Quadrature::template on_unit_interval<S>(Stages);
-    std::vector<S> const control = lobatto::on_unit_interval<S>(degree + 1).node;
-    tableau<S> t;
-    t.controls = degree + 1;
-    t.nodes = Stages;
-    t.fraction_of_step = control;
-    for (int k = 0; k < Stages; ++k) {
-        S const& x = nodes.node[static_cast<std::size_t>(k)];
-        t.weight.push_back(nodes.weight[static_cast<std::size_t>(k)] * h);
-        for (std::size_t j = 0; j < control.size(); ++j) {
-            // Lagrange's polynomial of control j and, by the product rule, its derivative
-            S value(1), slope(0);
-            for (std::size_t m = 0; m < control.size(); ++m)
-                if (m != j) {
-                    S const width = control[j] - control[m];
-                    slope = (slope * (x - control[m]) + value) / width;
-                    value = value * (x - control[m]) / width;
-                }
-            t.position.push_back(value);
-            t.velocity.push_back(slope / h);
-        }
-    }
-    return t;
+/// One Gauss node is mid-point.
+namespace detail {
+template <>
+inline constexpr embedding_facts facts_<galerkin_embedding<1, gauss>> = facts_of<decltype(midpoint)>;
+}
+template <class S>
+tableau<S> tableau_of(galerkin_embedding<1, gauss> const&, S const& h) {
+    return tableau_of(midpoint, h);
+}
+/// Two Lobatto nodes are the ends of the step; more of any kind have control values inside (integrator/galerkin_table.hpp).
+template <class S>
+tableau<S> tableau_of(galerkin_embedding<2, lobatto> const&, S const& h) {
+    S const slope = S(1) / h, half = h / S(2);
+    return {2, {S(1), S(0), S(0), S(1)}, {-slope, slope, -slope, slope}, {half, half}};
 }
 
 } // namespace hilger
