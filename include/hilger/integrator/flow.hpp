@@ -6,6 +6,7 @@
 //   for (auto [t, q, p] : flow.along(T, q0, p0)) ...        one state at a time, nothing stored
 #pragma once
 
+#include "hilger/integrator/galerkin_step.hpp"
 #include "hilger/integrator/many_nodes.hpp"
 #include "hilger/integrator/one_node.hpp"
 #include "hilger/integrator/structured.hpp"
@@ -30,8 +31,12 @@ public:
         static constexpr bool small = facts_of<E>.one_node and s::size != Eigen::Dynamic and s::size <= detail::one_evaluation;
         static constexpr bool carried = Sums == sums::compensated;
         static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
+        using table = typename detail::table_of_galerkin<E, S>::type;
+        static constexpr bool inner = not std::is_void_v<table>; ///< control values inside the step
         static auto choose(flow const& f, S const& h, V const& like) {
-            if constexpr (known)
+            if constexpr (inner)
+                return detail::galerkin_step<problem_type, table, carried, S, V>(f.problem_, h, like);
+            else if constexpr (known)
                 return detail::structured<F, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like);
             else if constexpr (small)
                 return detail::one_node<problem_type, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, like);
@@ -49,9 +54,8 @@ public:
         }
         /// What the next step from x needs, when it has length h.
         void begin(flow const& f, state<S, V> const& x, S const& h) {
-            if (not(h == stepper_.h())) [[unlikely]]
-                stepper_.prepare(tableau_of(f.embedding_, h), h);
-            if constexpr (not known)
+            prepare(f, h);
+            if constexpr (not known and not inner)
                 if (stepper_.needs_guess()) [[unlikely]]
                     stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p));
         }
@@ -68,11 +72,19 @@ public:
         void visit(flow const& f, Visit& each) {
             S h = stepper_.h();
             each("step", h);
-            if (not(h == stepper_.h())) stepper_.prepare(tableau_of(f.embedding_, h), h);
+            prepare(f, h);
             stepper_.visit(each);
         }
 
     private:
+        void prepare(flow const& f, S const& h) {
+            if (h == stepper_.h()) [[likely]]
+                return;
+            if constexpr (inner)
+                stepper_.prepare(h);
+            else
+                stepper_.prepare(tableau_of(f.embedding_, h), h);
+        }
         [[gnu::always_inline]] static auto const& what(flow const& f) {
             if constexpr (known)
                 return f.problem_.lagrangian;

@@ -44,53 +44,53 @@ template <class F, class X, class Y>
     return f(x, y);
 }
 
-template <class S, int N>
-using q_jet = jet<S, 0, N, 2>;
-template <class S, int N>
-using v_jet = jet<S, N, N, 2>;
-template <class S, int N>
-using qv_jet = jet<S, 0, 2 * N, 2>;
+template <class S, int N, int Order = 2>
+using q_jet = jet<S, 0, N, Order>;
+template <class S, int N, int Order = 2>
+using v_jet = jet<S, N, N, Order>;
+template <class S, int N, int Order = 2>
+using qv_jet = jet<S, 0, 2 * N, Order>;
 
-/// f(q, v), or f(t, q, v), and all its first and second derivatives by q and v, d = N small. For the processor's own numbers this is
+/// f(q, v), or f(t, q, v), and all its derivatives by q and v up to the order 1 or 2, d = N small. For the processor's own numbers this is
 /// flattened: the body of f is inlined here before anything is optimised, and then most derivatives of a formula turn out to be zeros and
 /// cost nothing. That takes f being called from here on variables made here, and its result being built in place: with the variables made
 /// by a function of their own a step takes several times as long. A wide number's arithmetic is too long to be flattened.
-template <bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
-[[gnu::flatten]] inline qv_jet<S, static_cast<int>(Size)>
+template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
+[[gnu::flatten]] inline qv_jet<S, static_cast<int>(Size), Order>
 flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v, std::integer_sequence<int, K...>, Time const&... t) {
     constexpr int N = static_cast<int>(Size);
-    using J = qv_jet<S, N>;
+    using J = qv_jet<S, N, Order>;
     if constexpr (Scalar) {
-        auto const x = q_jet<S, N>::variable(q[0], 0, {1, 0});
-        auto const y = v_jet<S, N>::variable(v[0], N, {0, 1});
+        auto const x = q_jet<S, N, Order>::variable(q[0], 0, {1, 0});
+        auto const y = v_jet<S, N, Order>::variable(v[0], N, {0, 1});
         if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
             return f(t..., x, y);
         else
             return as_jet<J>(f(t..., x, y));
     } else {
-        Eigen::Matrix<q_jet<S, N>, N, 1> x;
-        Eigen::Matrix<v_jet<S, N>, N, 1> y;
-        ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
+        Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
+        Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
+        ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
         if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
             return f(t..., x, y);
         else
             return as_jet<J>(f(t..., x, y));
     }
 }
-template <bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
-qv_jet<S, static_cast<int>(Size)> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
+template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
+qv_jet<S, static_cast<int>(Size), Order> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
                                           std::integer_sequence<int, K...> all, Time const&... t) {
     if constexpr (std::is_floating_point_v<S>)
-        return flat_jets_of<Scalar>(f, q, v, all, t...);
+        return flat_jets_of<Order, Scalar>(f, q, v, all, t...);
     else {
         constexpr int N = static_cast<int>(Size);
-        using J = qv_jet<S, N>;
+        using J = qv_jet<S, N, Order>;
         if constexpr (Scalar)
-            return as_jet<J>(f(t..., q_jet<S, N>::variable(q[0], 0, {1, 0}), v_jet<S, N>::variable(v[0], N, {0, 1})));
+            return as_jet<J>(f(t..., q_jet<S, N, Order>::variable(q[0], 0, {1, 0}), v_jet<S, N, Order>::variable(v[0], N, {0, 1})));
         else {
-            Eigen::Matrix<q_jet<S, N>, N, 1> x;
-            Eigen::Matrix<v_jet<S, N>, N, 1> y;
-            ((x(K) = q_jet<S, N>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N>::variable(v[K], N + K, {0, 1})), ...);
+            Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
+            Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
+            ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
             return as_jet<J>(f(t..., x, y));
         }
     }
@@ -231,7 +231,7 @@ expansion<V> expand(F const& f, V const& q, V const& v) {
         return detail::expand_in_chunks(f, q, v);
     else {
         constexpr std::make_integer_sequence<int, s::size> all;
-        return detail::unpacked<V>(detail::jets_of<s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
+        return detail::unpacked<V>(detail::jets_of<2, s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
     }
 }
 

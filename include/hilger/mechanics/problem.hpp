@@ -202,9 +202,9 @@ template <bool Scalar, class F, class Force, class S, std::size_t Size, int... K
         constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
         require_callable<timed or std::invocable<F const&, X const&, Y const&>>();
         if constexpr (timed)
-            return node_jet<N, qv_jet<S, N>>{jets_of<Scalar>(what.lagrangian, q, v, all, t)};
+            return node_jet<N, qv_jet<S, N>>{jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
         else
-            return node_jet<N, qv_jet<S, N>>{jets_of<Scalar>(what.lagrangian, q, v, all)};
+            return node_jet<N, qv_jet<S, N>>{jets_of<2, Scalar>(what.lagrangian, q, v, all)};
     } else {
         using s = shape<V>;
         V x, y;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSL-1.0
+// The equations of a Galerkin step (integrator/galerkin_table.hpp) of any Lagrangian, for the velocities V_j:
+//   r_j = p_0 + h sum_k momentum_jk dL/dq(A_k, B_k) - 1/gamma_j sum_k w_k beta_kj dL/dv(A_k, B_k) = 0.
+// By iteration V_j += M_j^-1 r_j with M_j the derivative of the last sum by V_j alone, which costs first derivatives and gains a factor of
+// the size of h a round; where that is too little, or numbers are exact, by Newton with dense factorizations.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "hilger/integrator/galerkin_table.hpp"
+#include "hilger/integrator/state.hpp"
+#include "hilger/mechanics/contraction.hpp"
+#include "hilger/mechanics/gradients.hpp"
+#include "hilger/mechanics/newton_stop.hpp"
+
+namespace hilger::detail {
+
+/// to = sum_j c_j x_j
+template <class V, class Row, class List>
+[[gnu::always_inline]] inline void combine(Row const& c, List const& x, V& to) {
+    if constexpr (shape<V>::size == Eigen::Dynamic) {
+        to = x[0] * c[0];
+        for (std::size_t j = 1; j < x.size(); ++j) to += x[j] * c[j];
+    } else { // in registers
+        V sum = x[0] * c[0];
+        for (std::size_t j = 1; j < x.size(); ++j) sum = sum + x[j] * c[j];
+        to = sum;
+    }
+}
+
+template <class Problem, class Table, class S, class V>
+class galerkin_equations {
+    using s = shape<V>;
+    static constexpr std::size_t N = Table::N, R = Table::R;
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+    using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+public:
+    explicit galerkin_equations(V const& like) : d_(s::dimension(like)), zero_(s::zero(d_)), room_(zero_) {
+        velocity.fill(zero_);
+        force.fill(zero_);
+        D_.fill(zero_);
+        B_.fill(zero_);
+        m_.fill(zero_);
+    }
+    std::array<V, R> velocity; ///< the unknown
+    std::array<V, N> force;    ///< dL/dq at the nodes, of the velocities that solve the equations
+
+    /// False where it converges too slowly to be worth it.
+    bool iterate(Problem const& what, state<S, V> const& x, S const& h, S const& small) {
+        if (not invert_masses(what, x, h)) return false;
+        V const start = times(0, x.p);
+        S reach = magnitude(start);
+        for (V const& v : velocity) reach = std::max(reach, S(magnitude(v)));
+        contraction<S> convergence(epsilon<S>() * reach, small);
+        for (;;) {
+            place(h);
+            evaluate(what, x, h);
+            S size(0);
+            for (std::size_t j = 0; j < R; ++j) {
+                residual(x, h, j);
+                room_ = times(j, room_);
+                velocity[j] = velocity[j] + room_;
+                size = std::max(size, S(magnitude(room_)));
+            }
+            switch (convergence.after(size)) {
+            case progress::going: break;
+            case progress::lost: return false;
+            case progress::done: evaluate_at_last(what, x, h); return true;
+            }
+        }
+    }
+    /// @throws newton_failure, error::singular, error::not_finite
+    void newton(Problem const& what, state<S, V> const& x, S const& h, S const& small) {
+        prepare_newton();
+        bool singular = false;
+        S size(0);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            S const forces = assemble(what, x, h);
+            for (int k = 0; k < r_.size(); ++k)
+                if (not is_finite(r_(k))) give_up(name, false, x.q, constant(r_(k)), size);
+            lu_.compute(J_);
+            singular = not is_regular(lu_);
+            if (singular) break;
+            correction_ = lu_.solve(r_);
+            S reach(0);
+            for (std::size_t j = 0; j < R; ++j) {
+                for (int c = 0; c < d_; ++c) s::component(velocity[j], c) = s::component(velocity[j], c) + correction_(row(j, c));
+                reach = std::max(reach, S(magnitude(velocity[j])));
+            }
+            size = magnitude(correction_);
+            bool const floor = round > 0 and magnitude(r_) <= S(8) * epsilon<S>() * (magnitude(x.p) + forces);
+            if (not(size <= square_root_of_epsilon<S>() * small * reach) and not floor) continue;
+            evaluate_at_last(what, x, h);
+            return;
+        }
+        room_ = x.q;
+        for (std::size_t j = 0; j < R; ++j) room_ = room_ + velocity[j] * S(h * table().gamma[j]);
+        V rest = zero_;
+        for (int c = 0; c < d_; ++c) s::component(rest, c) = r_(c);
+        give_up(name, singular, room_, rest, size);
+    }
+
+    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
+
+private:
+    static Table const& table() { return Table::here(); }
+    [[nodiscard]] int row(std::size_t j, int c) const { return static_cast<int>(j) * d_ + c; }
+    [[nodiscard]] S time(state<S, V> const& x, S const& h, std::size_t k) const { return x.t + table().node[k] * h; }
+    [[nodiscard]] V constant(S const& y) const {
+        V v = zero_;
+        for (int c = 0; c < d_; ++c) s::component(v, c) = y;
+        return v;
+    }
+    [[nodiscard]] V times(std::size_t j, V const& r) const { return V(inverse_[j] * r); }
+
+    /// A_k - q_0 and B_k
+    void place(S const& h) {
+        Table const& T = table();
+        for (std::size_t k = 0; k < N; ++k) {
+            combine(T.alpha[k], velocity, D_[k]);
+            D_[k] = D_[k] * h;
+            if constexpr (not Table::collocated) combine(T.beta[k], velocity, B_[k]);
+        }
+    }
+    [[nodiscard]] V const& at_node(std::size_t k) const {
+        if constexpr (Table::collocated)
+            return velocity[k];
+        else
+            return B_[k];
+    }
+    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    void evaluate(Problem const& what, state<S, V> const& x, S const& h) {
+        if constexpr (std::is_floating_point_v<S>)
+            flat_evaluate(what, x, h);
+        else
+            evaluate_all(what, x, h);
+    }
+    [[gnu::flatten]] void flat_evaluate(Problem const& what, state<S, V> const& x, S const& h) { evaluate_all(what, x, h); }
+    [[gnu::always_inline]] void evaluate_all(Problem const& what, state<S, V> const& x, S const& h) {
+        for (std::size_t k = 0; k < N; ++k) {
+            V const A = x.q + D_[k];
+            gradients_at(what, time(x, h, k), A, at_node(k), force[k], m_[k]);
+        }
+    }
+    void evaluate_at_last(Problem const& what, state<S, V> const& x, S const& h) {
+        place(h);
+        evaluate(what, x, h);
+    }
+    /// r_j, into room_.
+    void residual(state<S, V> const& x, S const& h, std::size_t j) {
+        Table const& T = table();
+        combine(T.momentum[j], force, room_);
+        room_ = x.p + room_ * h;
+        if constexpr (Table::collocated)
+            room_ = room_ - m_[j];
+        else
+            for (std::size_t k = 0; k < N; ++k) room_ = room_ - m_[k] * S(T.weight[k] * T.beta[k][j] / T.gamma[j]);
+    }
+    /// M_j = 1/gamma_j sum_k w_k beta_kj^2 d2L/dv2
+    bool invert_masses(Problem const& what, state<S, V> const& x, S const& h) {
+        Table const& T = table();
+        inverse_.fill(s::zero_block(d_));
+        place(h);
+        for (std::size_t k = 0; k < N; ++k) {
+            auto const e = hilger::expand(at_time{what.lagrangian, time(x, h, k)}, V(x.q + D_[k]), at_node(k));
+            for (std::size_t j = 0; j < R; ++j) {
+                if (Table::collocated and j != k) continue;
+                inverse_[j] = inverse_[j] + e.vv * S(T.weight[k] * T.beta[k][j] * T.beta[k][j] / T.gamma[j]);
+            }
+        }
+        for (auto& M : inverse_)
+            if constexpr (s::is_scalar) {
+                if (M == S(0)) return false;
+                M = S(1) / M;
+            } else {
+                Eigen::PartialPivLU<block_of<V>> const lu(M);
+                if (not is_regular(lu)) return false;
+                M = lu.inverse();
+            }
+        return true;
+    }
+
+    void prepare_newton() {
+        if (r_.size() > 0) return;
+        int const n = static_cast<int>(R) * d_;
+        r_ = correction_ = vector::Zero(n);
+        J_ = matrix::Zero(n, n);
+    }
+    /// r_ and J_ = - its derivative; the size of what r_ is the difference of.
+    S assemble(Problem const& what, state<S, V> const& x, S const& h) {
+        Table const& T = table();
+        place(h);
+        J_.setZero();
+        for (std::size_t j = 0; j < R; ++j)
+            for (int c = 0; c < d_; ++c) r_(row(j, c)) = s::component(x.p, c);
+        S forces(0);
+        for (std::size_t k = 0; k < N; ++k) {
+            node_table<V> const e = expand_at(what, time(x, h, k), V(x.q + D_[k]), at_node(k));
+            forces = forces + magnitude(S(h * T.weight[k])) * magnitude(e.e.by_q) + magnitude(e.e.by_v);
+            for (std::size_t j = 0; j < R; ++j) {
+                S const by_q = h * T.momentum[j][k], by_v = T.weight[k] * T.beta[k][j] / T.gamma[j];
+                for (int c = 0; c < d_; ++c) {
+                    S& r = r_(row(j, c));
+                    r = r + (by_q * s::component(e.e.by_q, c) - by_v * s::component(e.e.by_v, c));
+                    for (std::size_t l = 0; l < R; ++l) {
+                        S const a = h * T.alpha[k][l];
+                        S const& b = T.beta[k][l];
+                        for (int f = 0; f < d_; ++f) {
+                            S& to = J_(row(j, c), row(l, f));
+                            to = to + by_v * (s::entry(e.vq_, c, f) * a + s::entry(e.e.vv, c, f) * b) -
+                                 by_q * (s::entry(e.e.qq, c, f) * a + s::entry(e.e.qv, c, f) * b);
+                        }
+                    }
+                }
+            }
+        }
+        return forces;
+    }
+
+    int d_;
+    V zero_, room_;
+    std::array<V, N> D_, B_, m_;
+    std::array<block_of<V>, R> inverse_;
+    vector r_, correction_;
+    matrix J_;
+    Eigen::PartialPivLU<matrix> lu_;
+};
+
+} // namespace hilger::detail
