@@ -47,5 +47,6 @@ void boundary();
 void rounding(double log10_of_steps);
 void histories();
 void fractional();
+void galerkin();
 
 } // namespace bench

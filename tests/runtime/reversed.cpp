@@ -50,6 +50,5 @@ TEST_CASE("an adjoint is known by its type") {
     // The times of the nodes are read from the other end too.
     auto const b = tableau_of(reversed<std::remove_const_t<decltype(theta<1, 3>)>>{theta<1, 3>}, Q(1, 5));
     CHECK(b.time(0, Q(1), Q(1, 5)) == Q(1) + Q(2, 3) * Q(1, 5));
-    CHECK(b.fraction_of_step == std::vector<Q>{0, 1});
     CHECK(b.w(0) == Q(1, 5));
 }

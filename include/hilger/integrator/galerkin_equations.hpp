@@ -64,9 +64,13 @@ public:
                 size = std::max(size, S(magnitude(room_)));
             }
             switch (convergence.after(size)) {
-            case progress::going: break;
-            case progress::lost: return false;
-            case progress::done: evaluate_at_last(what, x, h); return true;
+            case progress::going:
+                break;
+            case progress::lost:
+                return false;
+            case progress::done:
+                evaluate_at_last(what, x, h);
+                return true;
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The numbers of a Galerkin step. Its velocity is the polynomial through values V_j at the R Gauss points g_j of [0, 1], R its degree plus
-// one, and with nodes c_k and weights w_k, k = 1, ..., N, l_j the polynomial that is 1 at g_j and 0 at the others, and gamma_j its integral,
+// one, and with nodes c_k and weights w_k, k = 1, ..., N, l_j the polynomial that is 1 at g_j and 0 at the others, and gamma_j its
+// integral,
 //   A_k = q_0 + h sum_j alpha_kj V_j,   B_k = sum_j beta_kj V_j,   alpha_kj = integral of l_j from 0 to c_k,   beta_kj = l_j(c_k).
 // That L_h is stationary for q_0 and q_1 = q_0 + h sum_j gamma_j V_j given, with p_0 = -d_1 L_h, says for j = 1, ..., R
 //   1/gamma_j sum_k w_k beta_kj dL/dv(A_k, B_k) = p_0 + h sum_k momentum_jk dL/dq(A_k, B_k),   momentum_jk = w_k (1 - alpha_kj / gamma_j),
@@ -42,11 +43,18 @@ struct galerkin_table {
 private:
     using W = typename wider<S>::type;
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    /// The Gauss points. Two of them are irrational: exact scalars take Radau's, which serve as well, for l_i l_j has degree 2.
+    static quadrature<W> velocity_points() {
+        if constexpr (std::numeric_limits<S>::is_exact and R == 2)
+            return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
+        else
+            return gauss::on_unit_interval<S>(static_cast<int>(R));
+    }
 
     galerkin_table() {
         constexpr int n = static_cast<int>(N), r = static_cast<int>(R);
         auto const nodes = Quadrature::template on_unit_interval<S>(n);
-        auto const points = gauss::on_unit_interval<S>(r);
+        auto const points = velocity_points();
         std::vector<std::vector<W>> at_node, at_point, alpha_wide(N, std::vector<W>(R)), momentum_wide(R, std::vector<W>(N));
         for (W const& c : nodes.node) at_node.push_back(legendre(r + 1, W(W(2) * c - W(1))));
         for (W const& g : points.node) at_point.push_back(legendre(r + 1, W(W(2) * g - W(1))));

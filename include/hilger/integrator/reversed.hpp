@@ -3,7 +3,8 @@
 // Integration, II.3). It is the flow of L_h^*(x, y) = -L_{-h}(y, x) (Marsden-West 2001, section 2.4), that is of the embedding read from
 // the other end: control values in reversed order, velocities and weights as of a step -h. Forces stand beside dL/dq on the same rows, so
 // they are kept.
-//   adjoint(embed(L, order_one)) steps as embed(L, order_one_left); mid-point and Galerkin are their own adjoints; adjoint(adjoint(f)) has the type of f.
+//   adjoint(embed(L, order_one)) steps as embed(L, order_one_left); mid-point and Galerkin are their own adjoints; adjoint(adjoint(f)) has
+//   the type of f.
 #pragma once
 
 #include "hilger/integrator/flow.hpp"

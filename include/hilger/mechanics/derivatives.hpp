@@ -79,7 +79,7 @@ flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const
 }
 template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
 qv_jet<S, static_cast<int>(Size), Order> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
-                                          std::integer_sequence<int, K...> all, Time const&... t) {
+                                                 std::integer_sequence<int, K...> all, Time const&... t) {
     if constexpr (std::is_floating_point_v<S>)
         return flat_jets_of<Order, Scalar>(f, q, v, all, t...);
     else {

@@ -12,7 +12,9 @@ inline constexpr bool is_timed = [] {
     using X = typename jets_for<V>::position;
     using Y = typename jets_for<V>::velocity;
     return std::invocable<F const&, S const&, X const&, Y const&> or std::invocable<Force const&, S const&, X const&, Y const&> or
-           requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); };
+           requires(F const& f, S const& t, V const& x) {
+        f.expand(t, x, x);
+    };
 }();
 
 /// by_q = dL/dq + force and by_v = dL/dv at (t, q, v), and how L depends on q and v as far as this evaluation tells.
