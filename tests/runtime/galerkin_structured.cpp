@@ -8,8 +8,8 @@ using namespace hilger;
 
 namespace {
 
-constexpr auto energy = [](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; };
-auto const row = mechanical(2.0, chain(energy));
+constexpr auto bond = [](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; };
+auto const row = mechanical(2.0, chain(bond));
 Eigen::Vector3d const q(0.2, -0.4, 0.9), p(0, 0.3, 0);
 
 auto path(auto const& L, double end, hilger::index steps, auto const& x, auto const& y) {
@@ -20,7 +20,7 @@ auto path(auto const& L, double end, hilger::index steps, auto const& x, auto co
 
 TEST_CASE("a system that says its structure steps as the same without, by iteration and by Newton") {
     auto const plain = [](auto const& x, auto const& v) {
-        return v.dot(v) - (energy(0, x(0)) + energy(1, x(1) - x(0)) + energy(2, x(2) - x(1)) + energy(3, -x(2)));
+        return v.dot(v) - (bond(0, x(0)) + bond(1, x(1) - x(0)) + bond(2, x(2) - x(1)) + bond(3, -x(2)));
     };
     for (double const end : {10.0, 200.0}) {
         state<double, Eigen::VectorXd> a;

@@ -157,6 +157,7 @@ TEST_CASE("no step allocates: small systems, a chain of 128, bodies in space, fr
     auto const bodies = mechanical(1.0, pairs<3>(all_pairs(4), [](hilger::index, auto const& r) { return r.dot(r) / 2; }));
     Eigen::VectorXd const z = Eigen::VectorXd::LinSpaced(12, -1, 1);
     CHECK(allocations_along(embed(bodies, midpoint).along(T, z, z)) == 0);
+    CHECK(allocations_along(embed(bodies, galerkin<2, gauss>).along(T, z, z)) == 0);
 }
 
 TEST_CASE("nor does fractional damping: of order 1, by exponentials, of structures and materials") {

@@ -25,7 +25,7 @@ class galerkin_step {
 public:
     galerkin_step(Problem const& what, S const& h, V const& like)
         : h_(h), d_(s::dimension(like)), separable_(what, like), equations_(like), sum_q_(d_), sum_p_(d_) {
-        v_ = next_ = room_ = s::zero(d_);
+        v_ = before_ = next_ = room_ = s::zero(d_);
         D_.fill(v_);
         F_.fill(v_);
         guess_.fill(v_);
@@ -43,9 +43,10 @@ public:
     void visit(Visit& each) {
         each("known", known_);
         each("way", way_);
-        if (way_ == by_forces)
+        if (way_ == by_forces) {
+            visit_components(each, "velocity", before_);
             for (V& f : F_) visit_components(each, "force", f);
-        else
+        } else
             for (V& v : last_) visit_components(each, "velocity", v);
         sum_q_.visit(each);
         sum_p_.visit(each);
@@ -136,20 +137,24 @@ private:
         next_ = v_ * h_ + next_ * S(h_ * h_);
         combine(T.weight, F_, room_);
         add(x);
+        before_ = v_;
     }
 
-    /// From the velocities that the forces of the last step would make.
+    /// From the velocities of the last step, which its forces say.
     void newton_from_forces(Problem const& what, state<S, V>& x) {
         if (known_ > 0) F_ = guess_;
         for (std::size_t j = 0; j < R; ++j) {
-            equations_.velocity[j] = v_;
-            if (known_ == 0) continue;
+            if (known_ == 0) {
+                equations_.velocity[j] = v_;
+                continue;
+            }
             combine(table().momentum[j], F_, room_);
             separable_.solve(room_, next_);
-            equations_.velocity[j] = v_ + next_ * h_;
+            equations_.velocity[j] = before_ + next_ * h_;
         }
         newton(what, x);
         F_ = equations_.force;
+        before_ = v_;
     }
     void solve_for_velocities(Problem const& what, state<S, V>& x) {
         if (known_ == 0) last_.fill(velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
@@ -195,7 +200,7 @@ private:
     bool inspected_ = false;
     separable_type separable_;
     galerkin_equations<Problem, Table, S, V> equations_;
-    V v_, next_, room_;
+    V v_, before_, next_, room_;     ///< v_0; that of the last step
     std::array<V, N> D_, F_, guess_; ///< A_k - q_0; the forces; and those of the last step while there are new ones
     std::array<V, R> last_;          ///< the last velocities, where they are what is iterated
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
