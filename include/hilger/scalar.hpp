@@ -120,6 +120,23 @@ template <int P, int Q>
     requires(Q > 0)
 using reduced = fraction<P / std::gcd(P, Q), Q / std::gcd(P, Q)>;
 
+namespace detail {
+
+/// What a step is made of, besides arithmetic.
+enum class work { force, newton_round, solve, factorization };
+
+/// What is told of the work while it is done: nothing, except by scalars that count (hilger/integrator/counted.hpp).
+template <class S>
+struct tally {
+    [[gnu::always_inline]] static constexpr void add(work) {}
+    /// A second derivative of L is used, or K x = r is solved for a small K.
+    [[gnu::always_inline]] static constexpr S const& second(S const& x) { return x; }
+    template <class Matrix>
+    [[gnu::always_inline]] static constexpr void small_solve(Matrix const&) {}
+};
+
+} // namespace detail
+
 /// A constant known only at run time.
 template <class C>
 struct run_time {

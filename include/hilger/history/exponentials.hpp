@@ -27,7 +27,7 @@ class exponential_weights {
 
 public:
     /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no twofold.
-    static constexpr int least = std::is_floating_point_v<S> ? 32 : 512;
+    static constexpr int least = std::is_floating_point_v<W> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
     std::size_t brief = 0;            ///< so many of them, the first, forget before rounding in their sums is seen

@@ -37,7 +37,11 @@ namespace detail::memory {
 
 /// Where modes are computed: float in double; the others in themselves, with nodes by twofold products.
 template <class S>
-using modes_scalar = std::conditional_t<std::is_same_v<S, float>, double, S>;
+struct modes_in {
+    using type = std::conditional_t<std::is_same_v<S, float>, double, S>;
+};
+template <class S>
+using modes_scalar = typename modes_in<S>::type;
 
 template <class S>
 S sine_of_pi_times(S const& alpha) { // accurate next to whole numbers

@@ -80,6 +80,7 @@ public:
     }
     [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
     [[nodiscard]] index values_kept() const { return count() == 0 ? 0 : memory_.kept(); }
+    [[nodiscard]] auto const& history() const { return memory_; }
     [[nodiscard]] bool needs_velocity() const { return count() > 0 and memory_.needs_velocity(); }
     void begin(V const& q0, V const& v0) {
         if (count() == 0) return;
@@ -164,6 +165,9 @@ public:
         /// The number of values that each damped component keeps, and of such components.
         [[nodiscard]] index values_kept() const { return impulse_.values_kept(); }
         [[nodiscard]] index damped_components() const { return impulse_.count(); }
+        /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
+        [[nodiscard]] index histories() const { return impulse_.history().histories(); }
+        [[nodiscard]] std::size_t history_bytes() const { return impulse_.history().bytes(); }
 
     private:
         /// What fails leaves x as it was.

@@ -139,6 +139,14 @@ public:
         if constexpr (not always_local) return engine_->count();
         return 0;
     }
+    /// The number of components with a history: none where the order is whole.
+    [[nodiscard]] index histories() const { return local_ ? 0 : shape<V>::dimension(x0_); }
+    /// What their engine takes. The local values of a whole order are not counted.
+    [[nodiscard]] std::size_t bytes() const {
+        if constexpr (not always_local)
+            if (engine_) return engine_->bytes();
+        return 0;
+    }
     void begin(V const& x0, V const& v0) {
         if (initial_ == initial_history::caputo) {
             if (local_)

@@ -64,6 +64,9 @@ public:
         [[nodiscard]] V const& total_force() const { return r_; }
         /// The number of components that keep a history.
         [[nodiscard]] index damped_components() const { return response_.damped_components(); }
+        /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
+        [[nodiscard]] index histories() const { return response_.history().histories(); }
+        [[nodiscard]] std::size_t history_bytes() const { return response_.history().bytes(); }
 
     private:
         void move(newmark_flow const& f, state<S, V>& x) {

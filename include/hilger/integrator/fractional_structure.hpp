@@ -36,11 +36,13 @@ template <class B>
 class factorized {
 public:
     factorized(B const& a, char const* what) : lu_(a) {
+        tally<typename B::Scalar>::add(work::factorization);
         if (not is_regular(lu_)) error::raise<error::singular>(what, " is singular");
     }
     /// x = A^-1 b; the two are different objects.
     template <class V>
     void solve(V const& b, V& x) const {
+        tally<typename B::Scalar>::add(work::solve);
         x = lu_.solve(b);
     }
 
@@ -149,6 +151,7 @@ struct fractional_structure {
         }
         /// The number of components that keep a history.
         [[nodiscard]] index damped_components() const { return static_cast<index>(damped_.size()); }
+        [[nodiscard]] auto const& history() const { return history_; }
 
     private:
         void take(V const& u) {

@@ -62,6 +62,7 @@ public:
         S const small = square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4);
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             assemble(problem, x);
+            for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
             for (int k = 0; k < d_; ++k)
                 if (not is_finite(r_(k))) give_up(name, false, x.q, value_of_nan(x.q, r_(k)), size);
             lu_.compute(J_);

@@ -13,10 +13,16 @@
 
 namespace hilger::detail {
 
+template <std::size_t M, class S, std::size_t... I>
+[[gnu::always_inline]] inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
+    return ((I / M == I % M or is_known_zero(K[I])) and ...);
+}
+
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding.
 template <class S, std::size_t M, std::size_t MM>
 [[gnu::always_inline]] inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
     using std::abs;
+    tally<S>::small_solve(K);
     if constexpr (M == 1) {
         if (K[0] == S(0)) return false;
         r[0] = r[0] / K[0];
@@ -31,6 +37,13 @@ template <class S, std::size_t M, std::size_t MM>
         r[1] = y * i;
         return true;
     } else {
+        if (is_known_diagonal<M>(K, std::make_index_sequence<MM>{})) { // a mass for each component, under order one
+            for (std::size_t k = 0; k < M; ++k) {
+                if (K[k * M + k] == S(0)) return false;
+                r[k] = r[k] / K[k * M + k];
+            }
+            return true;
+        }
         using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
         using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
         Eigen::PartialPivLU<matrix> const lu(Eigen::Map<matrix const>(K.data()));
@@ -131,10 +144,10 @@ private:
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
-            components_ g{e.template by_q<K>()...};
+            components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
-            matrix_ const D{(at_start ? e.template qv<M / N, M % N>()
+            matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
                                       : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
             matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
                                      : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
@@ -145,6 +158,7 @@ private:
                 break;
             }
             bool const quadratic = not e.on().coupled and e.on().v <= 2;
+            if (not(at_start or at_end) or not quadratic) tally<S>::add(work::newton_round);
             if constexpr (at_start or at_end)
                 if (iteration == 0 and not quadratic) {
                     v = past_[0];

@@ -53,12 +53,12 @@ public:
     void advance(L const& l, state<S, V>& x) {
         auto const& U = l.potential();
         if constexpr (Facts.at_start) {
-            U.gradient(x.q, g_, room_);
+            force(U, x.q);
             mass_.solve(x.p - w_ * g_, v_);
         } else if constexpr (Facts.at_end) {
             mass_.solve(x.p, v_);
             A_ = x.q + c_ * v_;
-            U.gradient(A_, g_, room_);
+            force(U, A_);
         } else {
             first_guess(x);
             bool const done = not stiff_ and functional(U, x);
@@ -90,6 +90,11 @@ public:
 private:
     static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
     [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
+    template <class U>
+    void force(U const& potential, V const& q) {
+        tally<S>::add(work::force);
+        potential.gradient(q, g_, room_);
+    }
     void first_guess(state<S, V> const& x) {
         if (known_ == history)
             extrapolate(std::make_integer_sequence<int, history>{});
@@ -110,7 +115,7 @@ private:
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
-            potential.gradient(A_, g_, room_);
+            force(potential, A_);
             mass_.solve(x.p - f_ * g_, next_);
             S const size = largest_difference(), reach = largest_of(next_);
             hand_over(next_, v_);
@@ -142,10 +147,11 @@ private:
         S size(0);
         for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
-            U.gradient(A_, g_, room_);
+            force(U, A_);
             kernel_.zero();
             mass_.put(put);
-            U.hessian(A_, [&](index j, index k, S const& y) { kernel_.add(j, k, S(scale * y)); });
+            U.hessian(A_, [&](index j, index k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
+            tally<S>::add(work::newton_round);
             // M v rounds; r = p - f U' - M v with the same mass that the kernel has
             residual(l, x);
             next_ = r_;
@@ -156,7 +162,7 @@ private:
             if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
                 (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(x.p) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
-                U.gradient(A_, g_, room_);
+                force(U, A_);
                 return;
             }
         }

@@ -33,9 +33,10 @@ public:
     }
     template <class R>
     void solve(R const& r, V& v) const {
-        if constexpr (is_matrix)
+        if constexpr (is_matrix) {
+            tally<S>::add(work::solve);
             v = factors_.solve(r);
-        else
+        } else
             v = inverse_.cwiseProduct(r);
     }
     template <class Put>
@@ -107,6 +108,7 @@ public:
     }
     /// x in K x = r; false where K is not regular.
     bool solve(V& x) {
+        for (work const each : {work::factorization, work::solve}) tally<S>::add(each);
         if (pattern_ == hessian_pattern::tridiagonal) return thomas(x);
         if (pattern_ == hessian_pattern::dense) {
             if (not dense_factors_) dense_factors_.reset(new Eigen::LDLT<block_of<V>, Eigen::Lower>(dense_.rows()));

@@ -83,6 +83,8 @@ public:
         [[gnu::always_inline]] void operator++(int) { advance(); }
         /// The number of the point of T that the state is at.
         [[nodiscard]] index number() const { return number_; }
+        /// What the method remembers there.
+        [[nodiscard]] auto const& remembered() const { return memory_; }
         /// What trajectory::resume continues from, bit for bit as if it had not stopped.
         [[nodiscard]] checkpoint_type checkpoint() const { return {at_, memory_, number_}; }
         friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }

@@ -19,11 +19,18 @@ namespace hilger {
 
 namespace detail {
 
+/// Numbers that say themselves what a compiler sees of them (hilger/integrator/counted.hpp).
+template <class S>
+concept says_what_is_constant = requires(S const& x) {
+    { x.is_constant() } -> std::same_as<bool>;
+};
 /// IEEE rules forbid a compiler to drop 0 * x and 0 + x; derivatives are full of zeros that are exact.
 template <class S>
 [[gnu::always_inline]] constexpr bool is_known_zero(S const& x) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and x == S(0);
+    else if constexpr (says_what_is_constant<S>)
+        return x.is_constant() and x == S(0);
     else
         return x == S(0);
 }
@@ -31,6 +38,8 @@ template <class S>
 [[gnu::always_inline]] constexpr bool is_known_one(S const& x) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and x == S(1);
+    else if constexpr (says_what_is_constant<S>)
+        return x.is_constant() and x == S(1);
     else
         return x == S(1);
 }
@@ -39,6 +48,8 @@ template <class S>
 [[gnu::always_inline]] constexpr bool is_one_constant(S const& x, S const& y) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and __builtin_constant_p(y) and x == y;
+    else if constexpr (says_what_is_constant<S>)
+        return x.is_constant() and y.is_constant() and x == y;
     else
         return false;
 }

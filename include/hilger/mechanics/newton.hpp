@@ -22,6 +22,7 @@ namespace detail {
 /// J^-1 r. @throws error::singular
 template <class V>
 V solve(block_of<V> const& J, V const& r, char const* what) {
+    for (work const each : {work::newton_round, work::factorization, work::solve}) tally<scalar_of<V>>::add(each);
     if constexpr (requires { r.size(); }) {
         Eigen::PartialPivLU<block_of<V>> const lu(J);
         if (not is_regular(lu)) refuse_singular(what);

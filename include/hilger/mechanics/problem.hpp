@@ -101,9 +101,11 @@ constexpr auto refusal() {
 template <int N, class Jet>
 struct node_jet {
     Jet z;
+    using told = tally<typename Jet::scalar_type>;
     [[gnu::always_inline]] dependence on() const { return z.on; }
     template <int J>
     [[gnu::always_inline]] auto by_q() const {
+        if constexpr (J == 0) told::add(work::force);
         return z.template by<J>();
     }
     template <int J>
@@ -112,19 +114,19 @@ struct node_jet {
     }
     template <int J, int K>
     [[gnu::always_inline]] auto qq() const {
-        return z.template by<std::max(J, K), std::min(J, K)>();
+        return told::second(z.template by<std::max(J, K), std::min(J, K)>());
     }
     template <int J, int K>
     [[gnu::always_inline]] auto qv() const {
-        return z.template by<N + K, J>();
+        return told::second(z.template by<N + K, J>());
     }
     template <int J, int K>
     [[gnu::always_inline]] auto vq() const {
-        return z.template by<N + J, K>();
+        return told::second(z.template by<N + J, K>());
     }
     template <int J, int K>
     [[gnu::always_inline]] auto vv() const {
-        return z.template by<N + std::max(J, K), N + std::min(J, K)>();
+        return told::second(z.template by<N + std::max(J, K), N + std::min(J, K)>());
     }
 };
 /// The same from an expansion and forces.
@@ -169,6 +171,7 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
     block_of<V> vq = s::zero_block(d);
     for (int j = 0; j < d; ++j)
         for (int k = 0; k < d; ++k) s::entry(vq, j, k) = s::entry(e.qv, k, j);
+    tally<scalar_of<V>>::add(work::force);
     if constexpr (not std::same_as<Force, no_force>) {
         e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
         constexpr int C = s::size == Eigen::Dynamic or s::size > one_evaluation ? chunk : s::size;
@@ -187,6 +190,9 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
             }
         }
     }
+    for (int j = 0; j < d; ++j)
+        for (int k = 0; k < d; ++k)
+            for (auto const* block : {&e.qq, &e.qv, &e.vv}) tally<scalar_of<V>>::second(s::entry(*block, j, k));
     return {std::move(e), std::move(vq)};
 }
 
