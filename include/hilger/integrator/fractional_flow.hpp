@@ -152,9 +152,9 @@ public:
             if (not(h == h_))
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
-            auto const& lagrangian = f.undamped_.mechanics().lagrangian;
             V v0 = zero_like(x.q);
-            if (impulse_.needs_velocity()) v0 = velocity_of(detail::at_time{lagrangian, x.t}, x.q, x.p);
+            if constexpr (not detail::is_below_one<decltype(Damping::order)>)
+                if (impulse_.needs_velocity()) v0 = velocity_of(detail::at_time{f.undamped_.mechanics().lagrangian, x.t}, x.q, x.p);
             impulse_.begin(x.q, v0);
             begun_ = true;
         }

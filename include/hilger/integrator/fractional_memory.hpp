@@ -42,6 +42,12 @@ inline constexpr bool is_one = false;
 template <int P>
 inline constexpr bool is_one<fraction<P, P>> = true;
 
+/// Whether an order is known to be below 1 by its type: no velocity is then asked for.
+template <class Order>
+inline constexpr bool is_below_one = false;
+template <int P, int Q>
+inline constexpr bool is_below_one<fraction<P, Q>> = P < Q;
+
 /// h^beta. @throws error::invalid_parameter where it is no number of type S
 template <class S>
 S power(S const& h, S const& beta) {

@@ -148,7 +148,7 @@ private:
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
             matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
-                                      : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
+                                                : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
             matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
                                      : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
                             at_end ? S(0) : times(f, D[M]))...};
