@@ -48,7 +48,9 @@ public:
         return y.is_constant(0) ? x : made(kind::minus, x.value_ - y.value_, x, y);
     }
     friend counted operator*(counted const& x, counted const& y) noexcept {
-        return y.is_constant(1) ? x : x.is_constant(1) ? y : made(kind::times, x.value_ * y.value_, x, y);
+        if (x.is_constant(1) or x.is_constant(-1)) return x.value_ < 0 ? -y : y;
+        if (y.is_constant(1) or y.is_constant(-1)) return y.value_ < 0 ? -x : x;
+        return made(kind::times, x.value_ * y.value_, x, y);
     }
     friend counted operator/(counted const& x, counted const& y) noexcept {
         return y.is_constant(1) ? x : made(kind::over, x.value_ / y.value_, x, y);

@@ -114,21 +114,21 @@ requirements requirements_of(Path const& path, index steps = 16, Allocations con
         r.arithmetic = per_step(n.arithmetic);
         r.functions = per_step(n.functions);
         constexpr index size = sizeof(double);
+        if constexpr (requires { at.remembered().histories(); }) {
+            r.histories = at.remembered().histories();
+            r.history_bytes = size * static_cast<index>(at.remembered().history_bytes() / sizeof(counted));
+        }
         r.state_bytes = size * (1 + 2 * d);
         r.memory_bytes = size * static_cast<index>(after - others) - r.state_bytes;
         r.growth_in_bytes = per_step(size * (after - before));
     }
-    auto const plain = path_in<S>(path, in_all, [](S const& x) { return x; });
-    auto at = plain.begin();
-    for (index i = 0; i < steps_before_counting; ++i) ++at;
     if constexpr (not std::same_as<Allocations, std::nullptr_t>) {
+        auto const plain = path_in<S>(path, in_all, [](S const& x) { return x; });
+        auto at = plain.begin();
+        for (index i = 0; i < steps_before_counting; ++i) ++at;
         auto const before = allocations();
         for (index i = 0; i < steps; ++i) ++at;
         r.allocations = per_step(allocations() - before);
-    }
-    if constexpr (requires { at.remembered().histories(); }) {
-        r.histories = at.remembered().histories();
-        r.history_bytes = static_cast<index>(at.remembered().history_bytes() * sizeof(double) / sizeof(S));
     }
     return r;
 }
