@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // Scales derived from a scale, and operators applied to functions, are views: making one and evaluating it allocates nothing, however many
-// points there are. The global operator new is replaced here by one that counts.
+// points there are. allocations.hpp counts, Eigen's allocations too.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <new>
 
+#include "allocations.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/integrator/composition_methods.hpp"
-
-namespace {
-long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace hilger;
 
@@ -30,9 +18,9 @@ constexpr hilger::index N = 1'000'000;
 /// How often memory was asked for while the work was done.
 template <class Work>
 long allocations_in(Work const& work) {
-    long const before = allocations;
+    long const before = allocations_until_now();
     work();
-    return allocations - before;
+    return allocations_until_now() - before;
 }
 
 /// Everything the calculus makes of a function on T, evaluated at every point.

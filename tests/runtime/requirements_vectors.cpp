@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Only what a scene requires is computed: steps in the plane and in space, and steps with several nodes. Beside each test stands what would
-// break it.
+// Only what a scene requires is computed: steps in the plane, masses in space, and steps with several nodes. Beside each test stands what
+// would break it.
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
@@ -14,19 +14,30 @@ auto const T = uniform(0.0, 0.05, 40);
 
 } // namespace
 
-TEST_CASE("in space, with a mass: twelve operations for twelve numbers") {
-    // Broken by a dense factorization of the diagonal matrix that d2L/dv2 is.
-    auto const oscillator = [](auto const& q, auto const& v) { return 3 * v.dot(v) / 2 - q.dot(q) / 2; };
-    Eigen::Vector3d const q(1, 2, 3), p(0, 1, 0);
-    requirements const r = requirements_of(embed(oscillator, order_one).along(T, q, p));
-    CHECK(r.newton_rounds == 0);
-    CHECK(r.second_derivatives == 0);
-    CHECK(r.solves == 0);
-    CHECK(r.factorizations == 0);
-    CHECK(r.growth_in_bytes == 0);
-    CHECK(r.forces == 1);
-    CHECK(r.functions == 0);
-    CHECK(r.arithmetic == 3 * 5 + 3); // each: h q, p -, / 3, h v, q +; is v_0 + v_1 + v_2 finite?
+TEST_CASE("a mass for each component is divided by, and not factorized") {
+    // Broken by a dense factorization of the diagonal matrix that d2L/dv2 is under order one.
+    counted const x = counted::variable(3), y = counted::variable(5), z = counted::variable(7);
+    std::array<counted, 9> mass{2, 0, 0, 0, 4, 0, 0, 0, 8}, full{x, 1, 0, 1, y, 0, 0, 0, z};
+    auto const counts_of = [](std::array<counted, 9>& K, std::array<counted, 3> r) {
+        auto& record = detail::record_of_operations::of_this_thread();
+        record.begin();
+        CHECK(detail::small_solve<counted, 3, 9>(K, r));
+        record.stop_counting();
+        for (counted const& component : r) component.need();
+        return std::pair(record.end(), r);
+    };
+    auto [n, r] = counts_of(mass, {x, y, z});
+    CHECK(n.arithmetic == 3);
+    CHECK(n.of(detail::work::factorization) == 0);
+    CHECK(r[0].value() == 3.0 / 2);
+    CHECK(r[1].value() == 5.0 / 4);
+    CHECK(r[2].value() == 7.0 / 8);
+    auto const [m, s] = counts_of(full, {x + 1, y + 1, z});
+    CHECK(counts(m).of(detail::work::factorization) == 1);
+    for (counted const& component : s) CHECK(std::abs(component.value() - 1) <= 16 * epsilon<double>());
+    std::array<counted, 9> none{2, 0, 0, 0, 0, 0, 0, 0, 8};
+    std::array<counted, 3> of_it{x, y, z};
+    CHECK_FALSE(detail::small_solve<counted, 3, 9>(none, of_it));
 }
 
 TEST_CASE("mid-point in the plane: the symmetric second derivatives once, one root for all of them") {
