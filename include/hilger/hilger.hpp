@@ -43,6 +43,7 @@
 #include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/events.hpp"
 #include "hilger/integrator/recording.hpp"
+#include "hilger/integrator/requirements.hpp"
 
 // Identities as checks, for your own scales and operators too
 #include "hilger/identity/registry.hpp"

@@ -12,14 +12,19 @@
 #define HILGER_OWN_MALLOC 0
 #endif
 #endif
-#if !defined(HILGER_OWN_MALLOC) && defined(__GLIBC__)
+#ifndef HILGER_OWN_MALLOC
+#ifdef __GLIBC__
 #define HILGER_OWN_MALLOC 1
+#else
+#define HILGER_OWN_MALLOC 0
+#endif
 #endif
 
 namespace {
 std::atomic<long> allocations = 0;
 }
 long allocations_until_now() { return allocations; }
+bool const counts_malloc = HILGER_OWN_MALLOC == 1;
 
 #if HILGER_OWN_MALLOC
 // operator new calls these too.

@@ -5,3 +5,5 @@
 
 /// How often memory was asked for until now.
 long allocations_until_now();
+/// Whether malloc is counted.
+extern bool const counts_malloc;

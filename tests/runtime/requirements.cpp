@@ -5,7 +5,6 @@
 
 #include "allocations.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/requirements.hpp"
 
 using namespace hilger;
 
@@ -76,8 +75,8 @@ TEST_CASE("mid-point: as many second derivatives as rounds have use for, and sev
 TEST_CASE("no value on T_o is kept: ten points and ten thousand take the same") {
     // Broken by a table of positions, of q_o, or of steps.
     auto const allocated = [](hilger::index steps) {
-        auto const path = embed(pendulum, midpoint).along(uniform(0.0, 0.05, steps), 1.0, 0.5);
         long const before = allocations_until_now();
+        auto const path = embed(pendulum, midpoint).along(uniform(0.0, 0.05, steps), 1.0, 0.5);
         double last = 0;
         for (auto const& x : path) last = x.q;
         CHECK(std::abs(last) < 2);

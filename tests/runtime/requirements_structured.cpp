@@ -4,7 +4,6 @@
 
 #include "allocations.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/requirements.hpp"
 
 using namespace hilger;
 

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/requirements.hpp"
 
 using namespace hilger;
 
