@@ -125,12 +125,13 @@ namespace detail {
 /// What a step is made of, besides arithmetic.
 enum class work { force, newton_round, solve, factorization };
 
-/// What is told of the work while it is done: nothing, except by scalars that count (hilger/integrator/counted.hpp).
+/// What is told of the work while it is done: nothing, and no instruction, except by scalars that count (hilger/integrator/counted.hpp).
 template <class S>
 struct tally {
     [[gnu::always_inline]] static constexpr void add(work) {}
-    /// A second derivative of L is used, or K x = r is solved for a small K.
+    /// A second derivative of L is read.
     [[gnu::always_inline]] static constexpr S const& second(S const& x) { return x; }
+    /// A small K x = r is solved.
     template <class Matrix>
     [[gnu::always_inline]] static constexpr void small_solve(Matrix const&) {}
 };

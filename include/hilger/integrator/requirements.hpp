@@ -2,7 +2,7 @@
 // What a step of a method needs for one scene: how often it evaluates forces and which second derivatives it reads, what it iterates,
 // solves and factorizes, how many operations are left when nothing superfluous is made, and how many numbers are kept from step to step.
 // The trajectory is walked with numbers that count (hilger/integrator/counted.hpp), so that nothing is estimated.
-//   std::cout << requirements_heading << row("mid-point", requirements_of(embed(L, midpoint).along(T, q0, p0)));
+//   write_heading(std::cout) << requirements_row{"mid-point", requirements_of(embed(L, midpoint).along(T, q0, p0))};
 #pragma once
 
 #include <iomanip>
@@ -70,8 +70,9 @@ inline constexpr index steps_after_counting = 10;  ///< until what is remembered
 } // namespace detail
 
 /// What `steps` steps of the trajectory need on average, once the method has found its pace; from where it starts, with its step. It is
-/// walked for 22 steps more than these, beyond its end if T is uniform. The callables of the method (Lagrangian, forces, loads) have to
-/// take any scalar; doubles in them are constants. `allocations` is a callable that returns how often memory was asked for until now.
+/// walked for 22 steps more than these, beyond its end if T is uniform, and a history has to be made for as many. The callables of the
+/// method (Lagrangian, forces, loads) have to take any scalar; doubles in them are constants. `allocations` is a callable that returns how
+/// often memory was asked for until now.
 /// @throws error::invalid_parameter when T has too few steps; what walking throws
 template <class Path, class Allocations = std::nullptr_t>
 requirements requirements_of(Path const& path, index steps = 16, Allocations const& allocations = nullptr) {
