@@ -222,7 +222,7 @@ public:
     /// One step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
-        return does_not_compile<detail::single_step<S>>{};
+        return does_not_compile<detail::no_single_step<S>>{};
     }
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {

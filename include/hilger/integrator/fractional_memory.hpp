@@ -64,7 +64,7 @@ S power(S const& h, S const& beta) {
 template <class>
 inline constexpr auto uneven_steps = text("fractional damping lives on a uniform T, and this one has steps of different lengths");
 template <class>
-inline constexpr auto single_step = text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
+inline constexpr auto no_single_step = text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
 
 /// @throws error::invalid_parameter
 template <class S>

@@ -122,7 +122,7 @@ public:
     /// One step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
-        return does_not_compile<detail::single_step<S>>{};
+        return does_not_compile<detail::no_single_step<S>>{};
     }
     /// u' = M^-1 p
     template <class V>

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSL-1.0
+// A solution to a wanted accuracy instead of a number of steps:
+//   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.steps, x.method, x.error
+// Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
+// `hilger trade` measure. The number of steps is doubled until two solutions agree.
+#pragma once
+
+#include "hilger/function/function.hpp"
+#include "hilger/integrator/flow.hpp"
+
+namespace hilger {
+
+/// The largest error of a position at any point, in the unit of the position. At least 64 epsilon of the scalar; larger than zero.
+struct accuracy {
+    double wanted;
+};
+
+/// A solution on the scale of its last run, and how good it is.
+template <class S, class V, class Function>
+struct accurate_solution {
+    Function q;            ///< positions, a function on T
+    state<S, V> end;       ///< at the end of the interval
+    index steps;           ///< of T
+    char const* method;    ///< the embedding that was chosen
+    S error;               ///< its distance from the run with half as many steps: more than its own error
+    index evaluated_steps; ///< of all runs together
+};
+
+/// From which accuracy on an embedding is cheaper than the ones of lower order. `hilger trade` measures where they cross.
+enum class cheapest { midpoint, gauss_4, gauss_8, gauss_16 };
+constexpr cheapest cheapest_for(double wanted) {
+    if (wanted > 1e-2) return cheapest::midpoint;
+    if (wanted > 1e-5) return cheapest::gauss_4;
+    if (wanted > 1e-18) return cheapest::gauss_8;
+    return cheapest::gauss_16;
+}
+
+namespace detail {
+
+/// Doubles the steps of one flow from `steps` on until two runs agree.
+template <class Flow, class S, class V>
+auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& I, V const& q0, V const& p0, accuracy const& goal) {
+    using solution_function = decltype(function(uniform(I, index{1}), std::vector<V>{}));
+    using result = accurate_solution<S, V, solution_function>;
+    constexpr index most = index{1} << 24;
+    S const wanted = S(goal.wanted);
+    std::vector<V> coarse, fine;
+    S error(-1);
+    index walked = 0;
+    for (index steps = 8; steps <= most; steps *= 2) {
+        fine.clear();
+        fine.reserve(static_cast<std::size_t>(steps) + 1);
+        auto const T = uniform(I, steps);
+        state<S, V> end{I.a, q0, p0};
+        try {
+            auto const path = flow.along(T, q0, p0);
+            for (auto const& x : path) {
+                fine.push_back(x.q);
+                end = x;
+            }
+        } catch (error::no_convergence const&) { // the steps are too long
+            walked += steps;
+            coarse.clear();
+            continue;
+        }
+        walked += steps;
+        if (not coarse.empty()) {
+            S const before = error;
+            error = S(0);
+            for (std::size_t i = 0; i < coarse.size(); ++i) error = std::max(error, S(magnitude(V(coarse[i] - fine[2 * i]))));
+            if (error <= wanted) return result{function(T, std::move(fine)), end, steps, method, error, walked};
+            // Rounding grows with the number of steps: from there on nothing gets better.
+            S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end.q));
+            if (before > S(0) and not(error < before) and error < floor)
+                error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
+                                                    " steps of ", method, " the solution is within ", error,
+                                                    ", and rounding keeps it there; a scalar with more digits gets further");
+        }
+        std::swap(coarse, fine);
+    }
+    error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method,
+                                        "; the solution is within ", error, " then");
+}
+
+} // namespace detail
+
+/// The motion of L(q, v) from (q0, v0) over [a, b]. @throws error::invalid_parameter where the scalar cannot hold the accuracy or it is not
+/// positive; error::invalid_scale; error::no_convergence, which says how near it came; and what steps throw.
+template <class F, class S, class V>
+auto solve(F const& L, interval<S> const& I, initial_velocity<V> const& from, accuracy const& goal) {
+    static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
+    if (not(goal.wanted > 0) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
+        error::raise<error::invalid_parameter>("an accuracy in this scalar is at least ", S(64) * epsilon<S>(), " (64 epsilon), not ",
+                                               goal.wanted);
+    V const p0 = momentum_of(detail::at_time{L, I.a}, from.q0, from.v0);
+    auto const run = [&](auto const& how, char const* method) {
+        return detail::solve_by_doubling(embed(L, how), method, I, from.q0, p0, goal);
+    };
+    switch (cheapest_for(goal.wanted)) {
+    case cheapest::midpoint:
+        return run(midpoint, "mid-point");
+    case cheapest::gauss_4:
+        return run(galerkin<4, gauss>, "Galerkin, 4 Gauss nodes");
+    case cheapest::gauss_8:
+        return run(galerkin<8, gauss>, "Galerkin, 8 Gauss nodes");
+    default:
+        return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes");
+    }
+}
+
+} // namespace hilger

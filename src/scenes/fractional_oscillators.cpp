@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "hilger/integrator/fractional_newmark.hpp"
+#include "histories.hpp"
+#include "path_walk.hpp"
+#include "scenes.hpp"
+
+namespace program {
+
+namespace {
+
+constexpr auto nothing = [](auto const& x) { return std::vector<std::remove_cvref_t<decltype(x.t)>>{}; };
+
+/// m u'' + c D^alpha u + k u = f from rest, f constant, by Newmark's scheme with both kinds of weights.
+scene oscillator(scene s, int numerator, int denominator, int c_over, int k_over, int force) {
+    s.embeddings = {"g-alpha-newmark", "gl-newmark"};
+    s.scalars = {"double", "50-digits"};
+    s.histories = history_names();
+    s.begin = [=, t1 = s.t1](configuration const& c) {
+        std::unique_ptr<walk> result;
+        auto const in = [&]<class S>(S const&) {
+            auto const T = hilger::uniform(hilger::interval<S>{S(0), S(t1)}, c.steps);
+            hilger::fractional_structure const on{S(1), S(1) / S(c_over), S(1) / S(k_over), S(1), S(numerator) / S(denominator)};
+            auto const load = [force](S const&) { return S(force); };
+            with_history(c.history, c.steps, [&](auto const& policy) {
+                auto const walk_with = [&](auto const& scheme) { result = walk_along(scheme.along(T, S(0), S(0)), nothing); };
+                if (c.embedding == "gl-newmark")
+                    walk_with(hilger::newmark<hilger::grunwald_letnikov>(on, load, hilger::average_acceleration, policy));
+                else
+                    walk_with(hilger::newmark<hilger::bdf<2>>(on, load, hilger::average_acceleration, policy));
+            });
+        };
+        if (c.scalar == "double")
+            in(double{});
+        else
+            in(hilger::float50{});
+        return result;
+    };
+    s.columns = {"t", "u", "p"};
+    s.picture = "set title 'Displacement'; set xlabel 't'; plot DATA using 1:2 with lines notitle\n"
+                "set title 'Phase'; set xlabel 'u'; plot DATA using 2:3 with lines notitle\n";
+    return s;
+}
+
+} // namespace
+
+scene fractional_oscillator() {
+    scene s;
+    s.name = "fractional-oscillator";
+    s.title = "u'' + D^(1/2) u + u = 1 from rest (Galucio, Deue, Dubois (3))";
+    s.t1 = 15;
+    s.usual = {"g-alpha-newmark", "double", "exponentials", 1'500};
+    s.exact_source = "45 digits (papers/galucio_deu_dubois_2008/fractional_oscillator.csv)";
+    s.exact_error = 1e-45;
+    s.exact = [] { return std::vector{hilger::float100("0.857933655594914560893696297980414318052698379")}; };
+    return oscillator(s, 1, 2, 1, 1, 1);
+}
+scene bagley_torvik() {
+    scene s;
+    s.name = "bagley-torvik";
+    s.title = "A plate in a Newtonian fluid, u'' + D^(3/2) u / 2 + u / 2 = 8 from rest (Bagley, Torvik)";
+    s.t1 = 20;
+    s.usual = {"g-alpha-newmark", "double", "exponentials", 2'000};
+    return oscillator(s, 3, 2, 2, 2, 8);
+}
+
+} // namespace program

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+// The histories that scenes with memory can be run with, by name; what follows a colon is a parameter.
+#pragma once
+
+#include <charconv>
+#include <string>
+
+#include "hilger/error.hpp"
+#include "hilger/history/history.hpp"
+
+namespace program {
+
+/// The number after the colon. @throws hilger::error::invalid_parameter
+template <class N>
+N parameter_of(std::string const& name, N otherwise) {
+    auto const colon = name.find(':');
+    if (colon == std::string::npos) return otherwise;
+    N value{};
+    char const *const begin = name.data() + colon + 1, *const end = name.data() + name.size();
+    auto const [stopped, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} or stopped != end)
+        hilger::error::raise<hilger::error::invalid_parameter>("a number is expected after the colon in '", name, "'");
+    return value;
+}
+
+/// Calls use(policy). `names` of what there is: history_names.
+template <class Use>
+void with_history(std::string const& name, hilger::index steps, Use const& use) {
+    std::string const kind = name.substr(0, name.find(':'));
+    if (kind == "direct") use(hilger::direct{});
+    if (kind == "blocks") use(hilger::blocks{});
+    if (kind == "exponentials") use(hilger::exponentials{parameter_of(name, 0.0), steps + 1});
+    if (kind == "window") use(hilger::window{parameter_of(name, hilger::index{1000})});
+}
+inline std::vector<std::string> history_names() { return {"exponentials", "exponentials:1e-8", "blocks", "direct", "window:1000"}; }
+
+} // namespace program

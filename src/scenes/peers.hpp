@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// What another library makes of a scene's equations, written by hand for it.
+struct peer_run {
+    std::string method;
+    double parameter; ///< tolerance, or number of steps where it is above 1
+    double seconds;   ///< the fastest of several runs
+    std::vector<double> position;
+};
+/// Boost.odeint's Runge-Kutta methods of orders 4, 5 and 8, its Bulirsch-Stoer method and its symplectic one of order 4, each over a range
+/// of steps or tolerances; and, for memory, the predictor-corrector of Diethelm, Ford and Freed. Empty where a scene has no peer.
+std::vector<peer_run> run_peers(std::string const& scene);
+
+} // namespace program

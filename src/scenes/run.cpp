@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "run.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+
+#include "hilger/error.hpp"
+#include "hilger/version.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+
+namespace program {
+
+namespace {
+
+namespace files = std::filesystem;
+namespace error = hilger::error;
+using clock = std::chrono::steady_clock;
+
+std::sig_atomic_t volatile stop_asked = 0;
+extern "C" void ask_to_stop(int) { stop_asked = 1; }
+
+/// The rows of a run and the checkpoint that belongs to them.
+class record_of_run {
+public:
+    record_of_run(scene const& what, run_options const& options, configuration const& c, hilger::index every)
+        : head_(what.name + ": " + description(c) + ", a row every " + std::to_string(every)),
+          rows_(files::path(options.out) / (what.name + ".csv")), checkpoint_(files::path(options.out) / (what.name + ".checkpoint")) {
+        files::create_directories(options.out);
+        if (options.anew) files::remove(checkpoint_);
+    }
+    /// Puts the walk where the interrupted run was, if there is one. @throws hilger::error::mismatch when it was another run
+    bool continues(walk& w, hilger::index every, progress_bar& bar) {
+        std::ifstream in(checkpoint_);
+        if (not in) return false;
+        std::string head;
+        std::uintmax_t bytes = 0;
+        hilger::index point = 0;
+        bool state = false;
+        std::getline(in, head);
+        if (not(in >> bytes >> point >> state) or in.get() != '\n')
+            error::raise<error::unreadable>("'", checkpoint_.string(), "' is no checkpoint of a run; --anew starts again without it");
+        if (head != head_)
+            error::raise<error::mismatch>("'", checkpoint_.string(), "' is of an interrupted run of ", head,
+                                          "; run that again to continue it, or give --anew or another --out");
+        if (files::exists(rows_) and files::file_size(rows_) < bytes)
+            error::raise<error::unreadable>("'", rows_.string(), "' is shorter than when its run was interrupted; --anew starts again");
+        files::resize_file(rows_, bytes);
+        if (state)
+            w.load(in, "'" + checkpoint_.string() + "'");
+        else // what has a memory is walked again
+            while (w.number() < point) {
+                (void)w.row();
+                w.advance(std::min(every, point - w.number()));
+            }
+        bar.advance_to(w.number());
+        out_.open(rows_, std::ios::app | std::ios::binary);
+        return true;
+    }
+    void begin(std::vector<std::string> const& columns) {
+        out_.open(rows_, std::ios::binary);
+        if (not out_) error::raise<error::unreadable>("cannot write '", rows_.string(), "'");
+        out_ << "# ";
+        for (std::size_t k = 0; k < columns.size(); ++k) out_ << (k > 0 ? "," : "") << columns[k];
+        out_ << '\n';
+    }
+    void write(std::string const& row) { out_ << row << '\n'; }
+    /// Never half a checkpoint: it is moved to its place when it is whole.
+    void keep(walk const& w) {
+        out_.flush();
+        auto const beside = checkpoint_.string() + ".new";
+        {
+            std::ofstream out(beside, std::ios::binary);
+            std::ostringstream state;
+            bool const kept = w.save(state);
+            out << head_ << '\n' << files::file_size(rows_) << ' ' << w.number() << ' ' << kept << '\n' << state.str();
+            if (not out.flush()) error::raise<error::unreadable>("cannot write '", beside, "'");
+        }
+        files::rename(beside, checkpoint_);
+    }
+    void finish() {
+        out_.close();
+        files::remove(checkpoint_);
+    }
+    [[nodiscard]] std::string rows() const { return rows_.string(); }
+
+private:
+    std::string head_;
+    files::path rows_, checkpoint_;
+    std::ofstream out_;
+};
+
+std::string write_summary(scene const& what, run_options const& options, configuration const& c, walk const& w, double seconds) {
+    auto const path = (files::path(options.out) / (what.name + ".json")).string();
+    std::ofstream out(path);
+    out << std::setprecision(6) << "{\n  \"scene\": \"" << what.name << "\",\n  \"hilger\": \"" << HILGER_VERSION_MAJOR << '.'
+        << HILGER_VERSION_MINOR << '.' << HILGER_VERSION_PATCH << "\",\n  \"embedding\": \"" << c.embedding << "\",\n  \"scalar\": \""
+        << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << what.t0 << ", " << what.t1
+        << "],\n  \"steps\": " << c.steps << ",\n  \"seconds\": " << seconds << ",\n  \"largest error\": {";
+    auto const drift = w.drift();
+    for (std::size_t k = 0; k < what.invariants.size(); ++k) out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": " << drift[k];
+    out << "},\n  \"last\": [" << w.row() << "]\n}\n";
+    return path;
+}
+
+void say(scene const& what, configuration const& c, walk const& w, double seconds) {
+    std::cout << what.name << ": " << description(c) << ", t = " << what.t0 << " to " << what.t1
+              << (what.units.empty() ? "" : " " + what.units) << ", " << std::setprecision(3) << seconds << " s\n";
+    auto const drift = w.drift();
+    for (std::size_t k = 0; k < what.invariants.size(); ++k)
+        std::cout << "  largest error of " << what.invariants[k] << ": " << drift[k] << '\n';
+}
+
+} // namespace
+
+int run_scene(run_options const& options) {
+    scene const& what = scene_named(options.scene);
+    configuration const c = completed(what, options.choice);
+    hilger::index const every = options.every > 0 ? options.every : std::max<hilger::index>(1, c.steps / 2000);
+    auto const begin = clock::now();
+    auto const w = what.begin(c);
+    record_of_run record(what, options, c, every);
+    stop_asked = 0;
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    std::cout << what.title << '\n';
+    {
+        progress_bar bar(what.name, c.steps);
+        if (record.continues(*w, every, bar))
+            std::cout << "continued at step " << w->number() << '\n';
+        else {
+            record.begin(what.columns);
+            record.write(w->row());
+        }
+        auto kept = clock::now();
+        hilger::index rows = 0;
+        while (w->number() < c.steps) {
+            try {
+                w->advance(std::min(every, c.steps - w->number()));
+            } catch (error::exception const&) {
+                record.keep(*w);
+                throw;
+            }
+            record.write(w->row());
+            bar.advance_to(w->number());
+            if (++rows == options.stop_after) stop_asked = 1;
+            if (stop_asked != 0 or clock::now() - kept > std::chrono::seconds(2)) {
+                record.keep(*w);
+                kept = clock::now();
+            }
+            if (stop_asked != 0) {
+                std::cout << "stopped at step " << w->number() << " of " << c.steps << "; the same command goes on from there\n";
+                return 130;
+            }
+        }
+        record.finish();
+    }
+    double const seconds = std::chrono::duration<double>(clock::now() - begin).count();
+    say(what, c, *w, seconds);
+    auto const summary = write_summary(what, options, c, *w, seconds);
+    std::string commands = what.picture;
+    for (std::size_t at; (at = commands.find("DATA")) != std::string::npos;) commands.replace(at, 4, "'" + what.name + ".csv'");
+    std::cout << "Written: " << record.rows() << ", " << summary << " and " << draw(options.out, what.name, "set grid\n" + commands)
+              << '\n';
+    return 0;
+}
+
+void list_scenes(std::ostream& out) {
+    for (auto const& s : all_scenes())
+        out << std::left << std::setw(23) << s.name << s.title << '\n'
+            << std::setw(23) << ""
+            << "d = " << s.dimension << ", t = " << s.t0 << " to " << s.t1 << (s.units.empty() ? "" : " " + s.units) << "; usually "
+            << description(s.usual) << '\n';
+}
+
+} // namespace program

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "scenes.hpp"
+
+#include <algorithm>
+
+#include "hilger/error.hpp"
+
+namespace program {
+
+namespace {
+
+std::string listed(std::vector<std::string> const& names) {
+    std::string text;
+    for (auto const& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// `chosen`, or `usual` where nothing is. What follows a colon is a parameter.
+void complete(std::string& chosen, std::string const& usual, std::vector<std::string> const& choices, scene const& what,
+              char const* option) {
+    if (chosen.empty()) chosen = usual;
+    auto const same = [&](std::string const& name) {
+        auto const colon = name.find(':');
+        return chosen == name or (colon != std::string::npos and chosen.compare(0, colon + 1, name, 0, colon + 1) == 0);
+    };
+    if (choices.empty() and not chosen.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("the scene ", what.name, " has no ", option, " to choose, and it was '",
+                                                               chosen, "'");
+    if (not choices.empty() and std::none_of(choices.begin(), choices.end(), same))
+        hilger::error::raise<hilger::error::invalid_parameter>("--", option, " of the scene ", what.name, " is one of ", listed(choices),
+                                                               ", not '", chosen, "'");
+}
+
+} // namespace
+
+std::vector<scene> const& all_scenes() {
+    static std::vector<scene> const all{
+        pendulum(),         double_pendulum(),       kepler(),        henon_heiles(),      outer_solar_system(),  fermi_pasta_ulam(),
+        charged_particle(), fractional_oscillator(), bagley_torvik(), viscoelastic_beam(), fractional_dirichlet()};
+    return all;
+}
+
+scene const& scene_named(std::string const& name) {
+    std::vector<std::string> names;
+    for (auto const& s : all_scenes()) {
+        if (s.name == name) return s;
+        names.push_back(s.name);
+    }
+    hilger::error::raise<hilger::error::invalid_parameter>("there is no scene '", name, "'; there are ", listed(names));
+}
+
+configuration completed(scene const& what, configuration c) {
+    complete(c.scalar, what.usual.scalar, what.scalars, what, "scalar");
+    complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");
+    complete(c.history, what.usual.history, what.histories, what, "history");
+    if (c.steps == 0) c.steps = what.usual.steps;
+    if (c.steps < 1) hilger::error::raise<hilger::error::invalid_scale>("--steps is a positive number, and it was ", c.steps);
+    return c;
+}
+
+std::string description(configuration const& c) {
+    return c.embedding + (c.history.empty() ? "" : ", " + c.history) + ", " + c.scalar + ", " + std::to_string(c.steps) + " steps";
+}
+
+} // namespace program

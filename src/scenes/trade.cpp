@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "trade.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <set>
+
+#include "hilger/error.hpp"
+#include "measure.hpp"
+#include "peers.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+#include "scene.hpp"
+
+namespace program {
+
+namespace {
+
+using hilger::float100;
+using numbers = std::vector<float100>;
+
+struct point {
+    std::string method; ///< all that was chosen but the number of steps
+    std::string steps;  ///< or the tolerance
+    double seconds, error;
+    bool ours = true, in_double = true;
+};
+
+float100 distance(numbers const& x, numbers const& y) {
+    float100 largest = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) largest = std::max(largest, float100(abs(x[k] - y[k])));
+    return largest;
+}
+numbers position_at_end(scene const& what, configuration const& c) {
+    auto const w = what.begin(c);
+    w->advance(c.steps);
+    return w->position();
+}
+
+/// What is compared with, and how far it may be off.
+struct truth {
+    numbers position;
+    double own_error;
+    std::string how;
+};
+truth find_truth(scene const& what) {
+    if (what.exact) return {what.exact(), what.exact_error, what.exact_source};
+    configuration c = what.reference;
+    numbers const coarse = position_at_end(what, c);
+    c.steps *= 2;
+    numbers fine = position_at_end(what, c);
+    double const own = static_cast<double>(distance(coarse, fine));
+    return {std::move(fine), own, description(c) + ", and half as many"};
+}
+
+/// More and more steps of one configuration, until that is too slow or rounding has the last word.
+void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
+    double best = 1e300, fine = reference.own_error * 4;
+    int worse = 0;
+    for (c.steps = what.dimension > 1 or what.histories.empty() ? 32 : 64; c.steps <= 1 << 22; c.steps *= 2) {
+        try {
+            numbers end;
+            double const seconds = fastest([&] { end = position_at_end(what, c); });
+            double const error = static_cast<double>(distance(end, reference.position));
+            if (std::isfinite(error) and error < 1)
+                points.push_back({c.embedding + (c.history.empty() ? "" : ", " + c.history) + (c.scalar == "double" ? "" : ", " + c.scalar),
+                                  std::to_string(c.steps), seconds, std::max(error, reference.own_error), true, c.scalar == "double"});
+            worse = error < best / 2 ? 0 : worse + 1;
+            best = std::min(best, error);
+            if (seconds > budget or (best < 1 and worse > 2) or error < fine) return;
+        } catch (hilger::error::exception const&) { // steps that are too long
+        }
+    }
+}
+
+/// Cheapest first; each is more accurate than all that are cheaper.
+std::vector<point> front_of(std::vector<point> points, bool (*belongs)(point const&)) {
+    std::erase_if(points, [&](point const& p) { return not belongs(p); });
+    std::sort(points.begin(), points.end(), [](point const& a, point const& b) { return a.seconds < b.seconds; });
+    std::vector<point> front;
+    for (auto const& p : points)
+        if (front.empty() or p.error < front.back().error) front.push_back(p);
+    return front;
+}
+std::optional<point> cheapest(std::vector<point> const& front, double accuracy) {
+    for (auto const& p : front)
+        if (p.error <= accuracy) return p;
+    return {};
+}
+
+std::string told(std::optional<point> const& p) {
+    if (not p) return "-";
+    std::ostringstream out;
+    out << std::setprecision(3) << p->seconds * 1e3 << " ms  " << p->method << ' ' << p->steps;
+    return out.str();
+}
+
+void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
+    std::cout << "\n  accuracy   hilger" << std::setw(42) << ""
+              << "the fastest peer\n";
+    int below = 0, asked = 0;
+    for (int digits = 1; digits <= 40; digits += digits < 14 ? 1 : 5) {
+        double const accuracy = std::pow(10.0, -digits);
+        auto const a = cheapest(ours, accuracy), b = cheapest(theirs, accuracy);
+        if (not a and not b) continue;
+        std::cout << "  1e-" << std::setw(2) << std::setfill('0') << digits << std::setfill(' ') << "     " << std::left << std::setw(48)
+                  << told(a) << std::setw(40) << told(b) << std::right;
+        if (a and b) std::cout << std::setprecision(2) << std::setw(6) << a->seconds / b->seconds;
+        std::cout << '\n';
+        if (digits >= 3 and digits <= 13 and not theirs.empty()) {
+            ++asked;
+            below += a and (not b or a->seconds <= b->seconds);
+        }
+    }
+    if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
+}
+
+std::string picture(std::string const& out, scene const& what, std::vector<point> const& points) {
+    std::ofstream rows(std::filesystem::path(out) / ("trade_" + what.name + ".csv"));
+    rows << "# method, steps or tolerance, seconds, error; a blank line between methods\n";
+    std::set<std::string> names;
+    std::vector<std::string> order;
+    for (auto const& p : points)
+        if (names.insert(p.method).second) order.push_back(p.method);
+    std::string commands = "set title '" + what.name +
+                           "'; set logscale xy; set format '10^{%L}'; set xlabel 'seconds'; set ylabel 'error'; set grid\n"
+                           "set key outside right; unset multiplot; plot ";
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        bool ours = true;
+        for (auto const& p : points)
+            if (p.method == order[k]) {
+                rows << '"' << p.method << "\"," << p.steps << ',' << p.seconds << ',' << p.error << '\n';
+                ours = p.ours;
+            }
+        rows << "\n\n";
+        commands += (k > 0 ? ", " : "") + std::string("DATA index ") + std::to_string(k) + " using 3:4 with linespoints " +
+                    (ours ? "dt 1 lw 2" : "dt 2 lw 1") + " title '" + order[k] + "'";
+    }
+    for (std::size_t at; (at = commands.find("DATA")) != std::string::npos;) commands.replace(at, 4, "'trade_" + what.name + ".csv'");
+    rows.close();
+    return draw(out, "trade_" + what.name, commands + "\n");
+}
+
+} // namespace
+
+int run_trade(trade_options const& options) {
+    scene const& what = scene_named(options.scene);
+    if (not what.exact and what.reference.embedding.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("the accuracy of the scene ", what.name, " has nothing to be measured with");
+    std::filesystem::create_directories(options.out);
+    truth const reference = find_truth(what);
+    std::cout << what.title << "\nagainst " << reference.how << ", itself within " << std::setprecision(2) << reference.own_error << '\n';
+    std::vector<point> points;
+    std::vector<std::string> const none{""};
+    {
+        auto const& histories = what.histories.empty() ? none : what.histories;
+        progress_bar bar(what.name, static_cast<long>(what.scalars.size() * what.embeddings.size() * histories.size() + 1));
+        for (auto const& scalar : what.scalars)
+            for (auto const& embedding : what.embeddings)
+                for (auto const& history : histories) {
+                    climb(what, {embedding, scalar, history, 0}, reference, options.budget, points);
+                    bar.advance();
+                }
+        for (auto const& run : run_peers(what.name)) {
+            numbers const end(run.position.begin(), run.position.end());
+            double const error = static_cast<double>(distance(end, reference.position));
+            if (error < 1)
+                points.push_back({"peer " + run.method, (std::ostringstream() << run.parameter).str(), run.seconds,
+                                  std::max(error, reference.own_error), false, true});
+        }
+    }
+    auto const ours = front_of(points, [](point const& p) { return p.ours; });
+    auto const theirs = front_of(points, [](point const& p) { return not p.ours; });
+    std::cout << "\nPareto front\n";
+    for (auto const& p : ours)
+        std::cout << "  " << std::scientific << std::setprecision(1) << p.error << std::defaultfloat << std::setprecision(3)
+                  << std::setw(11) << p.seconds * 1e3 << " ms  " << p.method << ", " << p.steps << '\n';
+    compare(ours, theirs);
+    if (options.accuracy > 0) {
+        auto const best = cheapest(ours, options.accuracy);
+        std::cout << "\nfor " << options.accuracy << ": " << (best ? told(best) : std::string("nothing here is as accurate")) << '\n';
+    }
+    std::cout << "\nWritten: " << options.out << "/trade_" << what.name << ".csv and " << picture(options.out, what, points) << '\n';
+    return 0;
+}
+
+} // namespace program

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+// A solution to a wanted accuracy: the accuracy is met against a closed form, at every point, and what cannot be met is said.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+
+using namespace hilger;
+
+namespace {
+
+template <class S>
+using plane = Eigen::Matrix<S, 2, 1>;
+constexpr auto kepler = [](auto const& q, auto const& v) { return v.squaredNorm() / 2 + 1 / q.norm(); };
+
+/// Kepler's ellipse of eccentricity 3/5 at t.
+template <class S>
+plane<S> ellipse(S const& t) {
+    using std::sin, std::cos, std::sqrt;
+    S const e = S(3) / S(5);
+    S E = t;
+    for (int i = 0; i < 60; ++i) E = E - (E - e * sin(E) - t) / (S(1) - e * cos(E));
+    return {S(cos(E) - e), S(sqrt(S(S(1) - e * e)) * sin(E))};
+}
+template <class S>
+void meets(double wanted) {
+    CAPTURE(wanted);
+    interval<S> const I{S(0), S(10)};
+    auto const x = solve(kepler, I, initial_velocity<plane<S>>{{S(2) / S(5), S(0)}, {S(0), S(2)}}, accuracy{wanted});
+    auto const T = uniform(I, x.steps);
+    S worst(0);
+    for (index i = 0; i <= x.steps; ++i) worst = std::max(worst, S((x.q[i] - ellipse(T.element(i))).norm()));
+    CHECK(worst <= S(wanted));
+    CHECK(x.error <= S(wanted));
+    CHECK(worst <= S(2) * x.error + S(64) * epsilon<S>()); // the error that is told is no smaller than the true one
+    CHECK(x.end.q == x.q[x.steps]);
+    CHECK(x.evaluated_steps >= x.steps + x.steps / 2);
+}
+
+} // namespace
+
+TEST_CASE("the accuracy that is wanted is the accuracy that is got") {
+    for (double const wanted : {1e-1, 1e-4, 1e-8, 1e-11}) meets<double>(wanted);
+}
+TEST_CASE("in many digits too") { meets<float50>(1e-30); }
+
+TEST_CASE("what a scalar cannot hold is refused, what rounding hides is said") {
+    initial_velocity<double> const from{1.0, 0.0};
+    auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{0}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{-1e-3}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{1e-15}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{std::nan("")}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(oscillator, interval{1.0, 0.0}, from, accuracy{1e-3}), error::invalid_scale);
+    // After 10^4 revolutions rounding alone is larger.
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1e5}, from, accuracy{2e-14}), error::no_convergence);
+}
+TEST_CASE("a start where the first steps are too long for Newton is found its steps") {
+    auto const stiff = [](auto const& q, auto const& v) { return v * v / 2 - 100 * q * q * q * q; };
+    auto const x = solve(stiff, interval{0.0, 5.0}, initial_velocity<double>{3.0, 0.0}, accuracy{1e-9});
+    auto const better = solve(stiff, interval{0.0, 5.0}, initial_velocity<double>{3.0, 0.0}, accuracy{1e-11});
+    CHECK(std::abs(x.end.q - better.end.q) <= 1e-9);
+}
