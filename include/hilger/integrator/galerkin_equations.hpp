@@ -81,6 +81,7 @@ public:
         S size(0);
         for (int round = 0; round < most_iterations<S>; ++round) {
             S const forces = assemble(what, x, h);
+            for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
             for (int k = 0; k < r_.size(); ++k)
                 if (not is_finite(r_(k))) give_up(name, false, x.q, constant(r_(k)), size);
             lu_.compute(J_);

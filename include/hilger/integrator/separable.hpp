@@ -88,6 +88,7 @@ public:
     }
     void solve(V const& f, V& v) const { mass_.solve(f, v); }
     bool force(what_type const& what, S const&, V const& q, V& f) {
+        tally<S>::add(work::force);
         what.lagrangian.potential().gradient(q, f, room_);
         f = -f;
         return true;

@@ -21,6 +21,7 @@ inline constexpr bool is_timed = [] {
 template <class F, class Force, class S, class V>
 [[gnu::always_inline]] inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
     using s = shape<V>;
+    tally<scalar_of<V>>::add(work::force);
     dependence on{dependence::no_polynomial, dependence::no_polynomial, true};
     if constexpr (requires { at_time{what.lagrangian, t}.expand(q, v); }) {
         auto const e = at_time{what.lagrangian, t}.expand(q, v);
