@@ -22,6 +22,7 @@
 #include "hilger/mechanics/variation.hpp"
 
 // Flows and solutions
+#include "hilger/integrator/accuracy.hpp"
 #include "hilger/integrator/composition_methods.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
