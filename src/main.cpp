@@ -5,10 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "beam.hpp"
 #include "demo.hpp"
 #include "hilger/version.hpp"
 #include "prove.hpp"
+#include "scenes/run.hpp"
+#include "scenes/trade.hpp"
 
 int main(int argc, char** argv) {
     CLI::App app{"hilger: time-scale calculus as a language"};
@@ -22,14 +23,32 @@ int main(int argc, char** argv) {
     demo->add_option("--step", options.step, "step h in days")->capture_default_str();
     demo->add_option("--data", options.data, "initial data, a CSV file like src/data/outer_solar_system.csv");
     demo->add_option("--out", options.out, "directory for the CSV files and the picture")->capture_default_str();
-    auto* beam = app.add_subcommand("beam", "a viscoelastic cantilever with memory: the tip's deflection and phase diagram");
-    beam->add_option("--out", options.out, "directory for the CSV file and the picture")->capture_default_str();
+    auto* scenes = app.add_subcommand("scenes", "list the scenes: what can be run");
+    program::run_options run;
+    auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
+    run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists")->required();
+    run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
+    run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits");
+    run_command->add_option("--steps", run.choice.steps, "number of steps");
+    run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct, window:LENGTH");
+    run_command->add_option("--every", run.every, "write a row at every so many points");
+    run_command->add_option("--out", run.out, "directory for what is written")->capture_default_str();
+    run_command->add_option("--stop-after", run.stop_after, "stop after so many rows; the same command goes on from there");
+    run_command->add_flag("--anew", run.anew, "do not continue an interrupted run");
+    program::trade_options trade;
+    auto* trade_command = app.add_subcommand("trade", "measure a scene's accuracy against its cost, beside other libraries");
+    trade_command->add_option("scene", trade.scene, "one of those that `hilger scenes` lists")->required();
+    trade_command->add_option("--accuracy", trade.accuracy, "say what to use for this accuracy");
+    trade_command->add_option("--budget", trade.budget, "seconds that one run may take")->capture_default_str();
+    trade_command->add_option("--out", trade.out, "directory for the CSV file and the picture")->capture_default_str();
     auto* identities = app.add_subcommand("identities", "prove the identities behind the embeddings in exact rationals");
 
     CLI11_PARSE(app, argc, argv);
     try {
         if (*demo) return program::run_demo(options);
-        if (*beam) return program::run_beam(options.out);
+        if (*scenes) program::list_scenes(std::cout);
+        if (*run_command) return program::run_scene(run);
+        if (*trade_command) return program::run_trade(trade);
         if (*identities) return program::prove_identities(std::cout) ? 0 : 1;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "hilger: %s\n", e.what());

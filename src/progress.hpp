@@ -17,8 +17,9 @@ public:
     progress_bar(progress_bar const&) = delete;
     progress_bar& operator=(progress_bar const&) = delete;
 
-    void advance() {
-        ++done_;
+    void advance() { advance_to(done_ + 1); }
+    void advance_to(long done) {
+        done_ = done;
         int const percent = static_cast<int>(100 * done_ / total_);
         if (not shown_ or percent == percent_) return;
         percent_ = percent;
