@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the tests of this paper share: its tables, the exact solution of its Dirichlet example, and the errors (21).
+// Section 3.4 of L. Bourdin, J. Cresson, I. Greff, P. Inizan (2013): the exact solution of the Dirichlet example, the errors (21), and the
+// slopes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "../table.hpp"
 #include "hilger/integrator/boundary.hpp"
 
-namespace hilger::testing {
-
-/// The rows of a table in this folder as texts, comments and the heading left out.
-inline std::vector<std::vector<std::string>> table(std::string const& name) {
-    std::string here = __FILE__;
-    std::ifstream file(here.substr(0, here.rfind('/') + 1) + name);
-    std::vector<std::vector<std::string>> rows;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() or line[0] < '0' or line[0] > '9') continue;
-        std::vector<std::string> row;
-        std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
-        rows.push_back(row);
-    }
-    return rows;
-}
+namespace hilger::papers {
 
 /// 2F1(a, 1; c; z) = sum_n (a)_n / (c)_n z^n for 0 <= z <= 1/2 and positive terms.
 template <class S>
@@ -52,6 +38,7 @@ S dirichlet_solution(S const& alpha, S const& t) {
 
 inline constexpr auto dirichlet = [](auto const&, auto const& v) { return v * v / 2; };
 
+/// Of one size of step, in both norms.
 struct errors {
     double largest, mean_square;
 };
@@ -69,4 +56,24 @@ inline errors dirichlet_errors(double alpha, index N) {
     return e;
 }
 
-} // namespace hilger::testing
+/// log2 of what half of the step leaves of the errors.
+struct slopes {
+    double of_largest, of_mean_square;
+    [[nodiscard]] double mean() const { return (of_largest + of_mean_square) / 2; }
+};
+inline slopes slopes_between(errors const& coarse, errors const& fine) {
+    return {std::log2(coarse.largest / fine.largest), std::log2(coarse.mean_square / fine.mean_square)};
+}
+/// What the table of errors, of rows alpha, N, ell^infinity, ell^2, gives as it was printed, between N = 2000 and 4000.
+inline slopes slopes_of_table(std::vector<row> const& rows, std::string const& alpha) {
+    auto const at = [&](char const* N) {
+        auto const found = std::find_if(rows.begin(), rows.end(), [&](row const& r) { return r[0] == alpha and r[1] == N; });
+        if (found == rows.end()) error::raise<error::invalid_parameter>("the table of errors has no row alpha = ", alpha, ", N = ", N);
+        return errors{number<double>((*found)[2]), number<double>((*found)[3])};
+    };
+    return slopes_between(at("2000"), at("4000"));
+}
+/// Two digits after the point, what follows left out.
+inline double cut_off(double slope) { return std::floor(100 * slope) / 100; }
+
+} // namespace hilger::papers

@@ -8,7 +8,7 @@
 #include "hilger/multiprecision.hpp"
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::papers;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-namespace hilger::testing {
+namespace hilger::papers {
 
 class oscillator_solution {
 public:
@@ -44,4 +44,4 @@ private:
     std::vector<term> terms_;
 };
 
-} // namespace hilger::testing
+} // namespace hilger::papers

@@ -9,6 +9,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
+#include "../../papers/table.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace hilger::testing {
@@ -62,17 +63,6 @@ private:
     }
 };
 
-/// The slope of ln y against ln h by least squares, h halved from one to the next.
-template <class Values>
-double fitted_slope(Values const& errors) {
-    double const n = static_cast<double>(errors.size());
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        using std::log;
-        double const x = -static_cast<double>(i) * std::log(2.0), y = static_cast<double>(log(errors[i]));
-        sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
+using papers::fitted_slope;
 
 } // namespace hilger::testing
