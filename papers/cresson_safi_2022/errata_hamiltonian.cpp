@@ -6,7 +6,7 @@
 #include "slope.hpp"
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::papers;
 
 namespace {
 

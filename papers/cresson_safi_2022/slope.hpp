@@ -9,7 +9,7 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
-namespace hilger::testing {
+namespace hilger::papers {
 
 template <class S>
 using plane = Eigen::Matrix<S, 2, 1>;
@@ -78,6 +78,28 @@ auto trajectory_of(Flow const& flow, Scale const& T, initial_velocity<V> const& 
     return std::pair(function(T, q), function(T, p));
 }
 
+/// Both sides of theorem 2, (67), for some q and some w in V: the derivative of the action at q along w by its definition, and the sum of h
+/// times the Euler-Lagrange residual times w.
+template <class V>
+struct pairing {
+    scalar_of<V> derivative, of_residual;
+};
+template <class V, class Action>
+pairing<V> pair_with_residual(Action const& action, std::mt19937& random) {
+    using S = scalar_of<V>;
+    auto const x = some_function<V>(action.T, random);
+    auto const w = some_variation<V>(action.T, random);
+    return {slope_at_zero<S>([&](S const& e) { return S(action(x + e * w)); }), weighted_sum<delta>(dot(variation(action).residual(x), w))};
+}
+/// (64), corrected: the residual of Wendlandt and Marsden's equation at an inner point, with L_h(x, y) = h L((x + y)/2, (y - x)/h).
+template <class L, class X>
+auto wendlandt_marsden(L const& lagrangian, X const& x, index i) {
+    auto const h = x.root().h();
+    auto const L_h = [&](auto const& a, auto const& b) { return lagrangian.function((a + b) / decltype(h)(2), (b - a) / h) * h; };
+    using V = std::remove_cvref_t<decltype(x[i])>;
+    return V(gradient_first(L_h, x[i], x[i + 1]) + gradient_second(L_h, x[i - 1], x[i]));
+}
+
 /// Quadratic, so that steps are exact in the rationals; with a magnetic term, so that p is not v and L is not separable.
 inline constexpr lagrangian magnetic{[](auto const& x, auto const& v) {
     return v.dot(v) / 2 + v(0) * v(1) / 5 + (x(0) * v(1) - 2 * x(1) * v(0)) / 3 - x(0) * x(0) / 2 - x(0) * x(1) / 4 - x(1) * x(1);
@@ -85,4 +107,8 @@ inline constexpr lagrangian magnetic{[](auto const& x, auto const& v) {
 /// Neither separable nor polynomial.
 inline constexpr lagrangian bead{[](auto const& x, auto const& v) { return v * v * (1 + x * x) / 2 + v * x * x / 3 + 1 / (1 + x * x); }};
 
-} // namespace hilger::testing
+/// A polynomial in the plane, with a magnetic term: its derivatives are exact in the rationals, its steps are not.
+inline constexpr lagrangian plane_cubic{
+    [](auto const& x, auto const& v) { return v.dot(v) / 2 + x(0) * v(1) - x(1) * x(1) * v(0) / 3 - x.dot(x) * x(0) / 5; }};
+
+} // namespace hilger::papers

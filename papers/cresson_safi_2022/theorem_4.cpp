@@ -4,57 +4,12 @@
 // discrete Hamiltonian system (94). And definition 12, the momentum that the flows carry.
 #include <doctest/doctest.h>
 
-#include "slope.hpp"
+#include "hamiltonian_action.hpp"
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::papers;
 
 namespace {
-
-/// (97)
-template <class H, class P, class X>
-auto hamiltonian_action(H const& energy, P const& p, X const& x) {
-    auto const p_o = on_half[extend[p]];
-    auto const q_o = on_half[extend[x]];
-    return integral(dot(p_o, on_half[Delta_o_plus[extend[x]]]) - apply(energy, p_o, q_o), half(p.scale()));
-}
-/// The two lines of (94), the left-hand side minus the right-hand one: on T_half^- and on T_half.
-template <class H, class P, class X>
-auto first_line(H const& energy, P const& p, X const& x) {
-    auto const p_o = on_half[extend[p]];
-    auto const force = apply([=](auto const& y, auto const& z) { return energy.by_position(y, z); }, p_o, on_half[extend[x]]);
-    return Delta_h_minus[p_o] + mean_h_minus[force];
-}
-template <class H, class P, class X>
-auto second_line(H const& energy, P const& p, X const& x) {
-    auto const velocity =
-        apply([=](auto const& y, auto const& z) { return energy.by_momentum(y, z); }, on_half[extend[p]], on_half[extend[x]]);
-    return on_half[Delta_o_plus[extend[x]]] - velocity;
-}
-/// The derivative of (97) in the direction (w, v), w a variation of p and v one of q.
-template <class V, class H, class P, class X, class W, class Z>
-scalar_of<V> slope_along(H const& energy, P const& p, X const& x, W const& w, Z const& v) {
-    using S = scalar_of<V>;
-    return slope_at_zero<S>([&](S const& e) { return hamiltonian_action(energy, p + e * w, x + e * v); });
-}
-/// The derivatives of (97) along all unit variations: they span the space that (98) is about.
-template <class V, class H, class P, class X>
-std::vector<scalar_of<V>> all_slopes(H const& energy, P const& p, X const& x) {
-    auto const T = p.scale();
-    auto const none = unit<V>(T, 0) - unit<V>(T, 0);
-    std::vector<scalar_of<V>> all;
-    for (int c = 0; c < detail::shape<V>::dimension(p[0]); ++c) {
-        for (hilger::index k = 0; k <= T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, unit<V>(T, k, c), none));
-        for (hilger::index k = 1; k < T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, none, unit<V>(T, k, c)));
-    }
-    return all;
-}
-template <class S>
-S largest(std::vector<S> const& xs) {
-    S most(0);
-    for (S const& x : xs) most = std::max(most, magnitude(x));
-    return most;
-}
 
 /// Theorem 4 at what the mid-point flow makes, and at the same with one value of p or of q changed.
 template <class V, class L>
@@ -101,23 +56,6 @@ void is_the_discrete_momentum(L const& lagrangian, V const& q0, V const& v0, Nea
     }
 }
 
-/// The number of independent rows, by elimination.
-std::size_t rank(std::vector<std::vector<Q>> rows) {
-    std::size_t done = 0;
-    for (std::size_t column = 0; not rows.empty() and column < rows[0].size(); ++column) {
-        std::size_t pivot = done;
-        while (pivot < rows.size() and rows[pivot][column] == 0) ++pivot;
-        if (pivot == rows.size()) continue;
-        std::swap(rows[done], rows[pivot]);
-        for (std::size_t r = done + 1; r < rows.size(); ++r) {
-            Q const f = rows[r][column] / rows[done][column];
-            for (std::size_t c = column; c < rows[r].size(); ++c) rows[r][c] -= f * rows[done][c];
-        }
-        ++done;
-    }
-    return done;
-}
-
 } // namespace
 
 TEST_CASE("theorem 4: what the mid-point flow makes is critical for (97) and solves (94), and nothing near it is critical") {
@@ -131,27 +69,11 @@ TEST_CASE("theorem 4, both ways: for a quadratic H the critical points of (97) a
     int const N = 4;
     auto const T = uniform(Q(0), Q(2, 7), N);
     lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 + v * x / 3 - x * x / 2; }};
-    hamiltonian const H(L);
-    // The columns are the values of the two linear maps at the unit vectors (p, q); the rows are kept.
-    std::vector<std::vector<Q>> critical(2 * N), system(2 * N - 1);
-    for (hilger::index j = 0; j < 2 * (N + 1); ++j) {
-        auto const one = unit<Q>(T, j % (N + 1));
-        auto const p = Q(j <= N ? 1 : 0) * one;
-        auto const x = Q(j <= N ? 0 : 1) * one;
-        auto const s = all_slopes<Q>(H, p, x);
-        REQUIRE(s.size() == critical.size());
-        for (std::size_t k = 0; k < s.size(); ++k) critical[k].push_back(s[k]);
-        std::size_t k = 0;
-        for (Q const& r : first_line(H, p, x)) system[k++].push_back(r);
-        for (Q const& r : second_line(H, p, x)) system[k++].push_back(r);
-        REQUIRE(k == system.size());
-    }
     // N + 1 equations by p, N - 1 by q, of which one follows from the others: (117) holds at both ends.
-    CHECK(rank(critical) == 2 * N - 1);
-    CHECK(rank(system) == 2 * N - 1);
-    auto both = critical;
-    both.insert(both.end(), system.begin(), system.end());
-    CHECK(rank(both) == 2 * N - 1);
+    auto const ranks = ranks_of_theorem_4(hamiltonian(L), T);
+    CHECK(ranks.critical == 2 * N - 1);
+    CHECK(ranks.system == 2 * N - 1);
+    CHECK(ranks.both == 2 * N - 1);
 }
 
 TEST_CASE("definition 12: the momentum of the mid-point flow is (89), (90), and p_o = dL/dv(q_o, Delta_o_plus[q_o]), (82)") {
