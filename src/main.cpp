@@ -7,6 +7,7 @@
 
 #include "demo.hpp"
 #include "hilger/version.hpp"
+#include "papers.hpp"
 #include "prove.hpp"
 #include "scenes/run.hpp"
 #include "scenes/trade.hpp"
@@ -41,6 +42,10 @@ int main(int argc, char** argv) {
     trade_command->add_option("--accuracy", trade.accuracy, "say what to use for this accuracy");
     trade_command->add_option("--budget", trade.budget, "seconds that one run may take")->capture_default_str();
     trade_command->add_option("--out", trade.out, "directory for the CSV file and the picture")->capture_default_str();
+    program::papers_options about;
+    auto* papers = app.add_subcommand("papers", "the tables, figures and theorems of the four papers, theirs beside ours");
+    papers->add_option("--out", about.out, "directory for the CSV files and the pictures")->capture_default_str();
+    papers->add_option("--paper", about.paper, "one of them: bourdin, jimenez, galucio or cresson");
     auto* identities = app.add_subcommand("identities", "prove the identities behind the embeddings in exact rationals");
 
     CLI11_PARSE(app, argc, argv);
@@ -49,6 +54,7 @@ int main(int argc, char** argv) {
         if (*scenes) program::list_scenes(std::cout);
         if (*run_command) return program::run_scene(run);
         if (*trade_command) return program::run_trade(trade);
+        if (*papers) return program::run_papers(about);
         if (*identities) return program::prove_identities(std::cout) ? 0 : 1;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "hilger: %s\n", e.what());

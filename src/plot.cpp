@@ -3,19 +3,29 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
+
+#include "hilger/error.hpp"
 
 namespace program {
 
 std::string draw(std::string const& directory, std::string const& name, std::string const& commands) {
     auto const script = std::filesystem::path(directory) / (name + ".gp");
     auto const picture = std::filesystem::path(directory) / (name + ".png");
-    std::ofstream(script) << "set datafile separator ','\nset terminal pngcairo size 1500,720 font 'sans,12'\nset output '" << name
-                          << ".png'\nset multiplot layout 1,2\n"
-                          << commands << "unset multiplot\n";
+    std::ofstream(script)
+        << "set datafile separator ','\nset encoding utf8\nset terminal pngcairo size 1500,720 font 'sans,12'\nset output '" << name
+        << ".png'\nset multiplot layout 1,2\n"
+        << commands << "unset multiplot\n";
     std::string const command = "cd '" + directory + "' && gnuplot " + name + ".gp >/dev/null 2>&1";
     return std::system(command.c_str()) == 0 ? picture.string() : script.string() + " (a gnuplot script: gnuplot itself did not run)";
+}
+
+std::ofstream create(std::string const& directory, std::string const& name) {
+    auto const path = (std::filesystem::path(directory) / name).string();
+    std::ofstream file(path);
+    if (not file) hilger::error::raise<hilger::error::unreadable>("cannot write '", path, "'");
+    file.precision(12);
+    return file;
 }
 
 std::string plot_solar_system(std::string const& directory, std::vector<std::string> const& bodies) {

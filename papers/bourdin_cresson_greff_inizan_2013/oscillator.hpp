@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+// Section 4.3 of L. Bourdin, J. Cresson, I. Greff, P. Inizan (2013) in exact rationals, h = 1: the harmonic oscillator (31) in the plane
+// and the rotations (32).
+#pragma once
+
+#include <vector>
+
+#include "hilger/integrator/boundary.hpp"
+#include "hilger/mechanics/fractional_noether.hpp"
+#include "hilger/multiprecision.hpp"
+
+namespace hilger::papers {
+
+using rational_plane = Eigen::Matrix<Q, 2, 1>;
+/// (31)
+inline constexpr auto harmonic_oscillator = [](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; };
+/// The derivative of (32) by s at s = 0.
+inline constexpr auto rotation = [](auto const& x) { return rational_plane(-x(1), x(0)); };
+
+/// The solution of (EL_h^alpha) from (1, 1/2) to (-1/3, 1) in eight steps: its equation is linear, and solved exactly.
+inline auto rational_solution(Q const& alpha) {
+    fractional_problem const problem(harmonic_oscillator, alpha);
+    return solve_boundary(problem, uniform(Q(0), Q(1), 8), rational_plane(Q(1), Q(1, 2)), rational_plane(Q(-1, 3), Q(1))).q;
+}
+/// The left-hand side of (26) at t_1, ..., t_{N-1}.
+inline std::vector<Q> rotation_residual(Q const& alpha) {
+    auto const r = fractional_noether_residual(fractional_problem(harmonic_oscillator, alpha), rotation, rational_solution(alpha));
+    return {r.begin(), r.end()};
+}
+/// The constant (34) at t_0, ..., t_{N-1}; alpha = 1.
+inline std::vector<Q> rotation_constant() {
+    auto const c = noether_constant(fractional_problem(harmonic_oscillator, Q(1)), rotation, rational_solution(Q(1)));
+    return {c.begin(), c.end()};
+}
+
+} // namespace hilger::papers
