@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 
 #include "../papers/table.hpp"
@@ -93,7 +92,6 @@ int run_papers(papers_options const& options) {
     if (not found)
         hilger::error::raise<hilger::error::invalid_parameter>(
             "--paper is one of bourdin, jimenez, galucio and cresson, or is left out for all of them, and this is '", options.paper, "'");
-    std::filesystem::create_directories(options.out);
     auto const start = std::chrono::steady_clock::now();
     std::array<agreement, papers.size()> seen;
     for (std::size_t i = 0; i < papers.size(); ++i)

@@ -38,9 +38,9 @@ void show_slopes(std::vector<row> const& rows, std::vector<row> const& errors_pr
     auto file = create(out, "fractional_dirichlet_slopes.csv");
     file << "# alpha, slope printed, of the largest error, of the mean square error\n";
     std::cout
-        << "\nSection 3.4, slopes: log2 of the errors' ratio between N = 2000 and 4000; the printed ones are the mean of both norms, from\n"
-           "the rounded table, cut off\n"
-           "  alpha | printed  here  difference | largest  mean square  2 alpha - 1, from the errors not rounded\n";
+        << "\nSection 3.4, slopes between N = 2000 and 4000: the printed ones are the mean of both norms from the rounded table, cut off\n"
+        << "        |                           | slopes of the errors themselves\n"
+        << "  alpha | printed  here  difference | largest  mean square  2 alpha - 1\n";
     for (auto const& r : rows) {
         double const alpha = number<double>(r[0]), here = cut_off(slopes_of_table(errors_printed, r[0]).mean());
         auto const own = slopes_between(dirichlet_errors(alpha, 2000), dirichlet_errors(alpha, 4000));

@@ -44,19 +44,19 @@ void show_theorems(agreement& seen) {
     long equal = 0, cases = 0;
     for (int trial = 0; trial < 20; ++trial) {
         auto const x = some_function<V>(T, random);
-        for (index i = 1; i < T.steps(); ++i, ++cases)
-            equal += T.h() * variation(action).residual(x)[i] == wendlandt_marsden(plane_cubic, x, i) ? 1 : 0;
+        auto const residual = hilger::tabulate(variation(action).residual(x));
+        for (index i = 1; i < T.steps(); ++i, ++cases) equal += T.h() * residual[i] == wendlandt_marsden(plane_cubic, x, i) ? 1 : 0;
     }
     std::cout << "  (64), (66): Wendlandt and Marsden's equation is h times (56), " << seen.exact("(64), (66)", cases, equal) << " times\n";
     hilger::lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 + v * x / 3 - x * x / 2; }};
     long one_space = 0, scales = 0;
-    for (int N = 2; N <= 6; ++N, ++scales) {
+    for (int N = 2; N <= 5; ++N, ++scales) {
         auto const r = ranks_of_theorem_4(hilger::hamiltonian(L), hilger::uniform(Q(0), Q(2, 7), N));
         auto const expected = static_cast<std::size_t>(2 * N - 1);
         one_space += r.critical == expected and r.system == expected and r.both == expected ? 1 : 0;
     }
     std::cout << "  theorem 4: critical points of (97) and solutions of (94) are one space of dimension 3, "
-              << seen.exact("theorem 4", scales, one_space) << " times (N = 2, ..., 6)\n\n";
+              << seen.exact("theorem 4", scales, one_space) << " times (N = 2, ..., 5)\n\n";
 }
 
 void write_scales(std::string const& out) {

@@ -22,6 +22,8 @@ std::string draw(std::string const& directory, std::string const& name, std::str
 
 std::ofstream create(std::string const& directory, std::string const& name) {
     auto const path = (std::filesystem::path(directory) / name).string();
+    std::error_code ignored; // the file says it
+    std::filesystem::create_directories(directory, ignored);
     std::ofstream file(path);
     if (not file) hilger::error::raise<hilger::error::unreadable>("cannot write '", path, "'");
     file.precision(12);
