@@ -100,6 +100,15 @@ TEST_CASE("tables 2 and 3: rates of the largest error over [0, 15]") {
     }
 }
 
+TEST_CASE("(4): the meshes T / 2^m, T = 15, have the rates printed; 1 / 2^m up to j = 2^m, which ends at t = 1, has others") {
+    double const rate = 1.90; // table 2, alpha = 3/4
+    CHECK(std::abs(fitted_slope(largest_errors<bdf<2>>(0.75, 1, 6, 12)) - rate) < 0.02);
+    auto const errors = largest_errors<bdf<2>>(0.75, 1, 1, 11, 1.0);
+    for (std::size_t count = 7; count <= 9; ++count) // whatever meshes
+        for (auto first = errors.begin(); first + static_cast<long>(count) <= errors.end(); ++first)
+            CHECK(std::abs(fitted_slope(std::vector<double>(first, first + static_cast<long>(count))) - rate) > 0.05);
+}
+
 TEST_CASE("rounding does not stop it: at 2^13 steps the error is still that of truncation") {
     // Position form, (u_{n+1} - 2 u_n + u_{n-1}) / h^2 = ..., makes rounding of the size of N^2 epsilon: 1e-8 here, the increment N
     // epsilon.
