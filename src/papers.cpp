@@ -57,8 +57,8 @@ std::string agreement::number(std::string const& where, std::string const& print
         why = reason;
     else if (units > 0.5 and units < 1)
         why = "cut off after its last digit";
-    if (not why.empty()) why = "printed " + printed + ", computed " + formatted("%.*g", computed, 4) + ": " + why;
-    return seen(where, agrees, why, formatted("%+.*e", difference, 1));
+    return seen(where + ", printed " + printed + ", computed " + formatted("%.*g", computed, 4), agrees, why,
+                formatted("%+.*e", difference, 1));
 }
 
 std::string agreement::order(std::string const& where, int claimed, double fitted) {

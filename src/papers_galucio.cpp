@@ -50,10 +50,13 @@ void show_rates(agreement& seen) {
               << "here the seven with m = " << coarsest_mesh << ", ..., " << finest_mesh
               << ". Last column: between the two finest\n"
                  "  scheme   alpha    c | printed    here  difference | error at m = 6       m = 12  finest\n";
-    for (auto const& r : rows_of(in)) {
+    int near = 0;
+    auto const rows = rows_of(in);
+    for (auto const& r : rows) {
         double const alpha = number<double>(r[1]), c = number<double>(r[2]);
         auto const errors = errors_of(r[0] == "G_alpha", alpha, c);
         double const rate = fitted_slope(errors);
+        near += std::abs(rate - number<double>(r[3])) < 0.02 ? 1 : 0;
         std::cout << "  " << r[0] << right(r[1], 14 - r[0].size()) << right(r[2], 5) << " | " << right(r[3], 7) << right(fixed(rate, 4), 8)
                   << "  "
                   << right(seen.number("rate of " + r[0] + ", alpha = " + r[1] + ", c = " + r[2], r[3], rate, 0.035,
@@ -62,7 +65,7 @@ void show_rates(agreement& seen) {
                   << " | " << right(scientific(errors.front(), 3), 14) << right(scientific(errors.back(), 3), 13)
                   << right(fixed(std::log2(errors[errors.size() - 2] / errors.back()), 3), 8) << '\n';
     }
-    std::cout << '\n';
+    std::cout << "  within 0.02: " << near << " of " << rows.size() << "\n\n";
 }
 
 /// u at the points of T / 2^m.
