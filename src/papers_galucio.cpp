@@ -4,11 +4,11 @@
 #include <sstream>
 
 #include "../papers/galucio_deu_dubois_2008/newmark_oscillator.hpp"
-#include "beam.hpp"
 #include "hilger/multiprecision.hpp"
 #include "papers.hpp"
 #include "papers_data.hpp"
 #include "plot.hpp"
+#include "scenes/run.hpp"
 
 namespace program {
 
@@ -156,7 +156,11 @@ void show_galucio(std::string const& out, agreement& seen) {
     show_rates(seen);
     auto const one = draw_schemes(out, 1, 1.0 / 3, "1/3"), two = draw_schemes(out, 2, 0.75, "3/4"), three = draw_damping(out);
     std::cout << "Figures 1 to 3\nWritten: " << one << ", " << two << " and " << three << "\n\nFigure 4\n";
-    run_beam(out);
+    run_options beam;
+    beam.scene = "viscoelastic-beam";
+    beam.out = out;
+    beam.anew = true;
+    run_scene(beam);
     std::cout << '\n';
 }
 
