@@ -2,6 +2,7 @@
 // The time of a step: hilger, loops written by hand for the same scheme, and Boost.odeint, in one run.
 //   hilger_bench                the tables
 //   hilger_bench rounding [n]   energy error of mid-point over 10^n steps (default 7.5), plain and compensated
+//   hilger_bench drift [n]      energy after 10^n steps (default 9), plain and compensated
 //   hilger_bench history        what the memory of a fractional difference costs
 //   hilger_bench fractional     steps with fractional damping, and their errors
 //   hilger_bench boundary       two-sided fractional problems
@@ -12,6 +13,8 @@ int main(int count, char** arguments) {
     std::string const what = count > 1 ? arguments[1] : "";
     if (what == "rounding")
         bench::rounding(count > 2 ? std::atof(arguments[2]) : 7.5);
+    else if (what == "drift")
+        bench::drift(count > 2 ? std::atof(arguments[2]) : 9);
     else if (what == "history")
         bench::histories();
     else if (what == "boundary")

@@ -45,6 +45,7 @@ void small_systems();
 void large_systems();
 void boundary();
 void rounding(double log10_of_steps);
+void drift(double log10_of_steps);
 void histories();
 void fractional();
 void galerkin();
