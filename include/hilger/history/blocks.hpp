@@ -92,7 +92,9 @@ private:
             weights_up_to(2 * length);
             S const scale = S(1) / S(static_cast<double>(length)); // a power of two
             for (std::size_t n = 0; n < length; ++n) {
-                weights.re.push_back(weights_[n] * scale);
+                // w_0 has no part in what is asked for, and beside it the others may be as small as the order: what it rounds would be
+                // seen.
+                weights.re.push_back(n == 0 ? S(0) : S(weights_[n] * scale));
                 weights.im.push_back(weights_[n + length] * scale);
             }
             transform_.forward(weights, length);

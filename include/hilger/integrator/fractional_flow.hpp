@@ -187,7 +187,10 @@ public:
             if (where != damping_at::end) impulse_.damp(x.p);
             step_.advance(f.undamped_, x, h_);
             impulse_.arrive(x.q);
-            if (where != damping_at::start) impulse_.damp(x.p);
+            if (where != damping_at::start) { // at the start the step itself looks at what comes out
+                impulse_.damp(x.p);
+                if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
+            }
             guard.done = true;
         }
         undamped step_;

@@ -78,8 +78,10 @@ public:
             u_ = u_ + x.q;
             if (not is_finite(u_)) error::raise<error::not_finite>("the Newmark step meets NaN or infinity");
             force(f, t, u_, true);
+            r_ = x.p + (r_ + d_) * half_h;
+            if (not is_finite(r_)) error::raise<error::not_finite>("the Newmark step meets NaN or infinity in its momentum");
             x.q = u_;
-            x.p = x.p + (r_ + d_) * half_h;
+            x.p = r_;
             r_ = d_;
             x.t = t;
         }

@@ -25,10 +25,25 @@ template <class V>
 scalar_of<V> inner_product(std::vector<V> const& x, std::vector<V> const& y) {
     return pairwise_sum(0, x.size(), [&](std::size_t i) { return scalar_of<V>(dot_product(x[i], y[i])); });
 }
+/// Of values up to the ends of the scalar's range: their squares may be beyond them.
 template <class V>
 scalar_of<V> euclidean_norm(std::vector<V> const& x) {
     using std::sqrt;
-    return scalar_of<V>(sqrt(inner_product(x, x)));
+    using S = scalar_of<V>;
+    S const square = inner_product(x, x), smallest = (std::numeric_limits<S>::min)() / (epsilon<S>() * epsilon<S>());
+    if (smallest < square and is_finite(square)) return S(sqrt(square));
+    S largest(0);
+    for (auto const& value : x) largest = std::max(largest, S(magnitude(value)));
+    if (largest == S(0) or not is_finite(largest)) return largest;
+    using std::frexp, std::ldexp;
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    S const unit = ldexp(S(1), exponent - 1); // no digit of a value is touched
+    S const sum = pairwise_sum(0, x.size(), [&](std::size_t i) {
+        V const part = x[i] / unit;
+        return S(dot_product(part, part));
+    });
+    return unit * S(sqrt(sum));
 }
 /// x + c y
 template <class V>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // The step of any embedding without control values inside the step, given by its tableau: q_{i+1} = y with
 //   p_i + sum_k w_k (a_k0 dL/dq + b_k0 dL/dv)(A_k, B_k) = 0,   A_k = a_k0 q_i + a_k1 y,   B_k = b_k0 q_i + b_k1 y,
-// which is p_i = -d_1 L_h, and then p_{i+1} = d_2 L_h = sum_k w_k (a_k1 dL/dq + b_k1 dL/dv). Solved by Newton with dense factorizations.
+// which is p_i = -d_1 L_h, and then p_{i+1} = d_2 L_h = sum_k w_k (a_k1 dL/dq + b_k1 dL/dv). Solved by Newton with dense factorizations,
+// for y - q_i: of y itself, which differs little from q_i in a short step, a velocity would have the rounding divided by h.
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -24,8 +26,8 @@ class many_nodes {
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like)
-        : d_(s::dimension(like)), y_(s::zero(d_)), last_(y_), r_(vector::Zero(d_)), correction_(r_), J_(matrix::Zero(d_, d_)), lu_(d_),
-          sum_q_(d_), sum_p_(d_) {
+        : d_(s::dimension(like)), moved_(s::zero(d_)), r_(vector::Zero(d_)), correction_(r_), J_(matrix::Zero(d_, d_)), lu_(d_), sum_q_(d_),
+          sum_p_(d_) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
@@ -49,14 +51,15 @@ public:
         if (known == 0) velocity_.reset();
         if (known != 0 and not velocity_) velocity_ = s::zero(d_);
         for (int c = 0; velocity_ and c < d_; ++c) each("velocity", s::component(*velocity_, c));
-        for (int c = 0; c < d_; ++c) each("increment", s::component(last_, c));
+        for (int c = 0; c < d_; ++c) each("increment", s::component(moved_, c));
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
 
     void advance(Problem const& problem, state<S, V>& x) {
         // As far as the last step went, or along the velocity where there is none.
-        y_ = steps_ > 0 ? V(x.q + last_) : V(x.q + *velocity_ * h_);
+        if (steps_ == 0) moved_ = *velocity_ * h_;
+        long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
         bool singular = false;
         S size(0);
         S const small = square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4);
@@ -69,16 +72,17 @@ public:
             singular = not is_regular(lu_);
             if (singular) break;
             correction_ = lu_.solve(r_);
-            for (int c = 0; c < d_; ++c) s::component(y_, c) = s::component(y_, c) - correction_(c);
+            for (int c = 0; c < d_; ++c) s::component(moved_, c) = s::component(moved_, c) - correction_(c);
             size = magnitude(correction_);
             bool const floor = iteration > 0 and magnitude(r_) <= S(8) * epsilon<S>() * (magnitude(x.p) + forces());
-            if (not(size <= small * magnitude(V(y_ - x.q))) and not floor) continue;
+            if (not(size <= small * magnitude(moved_)) and not floor) continue;
             finish(x);
+            steps_ = made + 1;
             return;
         }
         V rest = s::zero(d_);
         for (int c = 0; c < d_; ++c) s::component(rest, c) = r_(c);
-        give_up(name, singular, y_, rest, size);
+        give_up(name, singular, V(x.q + moved_), rest, size);
     }
 
 private:
@@ -92,7 +96,8 @@ private:
         for (int c = 0; c < d_; ++c) r_(c) = s::component(x.p, c);
         J_.setZero();
         for (int k = 0; k < t_.nodes; ++k) {
-            V const A = x.q * t_.a(k, 0) + y_ * t_.a(k, 1), B = x.q * t_.b(k, 0) + y_ * t_.b(k, 1);
+            S const whole_a = constants_ ? S(1) : S(t_.a(k, 0) + t_.a(k, 1)), whole_b = constants_ ? S(0) : S(t_.b(k, 0) + t_.b(k, 1));
+            V const A = x.q * whole_a + moved_ * t_.a(k, 1), B = x.q * whole_b + moved_ * t_.b(k, 1);
             auto& e = nodes_[at(k)];
             e = expand_at(problem, t_.time(k, x.t, h_), A, B);
             S const wa = t_.w(k) * t_.a(k, 0), wb = t_.w(k) * t_.b(k, 0);
@@ -139,17 +144,16 @@ private:
                 s::component(whole, c) = s::component(whole, c) + t_.w(k) * (t_.a(k, 1) * g + t_.b(k, 1) * m);
             }
         }
-        if (not all_finite(y_) or not all_finite(whole)) give_up(name, false, x.q, V(y_ + whole), S(0));
-        last_ = y_ - x.q;
+        V const q = x.q + moved_, p = constants_ ? V(x.p + increment) : whole;
+        if (not all_finite(q) or not all_finite(p)) give_up(name, false, x.q, V((q - q) + (p - p)), S(0)); // infinity less itself is NaN
         for (int c = 0; c < d_; ++c) {
-            sum_q_.add(s::component(x.q, c), s::component(last_, c), c);
+            sum_q_.add(s::component(x.q, c), s::component(moved_, c), c);
             if (constants_)
                 sum_p_.add(s::component(x.p, c), s::component(increment, c), c);
             else
                 s::component(x.p, c) = s::component(whole, c);
         }
         x.t = x.t + h_;
-        ++steps_;
     }
 
     int d_;
@@ -158,7 +162,7 @@ private:
     long long steps_ = 0;
     bool constants_ = true;
     std::optional<V> velocity_;
-    V y_, last_;
+    V moved_; ///< y - q_i: of the last step, and of this one while it is made
     std::vector<node_table<V>> nodes_;
     vector r_, correction_;
     matrix J_;

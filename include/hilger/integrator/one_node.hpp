@@ -17,6 +17,38 @@ template <std::size_t M, class S, std::size_t... I>
 [[gnu::always_inline]] inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
     return ((I / M == I % M or is_known_zero(K[I])) and ...);
 }
+/// By elimination; false where K is singular to rounding.
+template <class S, std::size_t M, std::size_t MM>
+bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
+    using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
+    using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
+    Eigen::PartialPivLU<matrix> const lu(Eigen::Map<matrix const>(K.data()));
+    if (not is_regular(lu)) return false;
+    vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
+    for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
+    return true;
+}
+/// Two equations whose determinant is no normal number, as with masses of 1e+-160. By value: what a loop hands over by address is in
+/// memory in all of its rounds.
+template <class S>
+struct pair_solution {
+    S x, y;
+    bool regular;
+};
+template <class S>
+[[gnu::noinline, gnu::cold]] pair_solution<S> eliminate_pair(S a, S b, S c, S d, S x, S y) {
+    std::array<S, 2> r{x, y};
+    bool const regular = eliminate(std::array<S, 4>{a, b, c, d}, r);
+    return {r[0], r[1], regular};
+}
+/// Below it the reciprocal of a determinant may overflow, or the determinant has lost digits itself.
+template <class S>
+S smallest_determinant() {
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return S(0);
+    else
+        return S(4) * (std::numeric_limits<S>::min)();
+}
 
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding.
 template <class S, std::size_t M, std::size_t MM>
@@ -30,7 +62,11 @@ template <class S, std::size_t M, std::size_t MM>
     } else if constexpr (M == 2) {
         S const ad = K[0] * K[3], bc = times(K[1], K[2]);
         S const det = minus(ad, bc);
-        if (not(epsilon<S>() * (abs(ad) + abs(bc)) < abs(det))) return false;
+        if (not(epsilon<S>() * (abs(ad) + abs(bc)) + smallest_determinant<S>() < abs(det))) [[unlikely]] {
+            auto const z = eliminate_pair<S>(K[0], S(K[1]), S(K[2]), K[3], r[0], r[1]);
+            r = {z.x, z.y};
+            return z.regular;
+        }
         S const i = S(1) / det;
         S const x = minus(S(K[3] * r[0]), times(K[1], r[1])), y = minus(S(K[0] * r[1]), times(K[2], r[0]));
         r[0] = x * i;
@@ -44,13 +80,7 @@ template <class S, std::size_t M, std::size_t MM>
             }
             return true;
         }
-        using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
-        using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
-        Eigen::PartialPivLU<matrix> const lu(Eigen::Map<matrix const>(K.data()));
-        if (not is_regular(lu)) return false;
-        vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
-        for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
-        return true;
+        return eliminate(K, r);
     }
 }
 
@@ -187,8 +217,12 @@ private:
             if (not done) {
                 if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
             }
-            // v comes from g, except where g was evaluated once more.
-            if (not is_finite(at_end ? S((g[K] + ...) + (v[K] + ...)) : S((v[K] + ...)))) break;
+            // A finite v and g may still lead beyond the largest number.
+            if constexpr (not exact)
+                if (S const nan = S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + w * g[K])) + ...)); not(nan == S(0))) {
+                    r[0] = nan;
+                    break;
+                }
             ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), S(w * g[K]), K)), ...);
             x.t = x.t + h_;
             remember(v);
@@ -206,14 +240,18 @@ private:
         }
         (all{});
     }
+    /// 0 for a number, NaN for NaN and infinity.
+    [[gnu::always_inline]] static S overflow(S const& x) { return x - x; }
     /// Convergence is quadratic: after this correction the error is of the size of epsilon.
     [[gnu::always_inline]] static bool at_the_floor(S const& size, components_ const& v) {
         return size <= square_root_of_epsilon<S>() * small() * largest(v);
     }
     /// The same where v enters quadratically and the error is in dL/dq alone: `moved` is the correction of the position, `change` what it
-    /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach.
+    /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach: as a quotient, for the
+    /// squares of positions leave the range of the scalar long before positions do.
     [[gnu::always_inline]] static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
-        return w * moved * (g * moved + change * reach) <= epsilon<S>() * small() * (p + w * g) * (reach * reach);
+        S const relative = moved / reach;
+        return w * relative * (g * relative + change) <= epsilon<S>() * small() * (p + w * g);
     }
     /// With compensated sums the error that Newton leaves must not be seen either.
     static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }

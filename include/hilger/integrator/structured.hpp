@@ -67,9 +67,11 @@ public:
                 newton(l, x);
             }
         }
-        // v comes from g, except where g comes last.
-        S const sum = Facts.at_end ? S(g_.sum() + v_.sum()) : S(v_.sum());
-        if (not is_finite(sum)) give_up(name, false, v_, g_, S(0));
+        // A finite v and g may still lead beyond the largest number; where v comes from the new momentum it shows that one.
+        S sum = (x.q + w_ * v_).sum();
+        if constexpr (not Facts.at_start) sum += (x.p - w_ * g_).sum();
+        if (not is_finite(sum)) [[unlikely]]
+            refuse_overflow(x);
         if constexpr (Compensated)
             for (int k = 0; k < s::dimension(x.q); ++k) {
                 sum_q_.add(x.q(k), S(w_ * v_(k)), k);
@@ -89,6 +91,12 @@ public:
 
 private:
     static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
+    /// @throws error::not_finite, unless it was the sum alone that overflowed
+    [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
+        r_ = (x.q + w_ * v_) - (x.q + w_ * v_);
+        r_ += (x.p - w_ * g_) - (x.p - w_ * g_);
+        if (not all_finite(r_)) give_up(name, false, v_, r_, S(0));
+    }
     [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
     template <class U>
     void force(U const& potential, V const& q) {
@@ -123,7 +131,7 @@ private:
             S const floor = epsilon<S>() * reach;
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64))) return true;
             if (previous > S(0)) {
-                if (size * size <= floor * previous * small()) return true;
+                if (size * (size / previous) <= floor * small()) return true;
                 if (not(S(4) * size < previous) and S(1024) * floor < size) { // and not among rounding errors, which do not shrink
                     stiff_ = true;
                     return false;

@@ -13,6 +13,13 @@
 
 namespace hilger::detail {
 
+/// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
+template <class S>
+[[gnu::always_inline]] inline bool is_pivot(S const& pivot, S const& entry, index d) {
+    using std::abs;
+    return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
+}
+
 /// M^-1 and M times a vector, for the three kinds of mass.
 template <class Mass, class V>
 class mass_solver {
@@ -24,7 +31,12 @@ public:
             if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
             matrix_ = m;
             factors_.compute(matrix_);
-            if (factors_.info() != Eigen::Success) error::raise<error::singular>("the mass matrix is not positive definite");
+            bool regular = factors_.info() == Eigen::Success;
+            for (index k = 0; regular and k < d; ++k) {
+                S const pivot = S(factors_.matrixLLT()(k, k)) * S(factors_.matrixLLT()(k, k));
+                regular = is_pivot(pivot, S(matrix_(k, k)), d);
+            }
+            if (not regular) error::raise<error::singular>("the mass matrix is not positive definite, or not to the digits of its scalar");
         } else if constexpr (requires { m.size(); }) {
             if (m.size() != d) wrong(m.size(), d);
             inverse_ = m.cwiseInverse();
@@ -113,7 +125,10 @@ public:
         if (pattern_ == hessian_pattern::dense) {
             if (not dense_factors_) dense_factors_.reset(new Eigen::LDLT<block_of<V>, Eigen::Lower>(dense_.rows()));
             dense_factors_->compute(dense_);
-            if (dense_factors_->info() != Eigen::Success or not(dense_factors_->vectorD().cwiseAbs().minCoeff() > S(0))) return false;
+            if (dense_factors_->info() != Eigen::Success) return false;
+            room_ = dense_factors_->transpositionsP() * dense_.diagonal();
+            for (index k = 0; k < room_.size(); ++k)
+                if (not is_pivot(S(dense_factors_->vectorD()(k)), S(room_(k)), room_.size())) return false;
             x = dense_factors_->solve(x);
         } else {
             if (not simplicial_) {
@@ -122,6 +137,9 @@ public:
             }
             simplicial_->factorize(sparse_);
             if (simplicial_->info() != Eigen::Success) return false;
+            room_ = simplicial_->permutationP() * sparse_.diagonal();
+            for (index k = 0; k < room_.size(); ++k)
+                if (not is_pivot(S(simplicial_->vectorD()(k)), S(room_(k)), room_.size())) return false;
             x = simplicial_->solve(x);
         }
         return true;
@@ -131,12 +149,13 @@ private:
     bool thomas(V& x) {
         index const d = x.size();
         for (index k = 0; k < d; ++k) {
+            S const entry = diagonal_(k);
             if (k > 0) {
                 S const factor = below_(k - 1) * diagonal_(k - 1); // the diagonal holds inverse pivots up to k - 1
                 diagonal_(k) -= factor * below_(k - 1);
                 x(k) -= factor * x(k - 1);
             }
-            if (diagonal_(k) == S(0)) return false;
+            if (not is_pivot(diagonal_(k), entry, 2)) return false;
             diagonal_(k) = S(1) / diagonal_(k);
         }
         x(d - 1) = x(d - 1) * diagonal_(d - 1);
@@ -145,7 +164,7 @@ private:
     }
 
     hessian_pattern pattern_ = hessian_pattern::dense;
-    Eigen::Matrix<S, Eigen::Dynamic, 1> diagonal_, below_;
+    Eigen::Matrix<S, Eigen::Dynamic, 1> diagonal_, below_, room_;
     block_of<V> dense_;
     own<Eigen::LDLT<block_of<V>, Eigen::Lower>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;

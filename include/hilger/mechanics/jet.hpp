@@ -167,10 +167,11 @@ struct jet {
     [[gnu::always_inline]] constexpr S unscaled() const {
         return detail::times(outer, detail::times(slope, inner<J>()));
     }
+    // In this order: a bend of zero stays zero where the square of a large derivative is infinite.
     template <int J, int K>
     [[gnu::always_inline]] constexpr S unscaled() const {
         return detail::plus(detail::times(detail::times(outer, slope), inner<J, K>()),
-                            detail::times(bend, detail::times(inner<J>(), inner<K>())));
+                            detail::times(detail::times(bend, inner<J>()), inner<K>()));
     }
     template <int... JK>
     [[gnu::always_inline]] constexpr S by() const {
@@ -184,7 +185,7 @@ struct jet {
     [[nodiscard]] constexpr S derivative(int j) const { return S(constant() * outer) * S(slope * d1[static_cast<std::size_t>(j - First)]); }
     [[nodiscard]] constexpr S derivative(int j, int k) const {
         std::size_t const row = static_cast<std::size_t>(j - First), column = static_cast<std::size_t>(k - First);
-        return constant() * S(S(S(outer * slope) * d2[row * (row + 1) / 2 + column]) + S(bend * S(d1[row] * d1[column])));
+        return constant() * S(S(S(outer * slope) * d2[row * (row + 1) / 2 + column]) + S(S(bend * d1[row]) * d1[column]));
     }
 
     template <class Y>

@@ -20,7 +20,7 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
         auto const d = expand(lagrangian, q, v);
         return newton_system<V>{V(d.by_v - p), d.vv};
     };
-    return newton(equation, guess, "the Legendre map v -> dL/dv");
+    return newton(equation, guess, p, "the Legendre map v -> dL/dv");
 }
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {

@@ -46,7 +46,7 @@ private:
             auto const e = hilger::expand(h, p, q);
             return newton_system<V>{V(e.by_q - v), e.qq};
         };
-        return newton(equation, zero_like(v), "the Legendre map p -> dH/dp");
+        return newton(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
     }
     template <class F, class V>
     static expansion<V> expand_with(F const& h, V const& q, V const& v) {

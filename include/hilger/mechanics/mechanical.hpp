@@ -111,6 +111,7 @@ class mechanical {
 
 public:
     mechanical(Mass m, Potential u) : mass_(std::move(m)), potential_{std::move(u)} {
+        if (not is_finite(mass_)) error::raise<error::not_finite>("a mass is finite, and one of these is NaN or infinite");
         bool positive = true;
         if constexpr (not is_matrix) {
             if constexpr (requires { mass_.minCoeff(); })

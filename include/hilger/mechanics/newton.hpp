@@ -32,13 +32,21 @@ V solve(block_of<V> const& J, V const& r, char const* what) {
         return r / J;
     }
 }
+/// The magnitudes of the components.
+template <class V>
+V sizes(V const& x) {
+    if constexpr (requires { x.size(); })
+        return x.cwiseAbs();
+    else
+        return magnitude(x);
+}
 } // namespace detail
 
-/// The root of `system` (iterate -> newton_system) near `guess`; `what` names the equation in messages. In an exact scalar the
-/// root must be reached exactly, which linear equations do in one iteration.
+/// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
+/// the equation in messages. In an exact scalar the root must be reached exactly, which linear equations do in one iteration.
 /// @throws newton_failure, error::singular, error::not_finite
 template <class V, class System>
-V newton(System const& system, V guess, char const* what) {
+V newton(System const& system, V guess, V const& given, char const* what) {
     using S = scalar_of<V>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int most = exact ? 4 : 50;
@@ -51,16 +59,21 @@ V newton(System const& system, V guess, char const* what) {
         auto const at = system(x);
         if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
         residual = at.residual;
-        if (magnitude(residual) == S(0)) return x;
+        // A guess that happens to solve a singular system is one of many solutions.
+        if (magnitude(residual) == S(0) and iteration > 0) return x;
         V const correction = detail::solve(at.jacobian, residual, what);
+        if (magnitude(residual) == S(0)) return x;
+        S const before = magnitude(x);
         x = x - correction;
         size = magnitude(correction);
         if constexpr (not exact) {
-            S const scale = magnitude(x);
-            if (size <= small * scale) return x;
-            // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink.
+            if (size <= small * magnitude(x)) return x;
+            // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink, and are rounding of the
+            // iterate before (one that runs away is no measure of itself) and of what is given.
             bool const stalled = not(previous < S(0)) and not(size < previous);
-            if (stalled and previous <= S(64) * epsilon<S>() * (S(1) + scale)) return x;
+            if (stalled and
+                size <= S(64) * epsilon<S>() * std::max(before, S(magnitude(detail::solve(at.jacobian, detail::sizes(given), what)))))
+                return x;
         }
         previous = size;
     }

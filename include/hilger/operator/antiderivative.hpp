@@ -7,6 +7,39 @@
 
 namespace hilger {
 
+namespace detail {
+
+/// Adds up values that are linear in a floating scalar with the error of two additions, however many there are: what each addition rounds
+/// away is added up beside it (Neumaier 1974, in the form without comparisons). Exact values are added as they are.
+template <class V, class S>
+class running_sum {
+    static constexpr bool rounds = std::numeric_limits<S>::is_specialized and not std::numeric_limits<S>::is_exact;
+
+public:
+    constexpr explicit running_sum(V const& zero) : sum_(zero), rest_(zero) {}
+    constexpr void add(V const& y) {
+        if constexpr (rounds) {
+            V const z = sum_ + y;
+            V const part = z - sum_;
+            rest_ = rest_ + ((sum_ - (z - part)) + (y - part));
+            sum_ = z;
+        } else
+            sum_ = sum_ + y;
+    }
+    /// Where the sum is infinite, so it stays.
+    constexpr V value() const {
+        if constexpr (rounds)
+            return is_finite(rest_) ? V(sum_ + rest_) : sum_;
+        else
+            return sum_;
+    }
+
+private:
+    V sum_, rest_;
+};
+
+} // namespace detail
+
 /// int_a^t f Delta_lambda for t in T. Partial sums are formed when asked; tabulate(antiderivative[f]) forms each once.
 template <class Lambda>
 struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
@@ -24,9 +57,9 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     }
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
-        auto total = zero_of(f);
-        for (index k = 0; k < i; ++k) total = total + f.get(k) * f.root().step(k);
-        return total;
+        detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
+        for (index k = 0; k < i; ++k) total.add(evaluated(f.get(k) * f.root().step(k)));
+        return total.value();
     }
     constexpr auto adjoint() const;
 };
@@ -47,9 +80,9 @@ struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
     template <class F>
     constexpr auto evaluate(F const& f, index i) const {
         index const last = f.domain().last(f.root());
-        auto total = zero_of(f);
-        for (index k = i + 1; k <= last; ++k) total = total + f.get(k) * f.root().step(k - 1);
-        return total;
+        detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
+        for (index k = i + 1; k <= last; ++k) total.add(evaluated(f.get(k) * f.root().step(k - 1)));
+        return total.value();
     }
     constexpr auto adjoint() const { return antiderivative_at<Lambda>{{}, lambda}; }
 };

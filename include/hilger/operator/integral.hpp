@@ -11,13 +11,14 @@
 
 namespace hilger {
 
-/// The sum of W(t) f(t) over all points of f's domain.
+/// The sum of W(t) f(t) over all points of f's domain. In a floating scalar within 2 epsilon of the sum of |W(t) f(t)|, however many points
+/// there are.
 template <class W, discrete_function F>
 constexpr auto weighted_sum(F const& f) {
     using S = typename F::root_type::scalar_type;
-    auto total = zero_of(f);
-    for (index i = f.first(); i <= f.last(); ++i) total = total + f.get(i) * S(weight_at<W>(f, i));
-    return total;
+    detail::running_sum<value_of<F>, S> total(zero_of(f));
+    for (index i = f.first(); i <= f.last(); ++i) total.add(evaluated(f.get(i) * S(weight_at<W>(f, i))));
+    return total.value();
 }
 
 template <class W, text Sentence>
@@ -64,13 +65,13 @@ constexpr auto on_lambda_points(F f, between<Lambda> const& base) {
 
 template <class W, discrete_function F>
 constexpr auto sum_between(F const& f, index from, index to) {
-    auto total = zero_of(f);
     using S = typename F::root_type::scalar_type;
+    running_sum<value_of<F>, S> total(zero_of(f));
     for (index i = std::min(from, to); i < std::max(from, to); ++i) {
         index const k = std::same_as<W, nabla> ? i + 1 : i;
-        total = total + f.get(k) * S(weight_at<W>(f, k));
+        total.add(evaluated(f.get(k) * S(weight_at<W>(f, k))));
     }
-    return from <= to ? total : decltype(total)(-total);
+    return from <= to ? total.value() : value_of<F>(-total.value());
 }
 
 /// A wrong integrand has been reported already.

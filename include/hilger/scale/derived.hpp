@@ -48,6 +48,19 @@ constexpr void require_lambda(S const& lambda, bool zero_allowed) {
     if (not(lambda < S(1)) or lambda < S(0) or (not zero_allowed and lambda == S(0)))
         error::raise<error::invalid_parameter>("lambda lies in ", zero_allowed ? "[0, 1[" : "]0, 1[", ", and this one is ", lambda);
 }
+/// T_{o,lambda} has no two equal points: lambda and 1 - lambda are not lost in rounding beside the points of T.
+template <class Scale, class S>
+constexpr void require_between(Scale const& T, S const& lambda) {
+    if constexpr (not std::numeric_limits<S>::is_exact) {
+        run_time<S> const at{lambda};
+        for (index i = 0; i < T.last(); i = Scale::root_type::is_uniform and i == 0 and T.last() > 1 ? T.last() - 1 : i + 1) {
+            S const t = T.root().between(i, at);
+            if (not(T.element(i) < t) or not(t < T.element(i + 1)))
+                error::raise<error::invalid_scale>("lambda = ", lambda, " is lost in rounding between the points ", T.element(i), " and ",
+                                                   T.element(i + 1));
+        }
+    }
+}
 template <class Lambda>
 concept lambda_in_range = Lambda::numerator >= 0 and Lambda::numerator < Lambda::denominator;
 template <class Lambda>
@@ -103,11 +116,13 @@ constexpr auto circ(Scale const& T) {
     detail::require_nodes<Scale>();
     return detail::derive(T, domain<joined<reduced<P, Q>>>{});
 }
-/// The same with lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[.
+/// The same with lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[, error::invalid_scale when it is
+/// so close to 0 or 1 that points of T and T_lambda would be the same number.
 template <time_scale_like Scale, class S = typename Scale::root_type::scalar_type>
 constexpr auto circ(Scale const& T, std::type_identity_t<S> lambda) {
     detail::require_nodes<Scale>();
     detail::require_lambda(lambda, false);
+    detail::require_between(T, lambda);
     return detail::derive(T, domain<joined<run_time<S>>>{{{std::move(lambda)}}});
 }
 

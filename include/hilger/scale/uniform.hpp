@@ -31,8 +31,9 @@ public:
         if (not is_finite(a_) or not is_finite(h_) or not is_finite(b_))
             error::raise<error::invalid_scale>("the points of a time scale are finite, and these start at ", a_, " with step ", h_);
         if (not(S(0) < h_)) error::raise<error::invalid_scale>("the step h of a time scale is positive, and this one is ", h_);
-        // Below four units in the last place neighbouring points a + ih, or T and T_half, may round to the same number.
-        if (h_ < S(4) * epsilon<S>() * std::max(magnitude(a_), magnitude(b_)))
+        // Below four units in the last place neighbouring points a + ih, or T and T_half, may round to the same number; next to zero those
+        // units are all alike.
+        if (h_ < S(4) * std::max(S(epsilon<S>() * std::max(magnitude(a_), magnitude(b_))), smallest()))
             error::raise<error::invalid_scale>("the step h = ", h_, " is lost in rounding beside the points ", a_, " and ", b_);
     }
 
@@ -56,6 +57,12 @@ public:
     }
 
 private:
+    static constexpr S smallest() {
+        if constexpr (std::numeric_limits<S>::is_specialized and not std::numeric_limits<S>::is_exact)
+            return (std::numeric_limits<S>::min)();
+        else
+            return S(0);
+    }
     static constexpr S number(index i) { return S(static_cast<long long>(i)); }
     S a_, h_, b_;
     index steps_;
