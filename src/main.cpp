@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "demo.hpp"
+#include "extremes.hpp"
 #include "hilger/version.hpp"
 #include "papers.hpp"
 #include "prove.hpp"
@@ -47,6 +48,9 @@ int main(int argc, char** argv) {
     papers->add_option("--out", about.out, "directory for the CSV files and the pictures")->capture_default_str();
     papers->add_option("--paper", about.paper, "one of them: bourdin, jimenez, galucio or cresson");
     auto* identities = app.add_subcommand("identities", "prove the identities behind the embeddings in exact rationals");
+    auto* extremes = app.add_subcommand("extremes", "what is promised and what is measured at the extremes of numbers, steps and orders");
+    bool quick = false;
+    extremes->add_flag("--quick", quick, "fewer points and steps: seconds instead of a minute");
 
     CLI11_PARSE(app, argc, argv);
     try {
@@ -55,6 +59,7 @@ int main(int argc, char** argv) {
         if (*run_command) return program::run_scene(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);
+        if (*extremes) return program::report_extremes(std::cout, quick) ? 0 : 1;
         if (*identities) return program::prove_identities(std::cout) ? 0 : 1;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "hilger: %s\n", e.what());

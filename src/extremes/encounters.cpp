@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSL-1.0
+// Kepler's ellipse of eccentricity 0.99, bodies that nearly meet, and bodies that do.
+#include "extremes/row.hpp"
+#include "hilger/hilger.hpp"
+
+namespace extremes {
+
+namespace {
+
+using namespace hilger;
+using hilger::index;
+template <class S>
+using plane = Eigen::Matrix<S, 2, 1>;
+
+constexpr auto kepler = [](auto const& q, auto const& v) {
+    using std::sqrt;
+    return v.dot(v) / 2 + 1 / sqrt(q.dot(q));
+};
+
+/// More digits than those of double that are looked at.
+using wide = long double;
+
+/// The state after so many steps from the pericentre, 1/128 from the centre: the velocity of an ellipse of e = 0.990, whose period is 4.5.
+template <class S, class E>
+state<S, plane<S>> ellipse(E const& how, index steps, S const& moved) {
+    plane<S> const q(S(S(1) / 128 + moved), S(0)), p(S(0), S(S(4086) / 256));
+    state<S, plane<S>> x{S(0), q, p};
+    for (auto const& y : embed(kepler, how).along(uniform(S(0), S(S(1) / 8192), steps), q, p)) x = y;
+    return x;
+}
+template <class S>
+wide distance(state<S, plane<S>> const& x, state<wide, plane<wide>> const& y) {
+    wide largest = 0;
+    for (int c = 0; c < 2; ++c) largest = std::max({largest, std::abs(x.q(c) - y.q(c)), std::abs(x.p(c) - y.p(c))});
+    return largest;
+}
+template <class E>
+void kepler_rows(rows& all, std::string const& name, E const& how, index steps) {
+    auto const x = ellipse<double>(how, steps, 0.0);
+    auto const exact = ellipse<wide>(how, steps, 0.0L);
+    // What the orbit makes of a change of its start is lost to every scalar.
+    wide const change = std::ldexp(1.0L, -40);
+    wide const magnified = distance(ellipse<wide>(how, steps, change), exact) / change;
+    std::string const n = std::to_string(steps) + " steps";
+    all.push_back(kept("Kepler, e = 0.99, " + name + ", " + n + ", of what it magnifies",
+                       static_cast<double>(distance(x, exact) / magnified / epsilon<double>()), static_cast<double>(steps)));
+    wide const momentum = wide(4086) / 256 / 128, kept_momentum = wide(x.q(0)) * x.p(1) - wide(x.q(1)) * x.p(0);
+    wide const size = x.q.cwiseAbs().maxCoeff() * x.p.cwiseAbs().maxCoeff();
+    all.push_back(kept("    its angular momentum, of |q| |p|",
+                       static_cast<double>(std::abs(kept_momentum - momentum) / size / epsilon<double>()), static_cast<double>(2 * steps)));
+}
+
+/// Two bodies and a third in space, at a distance `miss` from each other when they pass.
+auto bodies() {
+    return pairs<3>(all_pairs(3), [](index, auto const& r) {
+        using std::sqrt;
+        return -1 / sqrt(r.dot(r));
+    });
+}
+using nine = Eigen::Matrix<double, 9, 1>;
+nine three(double miss) {
+    nine q = nine::Zero();
+    q << -1, miss, 0, 1, 0, 0, 0, 50, 0;
+    return q;
+}
+nine towards() {
+    nine p = nine::Zero();
+    p << 1, 0, 0, -1, 0, 0, 0, 0, 0;
+    return p;
+}
+/// The total momentum's largest component along a run, in epsilons of the largest momentum and the number of steps; or how it ended.
+template <class Flow>
+row passage(std::string const& what, Flow const& flow, double miss) {
+    index const steps = 4096;
+    try {
+        nine p = towards();
+        double largest = 1;
+        for (auto const& x : flow.along(uniform(0.0, 1.0 / 1024, steps), three(miss), p)) {
+            p = x.p;
+            largest = std::max(largest, p.cwiseAbs().maxCoeff());
+            if (not is_finite(x.q) or not is_finite(x.p)) return holds(what, "finite, or an error", false, "NaN delivered");
+        }
+        double total = 0;
+        for (int c = 0; c < 3; ++c) total = std::max(total, std::abs(p(c) + p(3 + c) + p(6 + c)));
+        return kept(what + ": total momentum", total / largest / epsilon<double>(), static_cast<double>(3 * steps));
+    } catch (error::no_convergence const& e) {
+        bool const said = std::string(e.what()).find("the step from t = ") == 0;
+        return {what, "finite, or an error", "error::no_convergence", said, "typed error"};
+    }
+}
+template <class L>
+void collision(rows& all, std::string const& name, L const& l) {
+    nine q = three(0);
+    q.segment<3>(3) = q.head<3>();
+    all.push_back(refused<error::not_finite>(
+        name + ", two bodies at one point, order one",
+        [&] {
+            for (auto const& x : embed(l, order_one).along(uniform(0.0, 0.1, 2), q, towards())) (void)x;
+        },
+        "the step from t = 0"));
+    // They arrive at one point in the first step: the force there is infinite.
+    nine p = towards() * 16;
+    all.push_back(refused<error::not_finite>(
+        name + ", two bodies that meet in a point, order one, left",
+        [&] {
+            for (auto const& x : embed(l, order_one_left).along(uniform(0.0, 0.0625, 2), three(0), p)) (void)x;
+        },
+        "the step from t = 0"));
+}
+
+} // namespace
+
+rows encounters(scope how) {
+    rows all;
+    index const steps = how == scope::report ? 400'000 : 40'000;
+    kepler_rows(all, "order one", order_one, steps);
+    kepler_rows(all, "mid-point", midpoint, steps);
+    kepler_rows(all, "Galerkin", galerkin<2, gauss>, steps / 4);
+    auto const system = mechanical(1.0, bodies());
+    auto const generic = [u = bodies()](auto const& q, auto const& v) { return v.dot(v) / 2 - u(q); };
+    for (double const miss : {1e-2, 1e-6, 1e-12}) {
+        std::string const at = "bodies that pass at " + few_digits(miss);
+        all.push_back(passage(at + ", order one", embed(system, order_one), miss));
+        all.push_back(passage(at + ", mid-point", embed(system, midpoint), miss));
+    }
+    all.push_back(passage("bodies that collide head on, order one", embed(system, order_one), 0));
+    all.push_back(passage("bodies that collide head on, mid-point", embed(system, midpoint), 0));
+    collision(all, "pairs", system);
+    collision(all, "any L", generic);
+    return all;
+}
+
+} // namespace extremes

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSL-1.0
+// lambda next to 0 and to 1: there the theta embedding is order one and its mirror image, and T_lambda is T^+ and T^-.
+#include "extremes/row.hpp"
+#include "hilger/hilger.hpp"
+
+namespace extremes {
+
+namespace {
+
+using namespace hilger;
+using hilger::index;
+
+constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
+constexpr int steps_made = 500;
+
+/// The largest distance of two trajectories of the pendulum, in epsilons.
+template <class Flow, class Other>
+double apart(Flow const& flow, Other const& other) {
+    auto const T = uniform(0.0, 0.0625, steps_made);
+    auto const path = flow.along(T, 1.0, 0.25);
+    auto const there = other.along(T, 1.0, 0.25);
+    auto y = there.begin();
+    double worst = 0;
+    for (auto const& x : path) {
+        worst = std::max({worst, std::abs(x.q - y->q), std::abs(x.p - y->p)});
+        ++y;
+    }
+    return worst / epsilon<double>();
+}
+
+} // namespace
+
+rows ends(scope) {
+    rows all;
+    auto const right = embed(pendulum, order_one);
+    auto const left = embed(pendulum, order_one_left);
+    // A step with lambda is by h lambda dL/dq away from one with 0, and rounds; both add up, and the pendulum magnifies linearly.
+    double const N = steps_made;
+    auto const bound = [&](double distance) { return (distance / epsilon<double>() * 0.0625 + 4) * N * N / 2; };
+    all.push_back(kept("theta at lambda = 1e-300 is order one", apart(embed(pendulum, theta_at(1e-300)), right), bound(0)));
+    all.push_back(kept("theta at lambda = 1e-15 is order one", apart(embed(pendulum, theta_at(1e-15)), right), bound(1e-15)));
+    all.push_back(kept("theta at lambda = 1 - 1e-15 is order one, left", apart(embed(pendulum, theta_at(1 - 1e-15)), left), bound(1e-15)));
+    double const last = 1 - epsilon<double>() / 2;
+    all.push_back(
+        kept("theta at the last lambda below 1 is order one, left", apart(embed(pendulum, theta_at(last)), left), bound(1.2e-16)));
+    all.push_back(
+        kept("theta at lambda = 1/2 at run time is mid-point", apart(embed(pendulum, theta_at(0.5)), embed(pendulum, midpoint)), bound(0)));
+    all.push_back(refused<error::invalid_parameter>("theta at lambda = 0", [] { (void)theta_at(0.0); }));
+    all.push_back(refused<error::invalid_parameter>("theta at lambda = 1", [] { (void)theta_at(1.0); }));
+    all.push_back(refused<error::invalid_parameter>("theta at lambda = NaN", [] { (void)theta_at(std::nan("")); }));
+
+    auto const T = uniform(0.0, 0.0625, 64);
+    auto const exponential_of = [](double t) { return std::exp(t); };
+    double const at_left = integral(function(T, exponential_of), T), at_right = nabla_integral(function(T, exponential_of), T);
+    auto const integral_at = [&](double lambda) {
+        auto const scale = at_lambda(T, lambda);
+        return integral(function(scale, exponential_of), scale);
+    };
+    // Points, values and the sum round; e^t is at most t times as sensitive.
+    all.push_back(kept("integral over T_lambda, lambda = 0", in_epsilons(integral_at(0), float50(at_left)), 0));
+    all.push_back(kept("integral over T_lambda, lambda = 1e-15", in_epsilons(integral_at(1e-15), float50(at_left)), 12));
+    all.push_back(
+        kept("integral over T_lambda, lambda = 1 - 1e-15: the nabla integral", in_epsilons(integral_at(1 - 1e-15), float50(at_right)), 12));
+    all.push_back(refused<error::invalid_parameter>("T_lambda, lambda = 1", [&] { (void)at_lambda(T, 1.0); }));
+    all.push_back(refused<error::invalid_scale>("T_{o,lambda}, lambda = 1e-15: two points would be one",
+                                                [&] { (void)circ(uniform(1.0, 0.0625, 64), 1e-15); }));
+    all.push_back(refused<error::invalid_scale>("T_{o,lambda}, lambda = 1 - 1e-16", [&] { (void)circ(T, last); }));
+    time_scale<double> const given{1.0, 2.0, 2.0 + 1e-15, 3.0};
+    all.push_back(
+        refused<error::invalid_scale>("T_{o,lambda} of points 1e-15 apart, lambda = 1/1024", [&] { (void)circ(given, 1.0 / 1024); }));
+    auto const O = circ(T, 1e-12);
+    bool ordered = true;
+    for (index i = O.first(); i < O.last(); ++i)
+        ordered = ordered and O.element(i) < O.element(i + 1) and O.sigma(O.element(i)) == O.element(i + 1);
+    all.push_back(
+        holds("T_{o,lambda}, lambda = 1e-12: sigma goes from each point to the next", "129 points in order", ordered and O.size() == 129));
+    return all;
+}
+
+} // namespace extremes

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSL-1.0
+// One case at the extremes of what the library accepts: what is promised there, what was measured, and how it ended - with digits kept, or
+// with a typed error; never with a wrong number that says nothing. The tests check the rows that `hilger extremes` prints.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hilger/error.hpp"
+#include "hilger/multiprecision.hpp"
+#include "hilger/scalar.hpp"
+
+namespace extremes {
+
+struct row {
+    std::string what, promised, measured;
+    bool ok;
+    std::string how;
+};
+using rows = std::vector<row>;
+
+/// How long the cases may take: a test's two seconds, or a report's minute.
+enum class scope { test, report };
+
+/// The groups of cases, one a source file.
+rows orders(scope);
+rows histories(scope);
+rows counts(scope);
+rows steps(scope);
+rows differences(scope);
+rows sizes(scope);
+rows masses(scope);
+rows encounters(scope);
+rows ends(scope);
+rows smallest(scope);
+rows scalars(scope);
+rows not_finite(scope);
+
+/// A number with three digits.
+std::string few_digits(double x);
+
+/// `error` is at most `bound`, both in `unit`s; NaN is not.
+row kept(std::string what, double error, double bound, std::string const& unit = "eps");
+/// Something that is true or not.
+row holds(std::string what, std::string promised, bool true_, std::string measured = "");
+
+/// |x - exact| in epsilons of x's scalar, relative to `size` (or to |exact|).
+template <class S, class Wide>
+double in_epsilons(S const& x, Wide const& exact, Wide const& size) {
+    Wide const error = Wide(x) - exact;
+    if (error == Wide(0)) return 0;
+    return static_cast<double>(Wide((error < Wide(0) ? Wide(-error) : error) / size / Wide(hilger::epsilon<S>())));
+}
+template <class S, class Wide>
+double in_epsilons(S const& x, Wide const& exact) {
+    return in_epsilons(x, exact, exact < Wide(0) ? Wide(-exact) : exact);
+}
+
+template <class Error>
+inline constexpr char const* name_of = "exception";
+template <>
+inline constexpr char const* name_of<hilger::error::invalid_scale> = "invalid_scale";
+template <>
+inline constexpr char const* name_of<hilger::error::outside_domain> = "outside_domain";
+template <>
+inline constexpr char const* name_of<hilger::error::mismatch> = "mismatch";
+template <>
+inline constexpr char const* name_of<hilger::error::invalid_parameter> = "invalid_parameter";
+template <>
+inline constexpr char const* name_of<hilger::error::not_finite> = "not_finite";
+template <>
+inline constexpr char const* name_of<hilger::error::unreadable> = "unreadable";
+template <>
+inline constexpr char const* name_of<hilger::error::singular> = "singular";
+template <>
+inline constexpr char const* name_of<hilger::error::no_convergence> = "no_convergence";
+
+/// `action` ends in Error, and what it says contains `fragment`.
+template <class Error, class Action>
+row refused(std::string what, Action const& action, std::string const& fragment = "") {
+    std::string const promised = std::string("error::") + name_of<Error>;
+    try {
+        action();
+    } catch (Error const& e) {
+        bool const said = std::string(e.what()).find(fragment) != std::string::npos;
+        return {std::move(what), promised, said ? promised : "does not say '" + fragment + "'", said, "typed error"};
+    } catch (std::exception const& e) {
+        return {std::move(what), promised, e.what(), false, "another error"};
+    }
+    return {std::move(what), promised, "no error", false, "silence"};
+}
+
+} // namespace extremes
