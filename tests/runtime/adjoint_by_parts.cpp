@@ -72,6 +72,8 @@ TEST_CASE("also where the weights change inside a composition or a sum") {
     check_each(given, Delta_plus * Delta_plus, sigma + identity, on_half * Delta_o_plus * extend, sigma_o * extend, identity - Delta_minus);
     // from a sum that counts an end point into one that does not: its term joins the end terms
     check_each(given, sigma * identity, rho * identity_on<nodes, nabla>{}, sigma * identity + rho);
+    // b counts in the nabla sum of the first summand and not in the Delta sum of the second, whose values there join the end terms too
+    check_each(given, Delta_minus + identity);
     check_each(steps_1_2_4(), reweight<nodes, delta, nabla>{}, identity_on<nodes, nabla, delta>{}, mean_o * extend);
 }
 

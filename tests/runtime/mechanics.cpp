@@ -55,7 +55,7 @@ TEST_CASE("nine components: derivatives are put together from parts") {
     // neither separable nor symmetric in its components
     auto const L = [](auto const& q, auto const& v) {
         auto sum = v.dot(v) / 2 - q.dot(q) / 2;
-        for (int k = 0; k < 9; ++k) sum = sum + v(k) * q((k + 4) % 9) * q((k + 2) % 9) / (5 + k);
+        for (int k = 0; k < 9; ++k) sum = sum + v(k) * (q((k + 4) % 9) * q((k + 2) % 9) + v((k + 5) % 9) / 4) / (5 + k);
         return sum;
     };
     vector9 q, v;

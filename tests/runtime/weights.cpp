@@ -82,6 +82,7 @@ TEST_CASE("Gruenwald-Letnikov: (-alpha)(1 - alpha) ... (r - 1 - alpha) / r!, Bou
 TEST_CASE("the weight of the present") {
     CHECK(leading_weight<grunwald_letnikov>(Q(1, 3)) == 1);
     CHECK(leading_weight<bdf<2>>(Q(2)) == Q(9, 4));
+    CHECK(leading_weight<trapezoid>(Q(1)) == 2);
     CHECK(std::abs(leading_weight<bdf<2>>(0.5) - std::sqrt(1.5)) <= epsilon<double>());
     CHECK_THROWS_WITH_AS((void)leading_weight<bdf<2>>(Q(1, 2)), "the leading weight 3/2^1/2 is no rational number",
                          error::invalid_parameter);
