@@ -118,8 +118,7 @@ rows steps(scope) {
         }
     }
     // q, p and the sine round; h |q| / 2 is how the sine sees the rounding of q.
-    all.push_back(
-        kept("pendulum, mid-point, h from 1/2 to 200: " + std::to_string(solved) + " solve their equation", worst, 100));
+    all.push_back(kept("pendulum, mid-point, h from 1/2 to 200: " + std::to_string(solved) + " solve their equation", worst, 100));
     all.push_back(holds("    and the others say that they do not", "27 steps in all", solved + said == 27, std::to_string(said) + " do"));
     return all;
 }

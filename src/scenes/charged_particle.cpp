@@ -16,7 +16,7 @@ scene charged_particle() {
     s.invariants = {"energy", "momentum map"};
     s.picture = "set title 'Orbit'; set size ratio -1; set xlabel 'x'; set ylabel 'y'; plot DATA using 2:3 with lines notitle\n"
                 "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
-    s.reference = {"gauss-16", "50-digits", "", 400};
+    s.reference = {"gauss-8", "double", "", 4'000};
     return scene_of(charged_particle_system{}, s);
 }
 

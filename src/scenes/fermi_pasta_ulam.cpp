@@ -21,7 +21,7 @@ scene fermi_pasta_ulam() {
     s.picture = "set title 'Particles'; set xlabel 't'; plot for [k=2:33:4] DATA using 1:k with lines title sprintf('q_{%d}', k-2)\n"
                 "set title 'Energy error'; plot DATA using 1:" +
                 std::to_string(2 * d + 2) + " with lines notitle\n";
-    s.reference = {"gauss-16", "50-digits", "", 100};
+    s.reference = {"kahan-li-8", "50-digits", "", 2'000};
     return scene_of(fermi_pasta_ulam_system{}, s);
 }
 

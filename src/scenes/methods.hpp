@@ -13,8 +13,11 @@ namespace program {
 inline constexpr std::array method_names{"order-one",  "mid-point",   "mid-point+", "verlet",
                                          "kahan-li-8", "kahan-li-8+", "gauss-4",    "gauss-8"};
 
-/// Calls use(flow) with the method of that name on L, where the scalar has it: what is compiled for each scalar is what is used there.
-template <class S, bool Large, class L, class Use>
+/// What a system has in many digits beside mid-point: what is compiled there takes its time.
+enum class in_many_digits { nothing, gauss, composition };
+
+/// Calls use(flow) with the method of that name on L, where the scalar has it.
+template <class S, in_many_digits Wide, class L, class Use>
 void with_method(std::string const& name, L const& l, Use const& use) {
     using namespace hilger;
     if (name == "mid-point") use(embed(l, midpoint));
@@ -22,25 +25,26 @@ void with_method(std::string const& name, L const& l, Use const& use) {
         if (name == "order-one") use(embed(l, order_one));
         if (name == "mid-point+") use(embed(l, midpoint, compensated));
         if (name == "verlet") use(stoermer_verlet(l));
-        if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
         if (name == "kahan-li-8+") use(compose(kahan_li<8>, stoermer_verlet(l, compensated)));
-        if (name == "gauss-4") use(embed(l, galerkin<4, gauss>));
         if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
-    } else if constexpr (std::is_same_v<S, float>) {
+    }
+    if constexpr (std::is_same_v<S, double> or (Wide == in_many_digits::composition and not std::is_same_v<S, float>)) {
+        if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
+    }
+    if constexpr (std::is_floating_point_v<S>) {
         if (name == "gauss-4") use(embed(l, galerkin<4, gauss>));
-    } else {
+    } else if constexpr (Wide == in_many_digits::gauss) {
         if (name == "gauss-16") use(embed(l, galerkin<16, gauss>));
     }
 }
 
 inline constexpr std::array scalar_names{"double", "float", "50-digits"};
 /// Calls use of a value of the scalar of that name.
-template <bool Large, class Use>
+template <class Use>
 void with_scalar(std::string const& name, Use const& use) {
     if (name == "double") use(double{});
     if (name == "50-digits") use(hilger::float50{});
-    if constexpr (not Large)
-        if (name == "float") use(float{});
+    if (name == "float") use(float{});
 }
 
 } // namespace program

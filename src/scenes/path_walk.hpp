@@ -3,6 +3,7 @@
 //   lagrangian<S>()            any Lagrangian L(q, v)
 //   start<S>()                 initial position and velocity
 //   invariants(L, x)           what should be constant, a vector of numbers, at a state x
+//   wide                       what it has in many digits
 #pragma once
 
 #include <iomanip>
@@ -104,18 +105,16 @@ std::unique_ptr<walk> walk_along(Path path, Observe observe) {
 /// The scene that a system makes with all methods, T being [t0, t1] in equal steps.
 template <class System>
 scene scene_of(System const& system, scene made) {
-    constexpr bool large = requires { System::is_large; };
     made.embeddings.assign(method_names.begin(), method_names.end());
-    for (std::string const name : scalar_names)
-        if (not large or name != "float") made.scalars.push_back(name);
+    made.scalars.assign(scalar_names.begin(), scalar_names.end());
     made.begin = [system, name = made.name, t0 = made.t0, t1 = made.t1](configuration const& c) {
         std::unique_ptr<walk> result;
-        with_scalar<large>(c.scalar, [&](auto zero) {
+        with_scalar(c.scalar, [&](auto zero) {
             using S = decltype(zero);
             auto const L = system.template lagrangian<S>();
             auto const start = system.template start<S>();
             auto const T = hilger::uniform(hilger::interval<S>{S(t0), S(t1)}, c.steps);
-            with_method<S, large>(c.embedding, L, [&](auto const& flow) {
+            with_method<S, System::wide>(c.embedding, L, [&](auto const& flow) {
                 result = walk_along(flow.along(T, start.q0, hilger::momentum_of(L, start.q0, start.v0)),
                                     [system, L](auto const& x) { return system.invariants(L, x); });
             });

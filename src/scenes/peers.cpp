@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 
 #include "measure.hpp"
 #include "outer_solar_system_data.hpp"

@@ -30,7 +30,7 @@ scene double_pendulum() {
     s.picture = "set title 'Path of the lower mass'; set size ratio -1; set xlabel 'x'; set ylabel 'y'\n"
                 "plot DATA using (sin($2)+sin($3)):(-cos($2)-cos($3)) with lines notitle\n"
                 "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
-    s.reference = {"gauss-16", "50-digits", "", 200};
+    s.reference = {"gauss-8", "double", "", 2'000};
     return scene_of(double_pendulum_system{}, s);
 }
 

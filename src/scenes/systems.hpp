@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hilger/hilger.hpp"
+#include "methods.hpp"
 #include "scene.hpp"
 
 namespace program {
@@ -14,6 +15,7 @@ using scalar_of_state = std::remove_cvref_t<decltype(std::declval<State const&>(
 
 /// L = v^2 / 2 + cos q, swinging to 1.5.
 struct pendulum_system {
+    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
@@ -30,6 +32,7 @@ struct pendulum_system {
 
 /// Two equal pendulums, one hanging from the other, angles q_0, q_1: L = v_0^2 + v_1^2 / 2 + v_0 v_1 cos(q_0 - q_1) + 2 cos q_0 + cos q_1.
 struct double_pendulum_system {
+    static constexpr in_many_digits wide = in_many_digits::nothing;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) {
@@ -48,6 +51,7 @@ struct double_pendulum_system {
 
 /// L = |v|^2 / 2 + 1 / |q|, from the nearest point of an ellipse of eccentricity 3/5 and period 2 pi.
 struct kepler_system {
+    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) { return v.squaredNorm() / 2 + 1 / q.norm(); };
@@ -65,6 +69,7 @@ struct kepler_system {
 
 /// L = |v|^2 / 2 - |q|^2 / 2 - x^2 y + y^3 / 3 at the energy 0.1247.
 struct henon_heiles_system {
+    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) {
@@ -83,6 +88,7 @@ struct henon_heiles_system {
 
 /// A charge in the field B = |q| e_z of a vector potential A = |q| (-y, x) / 3, with the electric potential 1 / (100 |q|); in the plane.
 struct charged_particle_system {
+    static constexpr in_many_digits wide = in_many_digits::nothing;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) {
@@ -104,8 +110,8 @@ struct charged_particle_system {
 
 /// Fermi, Pasta, Ulam: 32 particles between two walls, springs r^2/2 + r^3/12, the lowest mode excited.
 struct fermi_pasta_ulam_system {
+    static constexpr in_many_digits wide = in_many_digits::composition;
     static constexpr int size = 32;
-    static constexpr bool is_large = true;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return hilger::mechanical(S(1), hilger::chain([](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; }));
