@@ -10,8 +10,8 @@
 
 namespace program {
 
-inline constexpr std::array method_names{"order-one",  "mid-point",   "mid-point+", "verlet",
-                                         "kahan-li-8", "kahan-li-8+", "gauss-4",    "gauss-8"};
+inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "kahan-li-8",
+                                         "kahan-li-8+", "gauss-4",   "gauss-8",    "gauss-16"};
 
 /// What a system has in many digits beside mid-point: what is compiled there takes its time.
 enum class in_many_digits { nothing, gauss, composition };

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "trade.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <optional>
-#include <set>
 
 #include "hilger/error.hpp"
 #include "measure.hpp"
@@ -57,11 +56,12 @@ truth find_truth(scene const& what) {
     return {std::move(fine), own, description(c) + ", and half as many"};
 }
 
-/// More and more steps of one configuration, until that is too slow or rounding has the last word.
+/// More and more steps (8, 12, 16, 24, ...) of one configuration, until that is too slow or rounding has the last word.
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
     double best = 1e300, fine = reference.own_error * 4;
     int worse = 0;
-    for (c.steps = what.dimension > 1 or what.histories.empty() ? 32 : 64; c.steps <= 1 << 22; c.steps *= 2) {
+    if (c.scalar == "50-digits") budget *= 20;
+    for (c.steps = what.histories.empty() ? 8 : 64; c.steps <= 1 << 22; c.steps = c.steps % 3 == 0 ? c.steps / 3 * 4 : c.steps / 2 * 3) {
         try {
             numbers end;
             double const seconds = fastest([&] { end = position_at_end(what, c); });
@@ -69,9 +69,9 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
             if (std::isfinite(error) and error < 1)
                 points.push_back({c.embedding + (c.history.empty() ? "" : ", " + c.history) + (c.scalar == "double" ? "" : ", " + c.scalar),
                                   std::to_string(c.steps), seconds, std::max(error, reference.own_error), true, c.scalar == "double"});
-            worse = error < best / 2 ? 0 : worse + 1;
+            worse = error < best / 1.5 ? 0 : worse + 1;
             best = std::min(best, error);
-            if (seconds > budget or (best < 1 and worse > 2) or error < fine) return;
+            if (seconds > budget or (best < 1 and worse > 4) or error < fine) return;
         } catch (hilger::error::exception const&) { // steps that are too long
         }
     }
@@ -119,30 +119,36 @@ void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
     if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
 }
 
-std::string picture(std::string const& out, scene const& what, std::vector<point> const& points) {
-    std::ofstream rows(std::filesystem::path(out) / ("trade_" + what.name + ".csv"));
-    rows << "# method, steps or tolerance, seconds, error; a blank line between methods\n";
-    std::set<std::string> names;
-    std::vector<std::string> order;
-    for (auto const& p : points)
-        if (names.insert(p.method).second) order.push_back(p.method);
-    std::string commands = "set title '" + what.name +
-                           "'; set logscale xy; set format '10^{%L}'; set xlabel 'seconds'; set ylabel 'error'; set grid\n"
-                           "set key outside right; unset multiplot; plot ";
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        bool ours = true;
-        for (auto const& p : points)
-            if (p.method == order[k]) {
+/// All that was measured on the left, and the two fronts on the right.
+std::string picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
+                    std::vector<point> const& theirs) {
+    auto const name = "trade_" + what.name;
+    std::ofstream rows = create(out, name + ".csv");
+    rows
+        << "# method, steps or tolerance, seconds, error; two blank lines between methods, and before the fronts of hilger and its peers\n";
+    int blocks = 0;
+    auto const write = [&](std::vector<point> const& all, std::string const& method) {
+        for (auto const& p : all)
+            if (method.empty() or p.method == method)
                 rows << '"' << p.method << "\"," << p.steps << ',' << p.seconds << ',' << p.error << '\n';
-                ours = p.ours;
-            }
         rows << "\n\n";
-        commands += (k > 0 ? ", " : "") + std::string("DATA index ") + std::to_string(k) + " using 3:4 with linespoints " +
-                    (ours ? "dt 1 lw 2" : "dt 2 lw 1") + " title '" + order[k] + "'";
+        return "'" + name + ".csv' index " + std::to_string(blocks++) + " using 3:4 with ";
+    };
+    std::string commands = "set logscale xy; set format '10^{%L}'; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n"
+                           "set title '" +
+                           what.name + "'; set key outside right font ',9'\nplot ";
+    std::vector<std::string> known;
+    for (auto const& p : points) {
+        if (std::find(known.begin(), known.end(), p.method) != known.end()) continue;
+        commands += (known.empty() ? "" : ", ") + write(points, p.method) + "linespoints pt 7 ps 0.5 dt " + (p.ours ? "1" : "3") +
+                    " title '" + p.method + "'";
+        known.push_back(p.method);
     }
-    for (std::size_t at; (at = commands.find("DATA")) != std::string::npos;) commands.replace(at, 4, "'trade_" + what.name + ".csv'");
+    commands += "\nset title 'What is reached in a time'; set key inside top right font ',12'\nplot " + write(ours, "") +
+                "steps lw 3 title 'hilger'";
+    if (not theirs.empty()) commands += ", " + write(theirs, "") + "steps lw 2 dt 3 title 'the best peer'";
     rows.close();
-    return draw(out, "trade_" + what.name, commands + "\n");
+    return draw(out, name, commands + "\n");
 }
 
 } // namespace
@@ -151,7 +157,6 @@ int run_trade(trade_options const& options) {
     scene const& what = scene_named(options.scene);
     if (not what.exact and what.reference.embedding.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("the accuracy of the scene ", what.name, " has nothing to be measured with");
-    std::filesystem::create_directories(options.out);
     truth const reference = find_truth(what);
     std::cout << what.title << "\nagainst " << reference.how << ", itself within " << std::setprecision(2) << reference.own_error << '\n';
     std::vector<point> points;
@@ -184,7 +189,7 @@ int run_trade(trade_options const& options) {
         auto const best = cheapest(ours, options.accuracy);
         std::cout << "\nfor " << options.accuracy << ": " << (best ? told(best) : std::string("nothing here is as accurate")) << '\n';
     }
-    std::cout << "\nWritten: " << options.out << "/trade_" << what.name << ".csv and " << picture(options.out, what, points) << '\n';
+    std::cout << "\nWritten: " << picture(options.out, what, points, ours, theirs) << '\n';
     return 0;
 }
 
