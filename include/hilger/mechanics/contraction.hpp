@@ -22,7 +22,7 @@ public:
         if (not is_finite(size)) return progress::lost;
         if (size <= rounding_ * small_) return progress::done;
         if (rounds_ > 1) {
-            if (size * size <= rounding_ * small_ * previous_) return progress::done;
+            if (size * (size / previous_) <= rounding_ * small_) return progress::done; // a quotient: squares of small sizes are zero
             if (not(S(2) * size < previous_)) {
                 if (size <= S(64) * rounding_) return progress::done;
                 if (rounds_ > 3) return progress::lost;
