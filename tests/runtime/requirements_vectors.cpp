@@ -51,12 +51,14 @@ TEST_CASE("mid-point in the plane: the symmetric second derivatives once, one ro
     CHECK(plane.memory_bytes == 8 * (2 * 7 + 5));
 }
 
-TEST_CASE("Galerkin: a force and its derivative at each node and round") {
-    // Broken by derivatives that are evaluated apart from the forces.
+TEST_CASE("Galerkin: forces at the nodes, and no second derivative of them") {
+    // Broken by Newton where the forces contract, by a round that is not needed.
     auto const pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
     requirements const r = requirements_of(embed(pendulum, galerkin<2, gauss>).along(T, 1.0, 0.5));
     CHECK(r.growth_in_bytes == 0);
-    CHECK(r.newton_rounds <= 4);
-    CHECK(r.forces == 2 * r.newton_rounds);
-    CHECK(r.second_derivatives == 2 * r.newton_rounds);
+    CHECK(r.newton_rounds == 0);
+    CHECK(r.second_derivatives == 0);
+    CHECK(r.factorizations == 0);
+    CHECK(r.forces >= 4);
+    CHECK(r.forces <= 2 * 5);
 }
