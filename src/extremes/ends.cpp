@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // lambda next to 0 and to 1: there the theta embedding is order one and its mirror image, and T_lambda is T^+ and T^-.
+#include "extremes/apart.hpp"
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 
@@ -13,19 +14,9 @@ using hilger::index;
 constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr int steps_made = 500;
 
-/// The largest distance of two trajectories of the pendulum, in epsilons.
 template <class Flow, class Other>
 double apart(Flow const& flow, Other const& other) {
-    auto const T = uniform(0.0, 0.0625, steps_made);
-    auto const path = flow.along(T, 1.0, 0.25);
-    auto const there = other.along(T, 1.0, 0.25);
-    auto y = there.begin();
-    double worst = 0;
-    for (auto const& x : path) {
-        worst = std::max({worst, std::abs(x.q - y->q), std::abs(x.p - y->p)});
-        ++y;
-    }
-    return worst / epsilon<double>();
+    return extremes::apart(flow, other, uniform(0.0, 0.0625, steps_made), 1.0, 0.25);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Orders of fractional differences next to 0 and 1: weights against 50 digits, differences against their limits, and flows with fractional
 // damping, which tend to one with another spring and to one with a dashpot (Kelvin-Voigt).
+#include "extremes/apart.hpp"
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 
@@ -61,19 +62,9 @@ double worst_difference(double alpha) {
 constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
 constexpr int flow_steps = 1000;
 
-/// The largest distance of two trajectories, in epsilons.
 template <class Flow, class Other>
 double apart(Flow const& flow, Other const& other) {
-    auto const T = uniform(0.0, 1.0 / 64, flow_steps);
-    auto const path = flow.along(T, 1.0, 0.0);
-    auto const there = other.along(T, 1.0, 0.0);
-    auto y = there.begin();
-    double worst = 0;
-    for (auto const& x : path) {
-        worst = std::max({worst, std::abs(x.q - y->q), std::abs(x.p - y->p)});
-        ++y;
-    }
-    return worst / epsilon<double>();
+    return extremes::apart(flow, other, uniform(0.0, 1.0 / 64, flow_steps), 1.0, 0.0);
 }
 template <class Order, class History>
 auto damped(Order beta, History history, initial_history initial) {

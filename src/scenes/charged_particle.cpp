@@ -14,8 +14,7 @@ scene charged_particle() {
     s.usual = {"mid-point", "double", "", 4'000};
     s.columns = {"t", "x", "y", "p_x", "p_y", "energy error", "momentum map error"};
     s.invariants = {"energy", "momentum map"};
-    s.picture = "set title 'Orbit'; set size ratio -1; set xlabel 'x'; set ylabel 'y'; plot DATA using 2:3 with lines notitle\n"
-                "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
+    s.picture = orbit_and_energy_error;
     s.reference = {"gauss-8", "double", "", 4'000};
     return scene_of(charged_particle_system{}, s);
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "hilger/integrator/fractional_newmark.hpp"
 #include "histories.hpp"
 #include "path_walk.hpp"
 #include "scenes.hpp"
@@ -12,7 +11,7 @@ constexpr auto nothing = [](auto const& x) { return std::vector<std::remove_cvre
 
 /// m u'' + c D^alpha u + k u = f from rest, f constant, by Newmark's scheme with both kinds of weights.
 scene oscillator(scene s, int numerator, int denominator, int c_over, int k_over, int force) {
-    s.embeddings = {"g-alpha-newmark", "gl-newmark"};
+    s.embeddings = newmark_names();
     s.scalars = {"double", "50-digits"};
     s.histories = history_names();
     s.begin = [=, t1 = s.t1](configuration const& c) {
@@ -21,13 +20,7 @@ scene oscillator(scene s, int numerator, int denominator, int c_over, int k_over
             auto const T = hilger::uniform(hilger::interval<S>{S(0), S(t1)}, c.steps);
             hilger::fractional_structure const on{S(1), S(1) / S(c_over), S(1) / S(k_over), S(1), S(numerator) / S(denominator)};
             auto const load = [force](S const&) { return S(force); };
-            with_history(c.history, c.steps, [&](auto const& policy) {
-                auto const walk_with = [&](auto const& scheme) { result = walk_along(scheme.along(T, S(0), S(0)), nothing); };
-                if (c.embedding == "gl-newmark")
-                    walk_with(hilger::newmark<hilger::grunwald_letnikov>(on, load, hilger::average_acceleration, policy));
-                else
-                    walk_with(hilger::newmark<hilger::bdf<2>>(on, load, hilger::average_acceleration, policy));
-            });
+            with_newmark(c, on, load, [&](auto const& scheme) { result = walk_along(scheme.along(T, S(0), S(0)), nothing); });
         };
         if (c.scalar == "double")
             in(double{});

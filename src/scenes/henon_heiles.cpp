@@ -14,8 +14,7 @@ scene henon_heiles() {
     s.usual = {"mid-point", "double", "", 2'000};
     s.columns = {"t", "x", "y", "p_x", "p_y", "energy error"};
     s.invariants = {"energy"};
-    s.picture = "set title 'Orbit'; set size ratio -1; set xlabel 'x'; set ylabel 'y'; plot DATA using 2:3 with lines notitle\n"
-                "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
+    s.picture = orbit_and_energy_error;
     s.reference = {"gauss-16", "50-digits", "", 200};
     return scene_of(henon_heiles_system{}, s);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The histories that scenes with memory can be run with, by name; what follows a colon is a parameter.
+// The histories that scenes with memory can be run with, by name; what follows a colon is a parameter. And Newmark's scheme with them.
 #pragma once
 
 #include <charconv>
@@ -7,6 +7,8 @@
 
 #include "hilger/error.hpp"
 #include "hilger/history/history.hpp"
+#include "hilger/integrator/fractional_newmark.hpp"
+#include "scene.hpp"
 
 namespace program {
 
@@ -23,7 +25,7 @@ N parameter_of(std::string const& name, N otherwise) {
     return value;
 }
 
-/// Calls use(policy). `names` of what there is: history_names.
+/// Calls use(policy) for one of history_names().
 template <class Use>
 void with_history(std::string const& name, hilger::index steps, Use const& use) {
     std::string const kind = name.substr(0, name.find(':'));
@@ -32,6 +34,17 @@ void with_history(std::string const& name, hilger::index steps, Use const& use) 
     if (kind == "exponentials") use(hilger::exponentials{parameter_of(name, 0.0), steps + 1});
     if (kind == "window") use(hilger::window{parameter_of(name, hilger::index{1000})});
 }
+/// Calls use(scheme) with the weights that c.embedding names, one of newmark_names(), and the history that c.history does.
+template <class Structure, class Load, class Use>
+void with_newmark(configuration const& c, Structure const& on, Load const& load, Use const& use) {
+    with_history(c.history, c.steps, [&](auto const& policy) {
+        if (c.embedding == "gl-newmark")
+            use(hilger::newmark<hilger::grunwald_letnikov>(on, load, hilger::average_acceleration, policy));
+        else
+            use(hilger::newmark<hilger::bdf<2>>(on, load, hilger::average_acceleration, policy));
+    });
+}
+inline std::vector<std::string> newmark_names() { return {"g-alpha-newmark", "gl-newmark"}; }
 inline std::vector<std::string> history_names() { return {"exponentials", "exponentials:1e-8", "blocks", "direct", "window:1000"}; }
 
 } // namespace program

@@ -14,8 +14,7 @@ scene kepler() {
     s.usual = {"mid-point", "double", "", 5'000};
     s.columns = {"t", "x", "y", "p_x", "p_y", "energy error", "angular momentum error"};
     s.invariants = {"energy", "angular momentum"};
-    s.picture = "set title 'Orbit'; set size ratio -1; set xlabel 'x'; set ylabel 'y'; plot DATA using 2:3 with lines notitle\n"
-                "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
+    s.picture = orbit_and_energy_error;
     s.exact_source = "Kepler's equation in 100 digits";
     s.exact = [] {
         using R = hilger::float100;

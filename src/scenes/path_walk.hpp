@@ -50,7 +50,6 @@ public:
         at_ = at;
     }
     [[nodiscard]] hilger::index number() const override { return at_.number() - path_.scale().first(); }
-    [[nodiscard]] hilger::index steps() const override { return path_.scale().steps(); }
     [[nodiscard]] std::string row() const override {
         auto const& x = *at_;
         std::string text = digits_of(x.t);

@@ -30,7 +30,6 @@ public:
     record_of_run(scene const& what, run_options const& options, configuration const& c, hilger::index every)
         : head_(what.name + ": " + description(c) + ", a row every " + std::to_string(every)),
           rows_(files::path(options.out) / (what.name + ".csv")), checkpoint_(files::path(options.out) / (what.name + ".checkpoint")) {
-        files::create_directories(options.out);
         if (options.anew) files::remove(checkpoint_);
     }
     /// Puts the walk where the interrupted run was, if there is one. @throws hilger::error::mismatch when it was another run
@@ -62,8 +61,7 @@ public:
         return true;
     }
     void begin(std::vector<std::string> const& columns) {
-        out_.open(rows_, std::ios::binary);
-        if (not out_) error::raise<error::unreadable>("cannot write '", rows_.string(), "'");
+        out_ = create(rows_.parent_path().string(), rows_.filename().string());
         out_ << "# ";
         for (std::size_t k = 0; k < columns.size(); ++k) out_ << (k > 0 ? "," : "") << columns[k];
         out_ << '\n';
@@ -95,8 +93,8 @@ private:
 };
 
 std::string write_summary(scene const& what, run_options const& options, configuration const& c, walk const& w, double seconds) {
-    auto const path = (files::path(options.out) / (what.name + ".json")).string();
-    std::ofstream out(path);
+    auto const name = what.name + ".json";
+    std::ofstream out = create(options.out, name);
     out << std::setprecision(6) << "{\n  \"scene\": \"" << what.name << "\",\n  \"hilger\": \"" << HILGER_VERSION_MAJOR << '.'
         << HILGER_VERSION_MINOR << '.' << HILGER_VERSION_PATCH << "\",\n  \"embedding\": \"" << c.embedding << "\",\n  \"scalar\": \""
         << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << what.t0 << ", " << what.t1
@@ -104,7 +102,7 @@ std::string write_summary(scene const& what, run_options const& options, configu
     auto const drift = w.drift();
     for (std::size_t k = 0; k < what.invariants.size(); ++k) out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": " << drift[k];
     out << "},\n  \"last\": [" << w.row() << "]\n}\n";
-    return path;
+    return (files::path(options.out) / name).string();
 }
 
 void say(scene const& what, configuration const& c, walk const& w, double seconds) {

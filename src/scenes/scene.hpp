@@ -27,7 +27,6 @@ public:
     /// So many steps further, or up to the last point. @throws what steps throw; the walk is then at its last good point
     virtual void advance(hilger::index steps) = 0;
     [[nodiscard]] virtual hilger::index number() const = 0;
-    [[nodiscard]] virtual hilger::index steps() const = 0;
     /// The numbers of this point under the scene's columns, in digits that read back exactly.
     [[nodiscard]] virtual std::string row() const = 0;
     /// Position at this point, all components.

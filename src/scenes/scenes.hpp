@@ -6,6 +6,11 @@
 
 namespace program {
 
+/// The picture of one body in the plane: columns t, x, y, p_x, p_y, energy error.
+inline constexpr char const* orbit_and_energy_error =
+    "set title 'Orbit'; set size ratio -1; set xlabel 'x'; set ylabel 'y'; plot DATA using 2:3 with lines notitle\n"
+    "set size noratio; set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:6 with lines notitle\n";
+
 scene pendulum();
 scene double_pendulum();
 scene kepler();

@@ -26,7 +26,7 @@ struct point {
     std::string method; ///< all that was chosen but the number of steps
     std::string steps;  ///< or the tolerance
     double seconds, error;
-    bool ours = true, in_double = true;
+    bool ours = true;
 };
 
 float100 distance(numbers const& x, numbers const& y) {
@@ -68,7 +68,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
             double const error = static_cast<double>(distance(end, reference.position));
             if (std::isfinite(error) and error < 1)
                 points.push_back({c.embedding + (c.history.empty() ? "" : ", " + c.history) + (c.scalar == "double" ? "" : ", " + c.scalar),
-                                  std::to_string(c.steps), seconds, std::max(error, reference.own_error), true, c.scalar == "double"});
+                                  std::to_string(c.steps), seconds, std::max(error, reference.own_error)});
             worse = error < best / 1.5 ? 0 : worse + 1;
             best = std::min(best, error);
             if (seconds > budget or (best < 1 and worse > 4) or error < fine) return;
@@ -175,7 +175,7 @@ int run_trade(trade_options const& options) {
             double const error = static_cast<double>(distance(end, reference.position));
             if (error < 1)
                 points.push_back({"peer " + run.method, (std::ostringstream() << run.parameter).str(), run.seconds,
-                                  std::max(error, reference.own_error), false, true});
+                                  std::max(error, reference.own_error), false});
         }
     }
     auto const ours = front_of(points, [](point const& p) { return p.ours; });

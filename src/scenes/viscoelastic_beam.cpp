@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include "hilger/integrator/fractional_newmark.hpp"
 #include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/mechanics/beam.hpp"
 #include "histories.hpp"
@@ -19,7 +18,7 @@ scene viscoelastic_beam() {
     s.dimension = 10;
     s.t1 = 1;
     s.usual = {"g-alpha-newmark", "double", "exponentials", 500};
-    s.embeddings = {"g-alpha-newmark", "gl-newmark"};
+    s.embeddings = newmark_names();
     s.scalars = {"double"};
     s.histories = history_names();
     s.begin = [t1 = s.t1](configuration const& c) {
@@ -33,15 +32,9 @@ scene viscoelastic_beam() {
         Eigen::VectorXd const rest = Eigen::VectorXd::Zero(10);
         auto const T = hilger::uniform(hilger::interval{0.0, t1}, c.steps);
         std::unique_ptr<walk> result;
-        with_history(c.history, c.steps, [&](auto const& policy) {
-            auto const walk_with = [&](auto const& scheme) {
-                result = walk_along(scheme.along(T, rest, rest),
-                                    [scheme, tip = beam.tip()](auto const& x) { return std::vector<double>{scheme.velocity(x.p)(tip)}; });
-            };
-            if (c.embedding == "gl-newmark")
-                walk_with(hilger::newmark<hilger::grunwald_letnikov>(material, load, hilger::average_acceleration, policy));
-            else
-                walk_with(hilger::newmark<hilger::bdf<2>>(material, load, hilger::average_acceleration, policy));
+        with_newmark(c, material, load, [&](auto const& scheme) {
+            result = walk_along(scheme.along(T, rest, rest),
+                                [scheme, tip = beam.tip()](auto const& x) { return std::vector<double>{scheme.velocity(x.p)(tip)}; });
         });
         return result;
     };
