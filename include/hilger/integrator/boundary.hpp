@@ -2,7 +2,7 @@
 // Two-sided problems: x in C(T) with x(t_0) and x(t_N) given that solves (EL_h^alpha) of Bourdin, Cresson, Greff, Inizan (2013),
 //   dL/dx_k + (Delta_+^alpha dL/dv)_k = 0 for k = 1..N-1,  v = Delta_-^alpha x.
 //   auto const solution = solve_boundary(fractional_problem(L, fraction<3, 4>{}), T, 0.0, 1.0);     solution.q is a function on T
-// How it is solved, and what there is to solve for alpha <= 1/2: boundary_solver.hpp.
+// How it is solved: boundary_solver.hpp; what there is to solve for alpha <= 1/2: boundary_equation.hpp.
 #pragma once
 
 #include "hilger/integrator/boundary_solver.hpp"
