@@ -47,7 +47,8 @@ row identities_on(std::string what, Scale const& T) {
 /// <A f, g> = <f, A* g> + end terms, whatever A is.
 template <class Operator, class Scale>
 bool by_parts_holds(Operator const& A, Scale const& T) {
-    auto const f = function(T, [](Q const&t) { return Q(t * t + 2); }), g = function(T, [](Q const&t) { return Q(3 - t); });
+    auto const f = function(T, [](Q const& t) { return Q(t * t + 2); });
+    auto const g = function(T, [](Q const& t) { return Q(3 - t); });
     auto const parts = by_parts(A, f, g);
     return parts.left == parts.interior + parts.boundary;
 }
