@@ -41,6 +41,8 @@ float50 area_error(Flow const& flow) {
     return abs(det / (4 * e * e) - 1);
 }
 
+constexpr shares<fraction<1, 3>, fraction<1, 2>, fraction<1, 6>> uneven{};
+
 } // namespace
 
 TEST_CASE("a composition makes the steps of its flows, in turn") {
@@ -81,6 +83,41 @@ TEST_CASE("order one and its adjoint over half a step each are Stoermer-Verlet")
         CHECK(at.p == Q(1, 2) + Q(1, 3));
         break;
     }
+}
+
+TEST_CASE("the force at the end of a step is the first of the next, where the problem is one, and the position") {
+    auto const spring = [](Q const& k) { return lagrangian{[k](auto const& x, auto const& v) { return v * v / 2 - k * x * x / 2; }}; };
+    auto const chain_of = [](Q const& k) { return mechanical(Q(1), chain([k](hilger::index, auto const& r) { return k * r * r / 2; })); };
+    using Q2 = Eigen::Matrix<Q, 2, 1>;
+    state<Q, Q2> const start_2{Q(1, 7), Q2(Q(1, 3), Q(2, 5)), Q2(Q(-1, 2), Q(3))};
+    auto const right = [](auto const& one, auto const& other, auto const& from) {
+        using V = std::remove_cvref_t<decltype(from.q)>;
+        auto const a = embed(one, order_one);
+        auto const b = embed(other, order_one);
+        // The same force; and two of one type whose numbers differ.
+        auto const verlet = compose(uneven, symmetrized(a));
+        auto const both = compose(shares<fraction<1, 2>, fraction<1, 2>>{}, adjoint(a), b);
+        typename decltype(verlet)::template memory<Q, V> of_verlet(verlet, h, from.q);
+        typename decltype(both)::template memory<Q, V> of_both(both, h, from.q);
+        auto x = from, y = from;
+        for (int step = 0; step < 4; ++step) {
+            if (step == 2) x.q = y.q = from.q; // somebody moves it
+            auto by_steps = x;
+            for (Q const& part : uneven.values<Q>()) {
+                by_steps = a.step(by_steps, part * h / 2);
+                by_steps = adjoint(a).step(by_steps, part * h / 2);
+            }
+            of_verlet.advance(verlet, x, h);
+            CHECK(x.q == by_steps.q);
+            CHECK(x.p == by_steps.p);
+            auto const other_steps = b.step(adjoint(a).step(y, h / 2), h / 2);
+            of_both.advance(both, y, h);
+            CHECK(y.q == other_steps.q);
+            CHECK(y.p == other_steps.p);
+        }
+    };
+    right(spring(Q(2)), spring(Q(3)), start);
+    right(chain_of(Q(2)), chain_of(Q(3)), start_2);
 }
 
 TEST_CASE("with their adjoints, flows of order one have order 2") {

@@ -32,6 +32,13 @@ struct shares {
 };
 inline constexpr shares<fraction<1, 2>, fraction<1, 2>> halves{};
 
+namespace detail {
+
+/// Halves of a step that are taken by flows of one problem.
+struct halves_of_one_problem : shares<fraction<1, 2>, fraction<1, 2>> {};
+
+} // namespace detail
+
 /// The parts C from the last to the first.
 template <parts_of_a_step C>
 struct backwards {
@@ -44,6 +51,26 @@ struct backwards {
         return c;
     }
 };
+
+template <parts_of_a_step Parts, class... Flows>
+class composed_flow;
+
+namespace detail {
+
+/// Whether all flows of a composition are known to have the same problem, down to its numbers.
+template <class Flow>
+inline constexpr bool has_one_problem = true;
+template <class Parts>
+inline constexpr bool of_one_problem = false;
+template <>
+inline constexpr bool of_one_problem<halves_of_one_problem> = true;
+template <class Parts>
+inline constexpr bool of_one_problem<backwards<Parts>> = of_one_problem<Parts>;
+template <class Parts, class... Flows>
+inline constexpr bool has_one_problem<composed_flow<Parts, Flows...>> = (sizeof...(Flows) == 1 or
+                                                                         of_one_problem<Parts>)and(has_one_problem<Flows>and...);
+
+} // namespace detail
 
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
@@ -61,20 +88,26 @@ public:
         using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
 
     public:
+        /// With one problem throughout, dL/dq at the end of a part is dL/dq at the start of the next.
+        static constexpr bool shares_force = detail::has_one_problem<composed_flow> and (Flows::template memory<S, V>::shares_force or ...);
+
         /// @throws error::invalid_parameter when the parts do not add up to the step
         memory(composed_flow const& f, S const& h, V const& like)
             : parts_(whole(f.parts_.template values<S>())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like},
-              memories_(made(f, lengths_, like, all{})) {}
+              memories_(made(f, lengths_, like, all{})), last_{like, like} {}
 
         /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
         /// be those of the parts that were made.
-        void advance(composed_flow const& f, state<S, V>& x, S const& h) {
+        void advance(composed_flow const& f, state<S, V>& x, S const& h) { advance(f, x, h, last_); }
+        /// The same within a composition that remembers the last force.
+        template <class Force>
+        void advance(composed_flow const& f, state<S, V>& x, S const& h, Force& last) {
             if (not(h == h_)) [[unlikely]] {
                 lengths_ = scaled(parts_, h);
                 h_ = h;
             }
             x_ = x;
-            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
+            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, last, all{});
             x_.t = x.t + h;
             x = x_;
         }
@@ -103,9 +136,16 @@ public:
         static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
             return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
         }
-        template <std::size_t... J>
-        void take(composed_flow const& f, std::size_t turn, std::index_sequence<J...>) {
-            (std::get<J>(memories_)[turn].advance(std::get<J>(f.flows_), x_, lengths_[turn * sizeof...(Flows) + J]), ...);
+        template <class Force, std::size_t... J>
+        void take(composed_flow const& f, std::size_t turn, Force& last, std::index_sequence<J...>) {
+            (part(std::get<J>(memories_)[turn], std::get<J>(f.flows_), lengths_[turn * sizeof...(Flows) + J], last), ...);
+        }
+        template <class Memory, class Flow, class Force>
+        void part(Memory& memory, Flow const& flow, S const& h, Force& last) {
+            if constexpr (shares_force and Memory::shares_force)
+                memory.advance(flow, x_, h, last);
+            else
+                memory.advance(flow, x_, h);
         }
 
         numbers parts_;
@@ -114,6 +154,10 @@ public:
         /// Inside the step: handed over when its last part is made.
         state<S, V> x_;
         std::tuple<of_a_turn<Flows>...> memories_;
+        struct nothing {
+            nothing(V const&, V const&) {}
+        };
+        [[no_unique_address]] std::conditional_t<shares_force, detail::last_force<V>, nothing> last_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.
@@ -171,7 +215,7 @@ auto adjoint(composed_flow<Parts, Flows...> const& f) {
 /// f over h/2, then its adjoint over h/2: symmetric, so of even order, whatever f is.
 template <class Flow>
 auto symmetrized(Flow const& f) {
-    return compose(halves, f, adjoint(f));
+    return compose(detail::halves_of_one_problem{}, f, adjoint(f));
 }
 
 /// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. Any
