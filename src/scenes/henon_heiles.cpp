@@ -15,7 +15,7 @@ scene henon_heiles() {
     s.columns = {"t", "x", "y", "p_x", "p_y", "energy error"};
     s.invariants = {"energy"};
     s.picture = orbit_and_energy_error;
-    s.reference = {"gauss-16", "50-digits", "", 200};
+    s.reference = {"gauss-16", "100-digits", "", 400};
     return scene_of(henon_heiles_system{}, s);
 }
 

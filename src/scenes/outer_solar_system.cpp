@@ -12,7 +12,7 @@ namespace {
 /// The system of solar_system.hpp in any scalar.
 struct outer_solar_system_in {
     solar_system data;
-    static constexpr in_many_digits wide = in_many_digits::composition;
+    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         auto const list = hilger::all_pairs(bodies);
@@ -63,7 +63,7 @@ scene outer_solar_system() {
         "set title 'Orbits'; set size ratio -1; set xlabel 'x / au'; set ylabel 'y / au'\n"
         "plot for [k=0:5] DATA using (column(2+3*k)):(column(3+3*k)) with lines notitle\n"
         "set size noratio; set title 'Energy error'; set xlabel 't / days'; set ylabel ''; plot DATA using 1:38 with lines notitle\n";
-    s.reference = {"kahan-li-8", "50-digits", "", 2'000};
+    s.reference = {"gauss-16", "100-digits", "", 300};
     return scene_of(system, s);
 }
 

@@ -15,7 +15,7 @@ scene pendulum() {
     s.invariants = {"energy"};
     s.picture = "set title 'Phase'; set xlabel 'q'; set ylabel 'p'; plot DATA using 2:3 with lines notitle\n"
                 "set title 'Energy error'; set xlabel 't'; set ylabel ''; plot DATA using 1:4 with lines notitle\n";
-    s.reference = {"gauss-16", "50-digits", "", 200};
+    s.reference = {"gauss-16", "100-digits", "", 400};
     return scene_of(pendulum_system{}, s);
 }
 scene double_pendulum() {

@@ -85,39 +85,94 @@ TEST_CASE("order one and its adjoint over half a step each are Stoermer-Verlet")
     }
 }
 
-TEST_CASE("the force at the end of a step is the first of the next, where the problem is one, and the position") {
-    auto const spring = [](Q const& k) { return lagrangian{[k](auto const& x, auto const& v) { return v * v / 2 - k * x * x / 2; }}; };
-    auto const chain_of = [](Q const& k) { return mechanical(Q(1), chain([k](hilger::index, auto const& r) { return k * r * r / 2; })); };
+TEST_CASE("kicks and drifts are the steps of the flows in turns, where the problem is one, and the position the last one") {
+    auto const spring = [](Q const& k) { return lagrangian{[k](auto const& x, auto const& v) { return v * v - v / 3 - k * x * x / 2; }}; };
+    auto const chain_of = [](Q const& k) { return mechanical(Q(3), chain([k](hilger::index, auto const& r) { return k * r * r / 2; })); };
     using Q2 = Eigen::Matrix<Q, 2, 1>;
     state<Q, Q2> const start_2{Q(1, 7), Q2(Q(1, 3), Q(2, 5)), Q2(Q(-1, 2), Q(3))};
-    auto const right = [](auto const& one, auto const& other, auto const& from) {
-        using V = std::remove_cvref_t<decltype(from.q)>;
-        auto const a = embed(one, order_one);
-        auto const b = embed(other, order_one);
-        // The same force; and two of one type whose numbers differ.
-        auto const verlet = compose(uneven, symmetrized(a));
-        auto const both = compose(shares<fraction<1, 2>, fraction<1, 2>>{}, adjoint(a), b);
-        typename decltype(verlet)::template memory<Q, V> of_verlet(verlet, h, from.q);
-        typename decltype(both)::template memory<Q, V> of_both(both, h, from.q);
-        auto x = from, y = from;
-        for (int step = 0; step < 4; ++step) {
-            if (step == 2) x.q = y.q = from.q; // somebody moves it
-            auto by_steps = x;
-            for (Q const& part : uneven.values<Q>()) {
-                by_steps = a.step(by_steps, part * h / 2);
-                by_steps = adjoint(a).step(by_steps, part * h / 2);
-            }
-            of_verlet.advance(verlet, x, h);
-            CHECK(x.q == by_steps.q);
-            CHECK(x.p == by_steps.p);
-            auto const other_steps = b.step(adjoint(a).step(y, h / 2), h / 2);
-            of_both.advance(both, y, h);
-            CHECK(y.q == other_steps.q);
-            CHECK(y.p == other_steps.p);
+    /// Steps of f, part after part, and the same by single steps: each begins where the last one ended, but for one that somebody moves.
+    auto const same = [](auto const& f, auto const& by_hand, auto const& from) {
+        typename std::remove_cvref_t<decltype(f)>::template memory<Q, std::remove_cvref_t<decltype(from.q)>> memory(f, h, from.q);
+        auto x = from;
+        for (Q const& length : {h, h, Q(h / 3), h, h}) {
+            auto const expected = by_hand(x, length);
+            memory.advance(f, x, length);
+            CHECK(x.t == expected.t);
+            CHECK(x.q == expected.q);
+            CHECK(x.p == expected.p);
+            if (length != h) x.q = from.q;
         }
     };
-    right(spring(Q(2)), spring(Q(3)), start);
-    right(chain_of(Q(2)), chain_of(Q(3)), start_2);
+    auto const check = [&](auto const& one, auto const& other, auto const& from) {
+        auto const a = embed(one, order_one);
+        auto const a_star = adjoint(a);
+        auto const b = embed(other, order_one);
+        same(
+            symmetrized(a), [&](auto const& x, Q const& l) { return a_star.step(a.step(x, l / 2), l / 2); }, from);
+        same(
+            symmetrized(a_star), [&](auto const& x, Q const& l) { return a.step(a_star.step(x, l / 2), l / 2); }, from);
+        same(
+            compose(uneven, symmetrized(a)),
+            [&](auto x, Q const& l) {
+                for (Q const& part : uneven.values<Q>()) x = a_star.step(a.step(x, part * l / 2), part * l / 2);
+                return x;
+            },
+            from);
+        same(
+            compose(uneven, a),
+            [&](auto x, Q const& l) {
+                for (Q const& part : uneven.values<Q>()) x = a.step(x, part * l);
+                return x;
+            },
+            from);
+        same(
+            compose_with_adjoint(shares<fraction<1, 5>, fraction<4, 5>>{}, a),
+            [&](auto const& x, Q const& l) { return a.step(a_star.step(x, l / 5), 4 * l / 5); }, from);
+        same(
+            adjoint(compose_with_adjoint(shares<fraction<1, 5>, fraction<4, 5>>{}, a)),
+            [&](auto const& x, Q const& l) { return a.step(a_star.step(x, 4 * l / 5), l / 5); }, from);
+        // Two of one type whose numbers differ.
+        same(
+            compose(halves, a_star, b), [&](auto const& x, Q const& l) { return b.step(a_star.step(x, l / 2), l / 2); }, from);
+    };
+    check(spring(Q(2)), spring(Q(3)), start);
+    check(chain_of(Q(2)), chain_of(Q(3)), start_2);
+}
+
+TEST_CASE("what is not made of kicks and drifts is stepped in turns") {
+    auto const rolling = [](auto const& x, auto const& v) { return v * v * (1 + x * x) / 2 - cos(x); }; // the mass moves
+    auto const magnetic = [](auto const& x, auto const& v) { return v.dot(v) / 2 + x(0) * v(1) - x.dot(x) / 2; };
+    auto const check = [](auto const& L, auto const& q, auto const& p) {
+        auto const a = embed(L, order_one);
+        state<double, std::remove_cvref_t<decltype(q)>> const from{0, q, p};
+        auto const x = symmetrized(a).step(from, 0.25), y = adjoint(a).step(a.step(from, 0.125), 0.125);
+        CHECK(x.q == y.q);
+        CHECK(x.p == y.p);
+    };
+    check(rolling, 1.0, 0.5);
+    check(magnetic, Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0.25, -1));
+}
+
+TEST_CASE("kicks and drifts that meet what is no number say so, and leave the state") {
+    auto const fall = [](auto const& x, auto const& v) { return v * v / 2 + 1 / (x * x); };
+    auto const row = mechanical(1.0, chain([](hilger::index, auto const& r) { return 1 / (r * r); }));
+    state<double, double> x{0, 1e-200, 0};
+    state<double, Eigen::Vector2d> y{0, {1e-200, 0.5}, {0, 0}};
+    auto const check = [](auto const& f, auto const& from) {
+        using V = std::remove_cvref_t<decltype(from.q)>;
+        typename std::remove_cvref_t<decltype(f)>::template memory<double, V> memory(f, 0.5, from.q);
+        auto at = from;
+        CHECK_THROWS_AS(memory.advance(f, at, 0.5), error::not_finite);
+        CHECK(at == from);
+        at.q = at.q * 1e200;
+        CHECK_NOTHROW(memory.advance(f, at, 0.5));
+        CHECK(at != from);
+    };
+    check(stoermer_verlet(fall), x);
+    check(stoermer_verlet(row), y);
+    CHECK_THROWS_AS(stoermer_verlet(mechanical(Eigen::VectorXd(Eigen::Vector3d(1, 2, 3)), row.potential()))
+                        .step(state<double, Eigen::VectorXd>{0, y.q, y.p}, 0.5),
+                    error::mismatch);
 }
 
 TEST_CASE("with their adjoints, flows of order one have order 2") {

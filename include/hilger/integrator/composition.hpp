@@ -6,124 +6,42 @@
 // With more coefficients than flows the flows take turns. A composition steps as a flow does, and can itself be composed.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "hilger/integrator/reversed.hpp"
+#include "hilger/integrator/splitting.hpp"
 
 namespace hilger {
-
-/// The parts c_1, ..., c_size of a step, in the digits of any scalar: values<S>() is a std::array<S, size> with the sum 1.
-template <class C>
-concept parts_of_a_step = requires(C const& c) {
-    { C::size } -> std::convertible_to<std::size_t>;
-    c.template values<double>();
-};
-
-/// Parts that are rational numbers, exact in every scalar.
-template <class... Fractions>
-struct shares {
-    static constexpr std::size_t size = sizeof...(Fractions);
-    template <class S>
-    std::array<S, size> values() const {
-        return {Fractions::template as<S>()...};
-    }
-};
-inline constexpr shares<fraction<1, 2>, fraction<1, 2>> halves{};
-
-namespace detail {
-
-/// Halves of a step that are taken by flows of one problem.
-struct halves_of_one_problem : shares<fraction<1, 2>, fraction<1, 2>> {};
-
-} // namespace detail
-
-/// The parts C from the last to the first.
-template <parts_of_a_step C>
-struct backwards {
-    static constexpr std::size_t size = C::size;
-    [[no_unique_address]] C of;
-    template <class S>
-    std::array<S, size> values() const {
-        auto c = of.template values<S>();
-        std::reverse(c.begin(), c.end());
-        return c;
-    }
-};
-
-template <parts_of_a_step Parts, class... Flows>
-class composed_flow;
-
-namespace detail {
-
-/// Whether all flows of a composition are known to have the same problem, down to its numbers.
-template <class Flow>
-inline constexpr bool has_one_problem = true;
-template <class Parts>
-inline constexpr bool of_one_problem = false;
-template <>
-inline constexpr bool of_one_problem<halves_of_one_problem> = true;
-template <class Parts>
-inline constexpr bool of_one_problem<backwards<Parts>> = of_one_problem<Parts>;
-template <class Parts, class... Flows>
-inline constexpr bool has_one_problem<composed_flow<Parts, Flows...>> = (sizeof...(Flows) == 1 or
-                                                                         of_one_problem<Parts>)and(has_one_problem<Flows>and...);
-
-} // namespace detail
 
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
     static_assert(turns * sizeof...(Flows) == Parts::size, "each flow of a composition has the same number of parts of the step");
-    using all = std::index_sequence_for<Flows...>;
-
-public:
-    constexpr explicit composed_flow(Parts parts, Flows... flows) : parts_(std::move(parts)), flows_(std::move(flows)...) {}
 
     /// One memory for each part: its steps have one length, c_k h, and its guesses are made from its own steps.
     template <class S, class V>
-    class memory {
+    class by_turns {
+        using all = std::index_sequence_for<Flows...>;
         template <class Flow>
         using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
 
     public:
-        /// With one problem throughout, dL/dq at the end of a part is dL/dq at the start of the next.
-        static constexpr bool shares_force = detail::has_one_problem<composed_flow> and (Flows::template memory<S, V>::shares_force or ...);
-
-        /// @throws error::invalid_parameter when the parts do not add up to the step
-        memory(composed_flow const& f, S const& h, V const& like)
-            : parts_(whole(f.parts_.template values<S>())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like},
-              memories_(made(f, lengths_, like, all{})), last_{like, like} {}
-
-        /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
-        /// be those of the parts that were made.
-        void advance(composed_flow const& f, state<S, V>& x, S const& h) { advance(f, x, h, last_); }
-        /// The same within a composition that remembers the last force.
-        template <class Force>
-        void advance(composed_flow const& f, state<S, V>& x, S const& h, Force& last) {
+        by_turns(composed_flow const& f, S const& h, V const& like)
+            : parts_(detail::whole<S>(f.parts_)), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like},
+              memories_(made(f, lengths_, like, all{})) {}
+        void advance(composed_flow const& f, state<S, V>& x, S const& h) {
             if (not(h == h_)) [[unlikely]] {
                 lengths_ = scaled(parts_, h);
                 h_ = h;
             }
             x_ = x;
-            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, last, all{});
+            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
             x_.t = x.t + h;
             x = x_;
         }
 
     private:
         using numbers = std::array<S, Parts::size>;
-        static numbers whole(numbers const& c) {
-            S sum(0), size(0);
-            for (S const& part : c) {
-                sum = sum + part;
-                size = size + magnitude(part);
-            }
-            if (not(magnitude(S(sum - S(1))) <= S(64) * epsilon<S>() * size))
-                error::raise<error::invalid_parameter>("the parts of a composed step add up to 1, and these add up to ", sum);
-            return c;
-        }
         static numbers scaled(numbers c, S const& h) {
             for (S& part : c) part = part * h;
             return c;
@@ -136,16 +54,9 @@ public:
         static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
             return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
         }
-        template <class Force, std::size_t... J>
-        void take(composed_flow const& f, std::size_t turn, Force& last, std::index_sequence<J...>) {
-            (part(std::get<J>(memories_)[turn], std::get<J>(f.flows_), lengths_[turn * sizeof...(Flows) + J], last), ...);
-        }
-        template <class Memory, class Flow, class Force>
-        void part(Memory& memory, Flow const& flow, S const& h, Force& last) {
-            if constexpr (shares_force and Memory::shares_force)
-                memory.advance(flow, x_, h, last);
-            else
-                memory.advance(flow, x_, h);
+        template <std::size_t... J>
+        void take(composed_flow const& f, std::size_t turn, std::index_sequence<J...>) {
+            (std::get<J>(memories_)[turn].advance(std::get<J>(f.flows_), x_, lengths_[turn * sizeof...(Flows) + J]), ...);
         }
 
         numbers parts_;
@@ -154,10 +65,39 @@ public:
         /// Inside the step: handed over when its last part is made.
         state<S, V> x_;
         std::tuple<of_a_turn<Flows>...> memories_;
-        struct nothing {
-            nothing(V const&, V const&) {}
-        };
-        [[no_unique_address]] std::conditional_t<shares_force, detail::last_force<V>, nothing> last_;
+    };
+    struct nothing {
+        template <class... Arguments>
+        constexpr explicit nothing(Arguments const&...) {}
+    };
+
+public:
+    constexpr explicit composed_flow(Parts parts, Flows... flows) : parts_(std::move(parts)), flows_(std::move(flows)...) {}
+
+    /// Kicks and drifts where the composition is made of them; else, or where L turns out to be of another kind, its flows in turns.
+    template <class S, class V>
+    class memory {
+        static constexpr auto ways = detail::splits<composed_flow, S, V>;
+        static constexpr bool kicks = ways != detail::kicks_and_drifts::no, turns_too = ways != detail::kicks_and_drifts::always;
+
+    public:
+        /// @throws error::invalid_parameter when the parts do not add up to the step
+        memory(composed_flow const& f, S const& h, V const& like) : kicks_(f, h, like), turns_(f, h, like) {}
+
+        /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
+        /// be those of the parts that were made.
+        void advance(composed_flow const& f, state<S, V>& x, S const& h) {
+            if constexpr (kicks)
+                if (kicks_.advance(f, x, h)) return;
+            if constexpr (turns_too)
+                turns_.advance(f, x, h);
+            else
+                error::raise<error::not_finite>("the kicks and drifts of the step meet NaN or infinity");
+        }
+
+    private:
+        [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
+        [[no_unique_address]] std::conditional_t<turns_too, by_turns<S, V>, nothing> turns_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.
@@ -215,7 +155,12 @@ auto adjoint(composed_flow<Parts, Flows...> const& f) {
 /// f over h/2, then its adjoint over h/2: symmetric, so of even order, whatever f is.
 template <class Flow>
 auto symmetrized(Flow const& f) {
-    return compose(detail::halves_of_one_problem{}, f, adjoint(f));
+    return compose(detail::one_problem<std::remove_const_t<decltype(halves)>>{halves}, f, adjoint(f));
+}
+/// adjoint(f) over c_1 h, f over c_2 h, adjoint(f) over c_3 h, and so on (Hairer-Lubich-Wanner, II (4.6)).
+template <parts_of_a_step Parts, class Flow>
+auto compose_with_adjoint(Parts const& parts, Flow const& f) {
+    return compose(detail::one_problem<Parts>{parts}, adjoint(f), f);
 }
 
 /// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. Any

@@ -45,21 +45,12 @@ public:
         }
 
     public:
-        /// Whether dL/dq is evaluated at an end of the step, where the next step or the one before it has use for it.
-        static constexpr bool shares_force =
-            (small or known) and (facts_of<E>.at_start or facts_of<E>.at_end) and not detail::is_timed<F, Force, S, V>;
-
         memory(flow const& f, S const& h, V const& like) : stepper_(choose(f, h, like)) {}
 
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
             stepper_.advance(what(f), x);
-        }
-        /// The same in a composition of flows of this problem.
-        void advance(flow const& f, state<S, V>& x, S const& h, detail::last_force<V>& last) {
-            begin(f, x, h);
-            stepper_.advance(what(f), x, last);
         }
         /// What the next step from x needs, when it has length h.
         void begin(flow const& f, state<S, V> const& x, S const& h) {

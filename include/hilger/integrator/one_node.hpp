@@ -140,31 +140,26 @@ public:
     }
 
     /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x, none_); }
-    /// Where dL/dq is evaluated at an end of the step and does not depend on the velocity: begins with what the step before has left, and
-    /// leaves it to the next.
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, last_force<V>& last) {
-        chosen_advance<false>(problem, x, last);
-    }
+    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
     /// @throws the same as a step_failure
-    [[gnu::always_inline]] void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x, none_); }
+    [[gnu::always_inline]] void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
 
 private:
-    template <bool SayWhere, class Last>
-    [[gnu::always_inline]] void chosen_advance(Problem const& problem, state<S, V>& x, Last& last) {
+    template <bool SayWhere>
+    [[gnu::always_inline]] void chosen_advance(Problem const& problem, state<S, V>& x) {
         if constexpr (std::is_floating_point_v<S>)
-            flat_advance<SayWhere>(problem, x, last);
+            flat_advance<SayWhere>(problem, x);
         else
-            advance<SayWhere>(problem, x, last, all{}, every{});
+            advance<SayWhere>(problem, x, all{}, every{});
     }
-    template <bool SayWhere, class Last>
-    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x, Last& last) {
-        advance<SayWhere>(problem, x, last, all{}, every{});
+    template <bool SayWhere>
+    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x) {
+        advance<SayWhere>(problem, x, all{}, every{});
     }
 
-    template <bool SayWhere, class Last, int... K, int... M>
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, Last& last,
-                                        std::integer_sequence<int, K...> every_component, std::integer_sequence<int, M...>) {
+    template <bool SayWhere, int... K, int... M>
+    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
+                                        std::integer_sequence<int, M...>) {
         using std::abs;
         components_ const q{s::component(x.q, K)...}, p{s::component(x.p, K)...};
         // One name for one number, where the type says so: what is computed from it twice is then computed once.
@@ -179,14 +174,7 @@ private:
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
-            bool const quadratic = not e.on().coupled and e.on().v <= 2;
-            components_ g{}; // at the end it is wanted there, once v is known
-            if constexpr (not at_end) {
-                if (quadratic and begins_at<K...>(last, q))
-                    g = left_in<K...>(last);
-                else
-                    g = components_{S(e.template by_q<K>())...};
-            }
+            components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
             matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
@@ -199,6 +187,7 @@ private:
                 singular = true;
                 break;
             }
+            bool const quadratic = not e.on().coupled and e.on().v <= 2;
             if (not(at_start or at_end) or not quadratic) tally<S>::add(work::newton_round);
             if constexpr (at_start or at_end)
                 if (iteration == 0 and not quadratic) {
@@ -216,10 +205,6 @@ private:
                     components_ const B{plus(q[K], S(c * v[K]))...};
                     auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
                     g = components_{again.template by_q<K>()...};
-                    if constexpr (shares<Last>) {
-                        ((s::component(last.q, K) = B[K], s::component(last.by_q, K) = g[K]), ...);
-                        last.known = quadratic;
-                    }
                 }
             } else {
                 components_ change{};
@@ -254,22 +239,6 @@ private:
             ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
         }
         (all{});
-    }
-    template <class Last>
-    static constexpr bool shares = not std::same_as<Last, no_last_force const>;
-    template <int... K, class Last>
-    [[gnu::always_inline]] static bool begins_at(Last const& last, components_ const& q) {
-        if constexpr (at_start and shares<Last const>)
-            return last.known and ((s::component(last.q, K) == q[K]) and ...);
-        else
-            return false;
-    }
-    template <int... K, class Last>
-    [[gnu::always_inline]] static components_ left_in(Last const& last) {
-        if constexpr (shares<Last const>)
-            return {s::component(last.by_q, K)...};
-        else
-            return {};
     }
     /// 0 for a number, NaN for NaN and infinity.
     [[gnu::always_inline]] static S overflow(S const& x) { return x - x; }
@@ -336,7 +305,6 @@ private:
         }
     };
 
-    static constexpr no_last_force none_{};
     S h_, w_, node_, c_, f_;
     std::array<components_, history> past_{};
     int known_ = 0;

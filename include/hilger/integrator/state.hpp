@@ -34,17 +34,6 @@ struct step_failure : Cause, interrupted<S, V> {
 
 namespace detail {
 
-/// dL/dq at the end of a step that has evaluated it there: the next step may begin there.
-template <class V>
-struct last_force {
-    V q, by_q;
-    bool known = false;
-};
-/// Of steps that stand alone.
-struct no_last_force {
-    static constexpr bool known = false;
-};
-
 template <class Cause, class S, class V>
 [[noreturn, gnu::noinline, gnu::cold]] void stop_at(state<S, V> const& at, S const& h, Cause const& cause) {
     std::ostringstream message;

@@ -50,23 +50,15 @@ public:
         sum_p_.visit(each);
     }
 
-    void advance(L const& l, state<S, V>& x) { advance(l, x, none_); }
-    /// Where the force is evaluated at an end of the step: begins with what the step before has left, and leaves it to the next.
-    template <class Last>
-    void advance(L const& l, state<S, V>& x, Last& last) {
+    void advance(L const& l, state<S, V>& x) {
         auto const& U = l.potential();
-        constexpr bool shares = not std::same_as<Last, no_last_force const>;
         if constexpr (Facts.at_start) {
-            bool known = false;
-            if constexpr (shares)
-                if (known = last.known and last.q == x.q; known) g_ = last.by_q;
-            if (not known) force(U, x.q);
+            force(U, x.q);
             mass_.solve(x.p - w_ * g_, v_);
         } else if constexpr (Facts.at_end) {
             mass_.solve(x.p, v_);
             A_ = x.q + c_ * v_;
             force(U, A_);
-            if constexpr (shares) last = {A_, g_, true};
         } else {
             first_guess(x);
             bool const done = not stiff_ and functional(U, x);
@@ -203,7 +195,6 @@ private:
     S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 
-    static constexpr no_last_force none_{};
     S h_, w_, c_, f_;
     mass_solver<Mass, V> mass_;
     pattern_solver<V> kernel_;
