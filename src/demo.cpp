@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "demo.hpp"
-
+// The demonstration: hilger's main job on the outer solar system. Equations, identities, integration, pictures. A program of its own, which
+// is built in a minute.
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
 #include <boost/numeric/odeint.hpp>
 #include <boost/numeric/odeint/external/eigen/eigen.hpp>
 
@@ -27,6 +30,13 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 using hilger::index;
+
+struct demo_options {
+    double days = 200'000;
+    double step = 100; ///< days
+    std::string data;  ///< a CSV file; empty for the built-in one
+    std::string out = "out";
+};
 
 /// What is watched along a run, and where it goes.
 class observer {
@@ -127,8 +137,7 @@ void say_equations(solar_system const& system, Scale const& T) {
               << hilger::text_lines(hilger::hamiltonian_form(mid), "  ") << '\n';
 }
 
-} // namespace
-
+/// Returns the exit code.
 int run_demo(demo_options const& options) {
     std::istringstream built_in(outer_solar_system_csv);
     std::ifstream given(options.data);
@@ -168,4 +177,21 @@ int run_demo(demo_options const& options) {
     return 0;
 }
 
+} // namespace
 } // namespace program
+
+int main(int argc, char** argv) {
+    CLI::App app{"the outer solar system: equations, identities, 200 000 days, drift and a picture"};
+    program::demo_options options;
+    app.add_option("--days", options.days, "length of the integration in days")->capture_default_str();
+    app.add_option("--step", options.step, "step h in days")->capture_default_str();
+    app.add_option("--data", options.data, "initial data, a CSV file like src/data/outer_solar_system.csv");
+    app.add_option("--out", options.out, "directory for the CSV files and the picture")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return program::run_demo(options);
+    } catch (std::exception const& e) {
+        std::fprintf(stderr, "hilger demo: %s\n", e.what());
+        return 1;
+    }
+}

@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "demo.hpp"
 #include "extremes.hpp"
 #include "hilger/version.hpp"
 #include "papers.hpp"
 #include "prove.hpp"
+#include "scenes/cost.hpp"
 #include "scenes/run.hpp"
 #include "scenes/trade.hpp"
 
@@ -19,13 +19,9 @@ int main(int argc, char** argv) {
                                           std::to_string(HILGER_VERSION_PATCH));
     app.require_subcommand(1);
 
-    program::demo_options options;
-    auto* demo = app.add_subcommand("demo", "the outer solar system: equations, identities, 200 000 days, drift and a picture");
-    demo->add_option("--days", options.days, "length of the integration in days")->capture_default_str();
-    demo->add_option("--step", options.step, "step h in days")->capture_default_str();
-    demo->add_option("--data", options.data, "initial data, a CSV file like src/data/outer_solar_system.csv");
-    demo->add_option("--out", options.out, "directory for the CSV files and the picture")->capture_default_str();
     auto* scenes = app.add_subcommand("scenes", "list the scenes: what can be run");
+    bool cost = false;
+    scenes->add_flag("--cost", cost, "print what a step of each computes, solves and keeps");
     program::run_options run;
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
     run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists")->required();
@@ -54,8 +50,7 @@ int main(int argc, char** argv) {
 
     CLI11_PARSE(app, argc, argv);
     try {
-        if (*demo) return program::run_demo(options);
-        if (*scenes) program::list_scenes(std::cout);
+        if (*scenes) (cost ? program::list_costs : program::list_scenes)(std::cout);
         if (*run_command) return program::run_scene(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);

@@ -5,6 +5,8 @@
 
 namespace program {
 
+PROGRAM_MANY_DIGITS(extern, charged_particle_system)
+
 scene charged_particle() {
     scene s;
     s.name = "charged-particle";

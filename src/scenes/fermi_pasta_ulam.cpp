@@ -5,6 +5,8 @@
 
 namespace program {
 
+PROGRAM_MANY_DIGITS(extern, fermi_pasta_ulam_system)
+
 scene fermi_pasta_ulam() {
     constexpr int d = fermi_pasta_ulam_system::size;
     scene s;

@@ -5,6 +5,8 @@
 
 namespace program {
 
+PROGRAM_MANY_DIGITS(extern, henon_heiles_system)
+
 scene henon_heiles() {
     scene s;
     s.name = "henon-heiles";

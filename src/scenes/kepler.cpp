@@ -5,6 +5,8 @@
 
 namespace program {
 
+PROGRAM_MANY_DIGITS(extern, kepler_system)
+
 scene kepler() {
     scene s;
     s.name = "kepler";

@@ -13,14 +13,15 @@ namespace program {
 inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "blanes-moan-4", "kahan-li-8",
                                          "kahan-li-8+", "gauss-4",   "gauss-6",    "gauss-8", "gauss-16"};
 
-/// What a system has in many digits beside mid-point, and alone in 100: what is compiled there takes its time.
+/// What a system has in many digits beside mid-point, and alone in 100. Nothing: and where mass or force depend on all, little in double.
+/// What is compiled there takes its time.
 enum class in_many_digits { nothing, gauss, composition };
 
 /// Calls use(flow) with the method of that name on L, where the scalar has it.
 template <class S, in_many_digits Wide, class L, class Use>
 void with_method(std::string const& name, L const& l, Use const& use) {
     using namespace hilger;
-    constexpr bool many_digits = not std::is_floating_point_v<S>;
+    constexpr bool many_digits = not std::is_floating_point_v<S>, all = Wide != in_many_digits::nothing;
     if constexpr (not std::is_same_v<S, float100>) {
         if (name == "mid-point") use(embed(l, midpoint));
     }
@@ -28,12 +29,14 @@ void with_method(std::string const& name, L const& l, Use const& use) {
         if (name == "order-one") use(embed(l, order_one));
         if (name == "mid-point+") use(embed(l, midpoint, compensated));
         if (name == "verlet") use(stoermer_verlet(l));
+        if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
+    }
+    if constexpr (std::is_same_v<S, double> and all) {
         if (name == "blanes-moan-4") use(compose_with_adjoint(blanes_moan<4>, embed(l, order_one)));
         if (name == "kahan-li-8+") use(compose(kahan_li<8>, stoermer_verlet(l, compensated)));
         if (name == "gauss-6") use(embed(l, galerkin<6, gauss>));
-        if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
     }
-    if constexpr (std::is_same_v<S, double> or (Wide == in_many_digits::composition and many_digits)) {
+    if constexpr ((std::is_same_v<S, double> and all) or (Wide == in_many_digits::composition and many_digits)) {
         if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
     }
     if constexpr (not many_digits) {
@@ -41,16 +44,6 @@ void with_method(std::string const& name, L const& l, Use const& use) {
     } else if constexpr (Wide == in_many_digits::gauss) {
         if (name == "gauss-16") use(embed(l, galerkin<16, gauss>));
     }
-}
-
-inline constexpr std::array scalar_names{"double", "float", "50-digits", "100-digits"};
-/// Calls use of a value of the scalar of that name.
-template <class Use>
-void with_scalar(std::string const& name, Use const& use) {
-    if (name == "double") use(double{});
-    if (name == "50-digits") use(hilger::float50{});
-    if (name == "100-digits") use(hilger::float100{});
-    if (name == "float") use(float{});
 }
 
 } // namespace program

@@ -101,23 +101,35 @@ std::unique_ptr<walk> walk_along(Path path, Observe observe) {
     return std::make_unique<path_walk<Path, Observe>>(std::move(path), std::move(observe));
 }
 
+/// The walk of a system by c.embedding in numbers S; nothing where there is no such method.
+template <class S, class System>
+std::unique_ptr<walk> begin_in(System const& system, configuration const& c, double t0, double t1) {
+    std::unique_ptr<walk> result;
+    auto const L = system.template lagrangian<S>();
+    auto const start = system.template start<S>();
+    auto const T = hilger::uniform(hilger::interval<S>{S(t0), S(t1)}, c.steps);
+    with_method<S, System::wide>(c.embedding, L, [&](auto const& flow) {
+        result = walk_along(flow.along(T, start.q0, hilger::momentum_of(L, start.q0, start.v0)),
+                            [system, L](auto const& x) { return system.invariants(L, x); });
+    });
+    return result;
+}
+
+/// In 50 and 100 digits, which many_digits/ compiles for each system by itself.
+#define PROGRAM_MANY_DIGITS(keyword, System)                                                                                               \
+    keyword template std::unique_ptr<walk> begin_in<hilger::float50>(System const&, configuration const&, double, double);                 \
+    keyword template std::unique_ptr<walk> begin_in<hilger::float100>(System const&, configuration const&, double, double);
+
 /// The scene that a system makes with all methods, T being [t0, t1] in equal steps.
 template <class System>
 scene scene_of(System const& system, scene made) {
     made.embeddings.assign(method_names.begin(), method_names.end());
-    made.scalars.assign(scalar_names.begin(), scalar_names.end());
+    made.scalars = {"double", "float", "50-digits", "100-digits"};
     made.begin = [system, name = made.name, t0 = made.t0, t1 = made.t1](configuration const& c) {
-        std::unique_ptr<walk> result;
-        with_scalar(c.scalar, [&](auto zero) {
-            using S = decltype(zero);
-            auto const L = system.template lagrangian<S>();
-            auto const start = system.template start<S>();
-            auto const T = hilger::uniform(hilger::interval<S>{S(t0), S(t1)}, c.steps);
-            with_method<S, System::wide>(c.embedding, L, [&](auto const& flow) {
-                result = walk_along(flow.along(T, start.q0, hilger::momentum_of(L, start.q0, start.v0)),
-                                    [system, L](auto const& x) { return system.invariants(L, x); });
-            });
-        });
+        std::unique_ptr<walk> result = c.scalar == "double"      ? begin_in<double>(system, c, t0, t1)
+                                       : c.scalar == "float"     ? begin_in<float>(system, c, t0, t1)
+                                       : c.scalar == "50-digits" ? begin_in<hilger::float50>(system, c, t0, t1)
+                                                                 : begin_in<hilger::float100>(system, c, t0, t1);
         if (not result)
             hilger::error::raise<hilger::error::invalid_parameter>("the scene ", name, " has no ", c.embedding, " in ", c.scalar);
         return result;

@@ -5,6 +5,9 @@
 
 namespace program {
 
+PROGRAM_MANY_DIGITS(extern, pendulum_system)
+PROGRAM_MANY_DIGITS(extern, double_pendulum_system)
+
 scene pendulum() {
     scene s;
     s.name = "pendulum";

@@ -5,6 +5,7 @@
 #include "hilger/hilger.hpp"
 #include "methods.hpp"
 #include "scene.hpp"
+#include "solar_system.hpp"
 
 namespace program {
 
@@ -127,6 +128,38 @@ struct fermi_pasta_ulam_system {
     [[nodiscard]] auto invariants(L const& l, State const& x) const {
         using S = scalar_of_state<State>;
         return std::vector<S>{S(x.p.dot(x.p) / S(2) + l.potential()(x.q))};
+    }
+};
+
+/// The system of solar_system.hpp in any scalar.
+struct outer_solar_system_system {
+    solar_system data;
+    static constexpr in_many_digits wide = in_many_digits::gauss;
+    template <class S>
+    [[nodiscard]] auto lagrangian() const {
+        auto const list = hilger::all_pairs(bodies);
+        std::vector<S> strength;
+        for (auto const& [a, b] : list) strength.push_back(S(solar_system::gravity) * S(data.mass(3 * a)) * S(data.mass(3 * b)));
+        return hilger::mechanical(column<S, dimension>(data.mass.cast<S>()),
+                                  hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
+                                      return -strength[static_cast<std::size_t>(k)] / r.norm();
+                                  }));
+    }
+    template <class S>
+    [[nodiscard]] auto start() const {
+        return hilger::initial_velocity<column<S, dimension>>{data.q.cast<S>(), data.v.cast<S>()};
+    }
+    /// Energy and the three components of the angular momentum.
+    template <class L, class State>
+    [[nodiscard]] auto invariants(L const& l, State const& x) const {
+        using S = scalar_of_state<State>;
+        std::vector<S> all{S(x.p.dot(x.p.cwiseQuotient(l.mass())) / S(2) + l.potential()(x.q)), S(0), S(0), S(0)};
+        for (int i = 0; i < dimension; i += 3)
+            for (int c = 0; c < 3; ++c) {
+                int const a = (c + 1) % 3, b = (c + 2) % 3;
+                all[static_cast<std::size_t>(c) + 1] += x.q(i + a) * x.p(i + b) - x.q(i + b) * x.p(i + a);
+            }
+        return all;
     }
 };
 

@@ -60,7 +60,7 @@ truth find_truth(scene const& what) {
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
     double best = 1e300, fine = reference.own_error * 4;
     int worse = 0;
-    if (c.scalar.ends_with("digits")) budget *= 20;
+    if (c.scalar.ends_with("digits")) budget *= 5;
     for (c.steps = what.histories.empty() ? 8 : 64; c.steps <= 1 << 22; c.steps = c.steps % 3 == 0 ? c.steps / 3 * 4 : c.steps / 2 * 3) {
         try {
             numbers end;

@@ -6,7 +6,6 @@
 //   hilger_bench history        what the memory of a fractional difference costs
 //   hilger_bench fractional     steps with fractional damping, and their errors
 //   hilger_bench boundary       two-sided fractional problems
-//   hilger_bench galerkin       work and precision of high order
 #include "timing.hpp"
 
 int main(int count, char** arguments) {
@@ -21,8 +20,6 @@ int main(int count, char** arguments) {
         bench::boundary();
     else if (what == "fractional")
         bench::fractional();
-    else if (what == "galerkin")
-        bench::galerkin();
     else {
         std::cout << "Nanoseconds a step, ratio to the fastest loop by hand, and the sum of the positions seen\n\n";
         bench::small_systems();

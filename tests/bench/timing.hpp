@@ -48,6 +48,5 @@ void rounding(double log10_of_steps);
 void drift(double log10_of_steps);
 void histories();
 void fractional();
-void galerkin();
 
 } // namespace bench

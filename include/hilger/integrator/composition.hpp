@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <tuple>
 
 #include "hilger/integrator/splitting.hpp"
@@ -82,22 +83,26 @@ public:
 
     public:
         /// @throws error::invalid_parameter when the parts do not add up to the step
-        memory(composed_flow const& f, S const& h, V const& like) : kicks_(f, h, like), turns_(f, h, like) {}
+        memory(composed_flow const& f, S const& h, V const& like) : kicks_(f, h, like) {
+            if constexpr (not kicks) turns_.emplace(f, h, like);
+        }
 
         /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
         /// be those of the parts that were made.
         void advance(composed_flow const& f, state<S, V>& x, S const& h) {
             if constexpr (kicks)
                 if (kicks_.advance(f, x, h)) return;
-            if constexpr (turns_too)
-                turns_.advance(f, x, h);
-            else
+            if constexpr (turns_too) {
+                if (not turns_) turns_.emplace(f, h, x.q);
+                turns_->advance(f, x, h);
+            } else
                 error::raise<error::not_finite>("the kicks and drifts of the step meet NaN or infinity");
         }
 
     private:
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
-        [[no_unique_address]] std::conditional_t<turns_too, by_turns<S, V>, nothing> turns_;
+        /// Made when it is needed.
+        [[no_unique_address]] std::conditional_t<turns_too, std::optional<by_turns<S, V>>, nothing> turns_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.

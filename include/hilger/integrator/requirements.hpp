@@ -156,7 +156,10 @@ inline std::ostream& operator<<(std::ostream& out, requirements_row const& row) 
     number(11, r.functions);
     out << std::setw(7) << r.state_bytes << std::setw(8) << r.memory_bytes << std::setw(11) << r.histories << std::setw(8)
         << r.history_bytes;
-    if (r.allocations) number(13, *r.allocations);
+    if (r.allocations)
+        number(13, *r.allocations);
+    else
+        out << std::setw(13) << '-';
     return out << '\n';
 }
 

@@ -178,9 +178,9 @@ private:
     }
     void residual(L const& l, state<S, V> const& x) {
         if constexpr (L::is_matrix)
-            r_ = x.p - f_ * g_ - l.mass() * v_;
+            r_ = x.p - f_ * g_ - l.mass().template cast<S>() * v_;
         else if constexpr (requires { l.mass().size(); })
-            r_ = x.p - f_ * g_ - l.mass().cwiseProduct(v_);
+            r_ = x.p - f_ * g_ - l.mass().template cast<S>().cwiseProduct(v_);
         else
             r_ = x.p - f_ * g_ - S(l.mass()) * v_;
     }

@@ -29,7 +29,7 @@ public:
     mass_solver(Mass const& m, index d) {
         if constexpr (is_matrix) {
             if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
-            matrix_ = m;
+            matrix_ = m.template cast<S>();
             factors_.compute(matrix_);
             bool regular = factors_.info() == Eigen::Success;
             for (index k = 0; regular and k < d; ++k) {
@@ -39,7 +39,7 @@ public:
             if (not regular) error::raise<error::singular>("the mass matrix is not positive definite, or not to the digits of its scalar");
         } else if constexpr (requires { m.size(); }) {
             if (m.size() != d) wrong(m.size(), d);
-            inverse_ = m.cwiseInverse();
+            inverse_ = m.template cast<S>().cwiseInverse();
         } else
             inverse_ = V::Constant(d, S(1) / S(m));
     }
