@@ -159,7 +159,7 @@ class splitting {
 public:
     splitting(Flow const& f, S const& h, V const& like)
         : parts_(f.mechanics(), like), q_(parts_.taken(like)), p_(q_), v_(q_), g_(q_), last_(q_), sum_q_(shape<V>::dimension(like)),
-          sum_p_(shape<V>::dimension(like)) {
+          sum_p_(sum_q_), next_q_(sum_q_), next_p_(sum_q_) {
         prepare(f, h);
     }
     /// x one step h further. False, and nothing has happened, where L turns out to have other parts, or numbers are not finite.
@@ -187,22 +187,22 @@ private:
     }
     [[gnu::flatten]] bool flat_loop(Problem const& what, state<S, V>& x) { return loop(what, x); }
     [[gnu::always_inline]] bool loop(Problem const& what, state<S, V>& x) {
-        auto sum_q = sum_q_;
-        auto sum_p = sum_p_;
+        next_q_ = sum_q_;
+        next_p_ = sum_p_;
         q_ = parts_.taken(x.q);
         p_ = parts_.taken(x.p);
         std::size_t k = 0;
         if constexpr (of::starts_with_kick) {
             if (not(known_ and last_ == q_) and not parts_.force(what, q_, g_)) return false;
-            parts_.add(p_, lengths_[k++], g_, sum_p);
+            parts_.add(p_, lengths_[k++], g_, next_p_);
         }
         known_ = false;
         for (;;) {
             if (not parts_.velocity(what, q_, p_, v_)) return false;
-            parts_.add(q_, lengths_[k++], v_, sum_q);
+            parts_.add(q_, lengths_[k++], v_, next_q_);
             if (k == size_) break;
             if (not parts_.force(what, q_, g_)) return false;
-            parts_.add(p_, lengths_[k++], g_, sum_p);
+            parts_.add(p_, lengths_[k++], g_, next_p_);
             if (k == size_) {
                 last_ = q_;
                 known_ = true;
@@ -214,8 +214,8 @@ private:
         parts_.give(q_, x.q);
         parts_.give(p_, x.p);
         x.t = x.t + h_;
-        sum_q_ = sum_q;
-        sum_p_ = sum_p;
+        sum_q_ = next_q_;
+        sum_p_ = next_p_;
         return true;
     }
 
@@ -225,7 +225,8 @@ private:
     std::array<S, 2 * of::leaves> lengths_;
     vector q_, p_, v_, g_, last_; ///< the state inside the step; where the force g is known, while it is
     bool known_ = false;
-    [[no_unique_address]] summation<of::compensated, S, shape<V>::size> sum_q_, sum_p_;
+    /// What sums carry; and what they carry inside the step.
+    [[no_unique_address]] summation<of::compensated, S, shape<V>::size> sum_q_, sum_p_, next_q_, next_p_;
 };
 
 /// Whether a composition of states V is made of kicks and drifts; of small Lagrangians their jets say it, when they are evaluated.
