@@ -35,7 +35,7 @@ int main() {
     say("Galerkin, 4 nodes", embed(kepler, galerkin<4, gauss>).along(T, q, p));
     std::cout << "Fermi-Pasta-Ulam chain of 32\n";
     say("order one", embed(row, order_one).along(T, x, y));
-    say("Stoermer-Verlet", compose(halves, embed(row, order_one), embed(row, order_one_left)).along(T, x, y));
+    say("Stoermer-Verlet", stoermer_verlet(row).along(T, x, y));
     say("mid-point", embed(row, midpoint).along(T, x, y));
     std::cout << "pendulum with fractional damping\n";
     say("order one", embed(damped(fraction<1, 2>{}), order_one).along(T, 1.0, 0.5));

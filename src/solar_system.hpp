@@ -23,12 +23,14 @@ struct solar_system {
     positions q, v;                                     ///< initial positions and velocities, centre of mass at rest at the origin
     static constexpr double gravity = 2.95912208286e-4; ///< au^3 / (day^2 solar mass)
 
-    /// L(q, v) = sum m |v|^2 / 2 + sum_{i<j} G m_i m_j / |q_i - q_j|, in any number type.
+    /// L(q, v) = sum m |v|^2 / 2 + sum_{i<j} G m_i m_j / |q_i - q_j|, with constants in the digits of S.
+    template <class S = double>
     [[nodiscard]] auto lagrangian() const {
         auto const list = hilger::all_pairs(bodies);
-        std::vector<double> strength;
-        for (auto const& [a, b] : list) strength.push_back(gravity * mass(3 * a) * mass(3 * b));
-        return hilger::mechanical(mass, hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
+        std::vector<S> strength;
+        for (auto const& [a, b] : list) strength.push_back(S(gravity) * S(mass(3 * a)) * S(mass(3 * b)));
+        return hilger::mechanical(Eigen::Matrix<S, dimension, 1>(mass.cast<S>()),
+                                  hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
                                       return -strength[static_cast<std::size_t>(k)] / r.norm();
                                   }));
     }

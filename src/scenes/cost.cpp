@@ -54,7 +54,7 @@ void list_costs(std::ostream& out) {
     tell(out, "kepler", kepler_system{});
     tell(out, "henon-heiles", henon_heiles_system{});
     std::istringstream built_in(outer_solar_system_csv);
-    tell(out, "outer-solar-system", outer_solar_system_system{read_solar_system(built_in, "the built-in data")});
+    tell(out, "outer-solar-system", planetary_system{read_solar_system(built_in, "the built-in data")});
     tell(out, "fermi-pasta-ulam", fermi_pasta_ulam_system{});
     tell(out, "charged-particle", charged_particle_system{});
     tell_fractional(out);

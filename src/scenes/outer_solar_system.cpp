@@ -6,11 +6,11 @@
 
 namespace program {
 
-PROGRAM_MANY_DIGITS(extern, outer_solar_system_system)
+PROGRAM_MANY_DIGITS(extern, planetary_system)
 
 scene outer_solar_system() {
     std::istringstream built_in(outer_solar_system_csv);
-    outer_solar_system_system const system{read_solar_system(built_in, "the built-in data")};
+    planetary_system const system{read_solar_system(built_in, "the built-in data")};
     scene s;
     s.name = "outer-solar-system";
     s.title = "Sun, Jupiter, Saturn, Uranus, Neptune, Pluto from 5 September 1994";

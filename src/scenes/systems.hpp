@@ -132,18 +132,12 @@ struct fermi_pasta_ulam_system {
 };
 
 /// The system of solar_system.hpp in any scalar.
-struct outer_solar_system_system {
+struct planetary_system {
     solar_system data;
     static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
-        auto const list = hilger::all_pairs(bodies);
-        std::vector<S> strength;
-        for (auto const& [a, b] : list) strength.push_back(S(solar_system::gravity) * S(data.mass(3 * a)) * S(data.mass(3 * b)));
-        return hilger::mechanical(column<S, dimension>(data.mass.cast<S>()),
-                                  hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
-                                      return -strength[static_cast<std::size_t>(k)] / r.norm();
-                                  }));
+        return data.lagrangian<S>();
     }
     template <class S>
     [[nodiscard]] auto start() const {

@@ -8,7 +8,7 @@
 //   suzuki_umeno<8>  15 parts   Suzuki-Umeno 1993; McLachlan 1995
 //   kahan_li<8>      17 parts   Kahan-Li 1997
 // And parts over which any flow and its adjoint become one of order 4: compose_with_adjoint(blanes_moan<4>, embed(L, order_one)).
-//   blanes_moan<4>   12 parts   Blanes-Moan 2002, S6   for L = v.Mv/2 - U(q) six forces, and the smallest error known
+//   blanes_moan<4>   12 parts   Blanes-Moan 2002, S6   with small errors, and six forces for L = v.Mv/2 - U(q)
 // (Hairer-Lubich-Wanner, Geometric Numerical Integration, II.4 and V.3.2.) The published 26 digits were taken on to 108 by Newton's method
 // on the order conditions: with the steps exp(c h Y_1 + (c h)^3 Y_3 + (c h)^5 Y_5 + ...), every product of Y's of total degree up to p has
 // the coefficient that it has in exp(h Y_1). Kahan and Li's have one parameter more than there are conditions: their c_1 is kept as

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: BSL-1.0
-#include "scenes/path_walk.hpp"
-#include "scenes/systems.hpp"
-
-namespace program {
-
-PROGRAM_MANY_DIGITS(, kepler_system)
-
-} // namespace program
