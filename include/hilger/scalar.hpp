@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "hilger/inlining.hpp"
+
 namespace hilger {
 
 /// Counts and numbers points; signed, so that "the point before the first" can be said.
@@ -128,12 +130,12 @@ enum class work { force, newton_round, solve, factorization };
 /// What is told of the work while it is done: nothing, and no instruction, except by scalars that count (hilger/integrator/counted.hpp).
 template <class S>
 struct tally {
-    [[gnu::always_inline]] static constexpr void add(work) {}
+    HILGER_ALWAYS_INLINE static constexpr void add(work) {}
     /// A second derivative of L is read.
-    [[gnu::always_inline]] static constexpr S const& second(S const& x) { return x; }
+    HILGER_ALWAYS_INLINE static constexpr S const& second(S const& x) { return x; }
     /// A small K x = r is solved.
     template <class Matrix>
-    [[gnu::always_inline]] static constexpr void small_solve(Matrix const&) {}
+    HILGER_ALWAYS_INLINE static constexpr void small_solve(Matrix const&) {}
 };
 
 } // namespace detail
@@ -147,7 +149,7 @@ struct run_time {
     constexpr S as() const {
         return S(value);
     }
-    friend constexpr bool operator==(run_time const&, run_time const&) = default;
+    friend constexpr bool operator==(run_time const& a, run_time const& b) { return a.value == b.value; }
 };
 
 } // namespace hilger

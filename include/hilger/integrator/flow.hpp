@@ -6,6 +6,7 @@
 //   for (auto [t, q, p] : flow.along(T, q0, p0)) ...        one state at a time, nothing stored
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/galerkin_step.hpp"
 #include "hilger/integrator/many_nodes.hpp"
 #include "hilger/integrator/one_node.hpp"
@@ -61,7 +62,7 @@ public:
         }
         /// x one step further, of the length that there was before. Nothing here takes an address that stays taken, so that the state and a
         /// small stepper can live in registers. @throws the same as a step_failure
-        [[gnu::always_inline]] void advance_equally(flow const& f, state<S, V>& x) {
+        HILGER_ALWAYS_INLINE void advance_equally(flow const& f, state<S, V>& x) {
             if constexpr (small and not known)
                 stepper_.advance_saying_where(what(f), x);
             else
@@ -85,7 +86,7 @@ public:
             else
                 stepper_.prepare(tableau_of(f.embedding_, h), h);
         }
-        [[gnu::always_inline]] static auto const& what(flow const& f) {
+        HILGER_ALWAYS_INLINE static auto const& what(flow const& f) {
             if constexpr (known)
                 return f.problem_.lagrangian;
             else

@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/galerkin_table.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/mechanics/contraction.hpp"
@@ -17,7 +18,7 @@ namespace hilger::detail {
 
 /// to = sum_j c_j x_j
 template <class V, class Row, class List>
-[[gnu::always_inline]] inline void combine(Row const& c, List const& x, V& to) {
+HILGER_ALWAYS_INLINE inline void combine(Row const& c, List const& x, V& to) {
     if constexpr (shape<V>::size == Eigen::Dynamic) {
         to = x[0] * c[0];
         for (std::size_t j = 1; j < x.size(); ++j) to += x[j] * c[j];
@@ -141,8 +142,8 @@ private:
         else
             evaluate_all(what, x, h);
     }
-    [[gnu::flatten]] void flat_evaluate(Problem const& what, state<S, V> const& x, S const& h) { evaluate_all(what, x, h); }
-    [[gnu::always_inline]] void evaluate_all(Problem const& what, state<S, V> const& x, S const& h) {
+    HILGER_FLATTEN void flat_evaluate(Problem const& what, state<S, V> const& x, S const& h) { evaluate_all(what, x, h); }
+    HILGER_ALWAYS_INLINE void evaluate_all(Problem const& what, state<S, V> const& x, S const& h) {
         for (std::size_t k = 0; k < N; ++k) {
             V const A = x.q + D_[k];
             gradients_at(what, time(x, h, k), A, at_node(k), force[k], m_[k]);

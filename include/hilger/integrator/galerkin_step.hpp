@@ -5,6 +5,7 @@
 // of h^2. Any other Lagrangian, and a step for which that is too little, go to integrator/galerkin_equations.hpp.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/galerkin_equations.hpp"
 #include "hilger/integrator/separable.hpp"
 #include "hilger/integrator/summation.hpp"
@@ -89,9 +90,9 @@ private:
         else
             return iteration(what, x);
     }
-    [[gnu::flatten]] progress flat_iteration(Problem const& what, state<S, V> const& x) { return iteration(what, x); }
+    HILGER_FLATTEN progress flat_iteration(Problem const& what, state<S, V> const& x) { return iteration(what, x); }
     /// Lost where it converges too slowly to be worth it; going where L has other parts than it had.
-    [[gnu::always_inline]] progress iteration(Problem const& what, state<S, V> const& x) {
+    HILGER_ALWAYS_INLINE progress iteration(Problem const& what, state<S, V> const& x) {
         separable_.velocity(x.p, v_);
         bool is_separable = true;
         if (known_ > 0) { // the forces of the last step, continued
@@ -117,7 +118,7 @@ private:
         }
     }
     /// A_k - q_0 from the forces, and how far the nodes have moved.
-    [[gnu::always_inline]] S move_nodes() {
+    HILGER_ALWAYS_INLINE S move_nodes() {
         S const square = h_ * h_;
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {

@@ -5,6 +5,7 @@
 // scalars that the optimiser can put into registers: no Eigen arithmetic, no loop that is not unrolled.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
@@ -14,15 +15,17 @@
 namespace hilger::detail {
 
 template <std::size_t M, class S, std::size_t... I>
-[[gnu::always_inline]] inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
+HILGER_ALWAYS_INLINE inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
     return ((I / M == I % M or is_known_zero(K[I])) and ...);
 }
 /// By elimination; false where K is singular to rounding.
 template <class S, std::size_t M, std::size_t MM>
 bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
-    using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
+    // By columns, as elsewhere: what Eigen makes of one type of matrix takes the compiler seconds.
+    using by_rows = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
+    using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M)>;
     using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
-    Eigen::PartialPivLU<matrix> const lu(Eigen::Map<matrix const>(K.data()));
+    Eigen::PartialPivLU<matrix> const lu(matrix(Eigen::Map<by_rows const>(K.data())));
     if (not is_regular(lu)) return false;
     vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
     for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
@@ -52,7 +55,7 @@ S smallest_determinant() {
 
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding.
 template <class S, std::size_t M, std::size_t MM>
-[[gnu::always_inline]] inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
+HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
     using std::abs;
     tally<S>::small_solve(K);
     if constexpr (M == 1) {
@@ -85,7 +88,7 @@ template <class S, std::size_t M, std::size_t MM>
 }
 
 template <class S, std::size_t N>
-[[gnu::always_inline]] inline S largest(std::array<S, N> const& x) {
+HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
     using std::abs;
     S m = abs(x[0]);
     for (std::size_t k = 1; k < N; ++k) {
@@ -140,26 +143,26 @@ public:
     }
 
     /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
+    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
     /// @throws the same as a step_failure
-    [[gnu::always_inline]] void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
+    HILGER_ALWAYS_INLINE void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
 
 private:
     template <bool SayWhere>
-    [[gnu::always_inline]] void chosen_advance(Problem const& problem, state<S, V>& x) {
+    HILGER_ALWAYS_INLINE void chosen_advance(Problem const& problem, state<S, V>& x) {
         if constexpr (std::is_floating_point_v<S>)
             flat_advance<SayWhere>(problem, x);
         else
             advance<SayWhere>(problem, x, all{}, every{});
     }
     template <bool SayWhere>
-    [[gnu::flatten]] void flat_advance(Problem const& problem, state<S, V>& x) {
+    HILGER_FLATTEN void flat_advance(Problem const& problem, state<S, V>& x) {
         advance<SayWhere>(problem, x, all{}, every{});
     }
 
     template <bool SayWhere, int... K, int... M>
-    [[gnu::always_inline]] void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
-                                        std::integer_sequence<int, M...>) {
+    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
+                                      std::integer_sequence<int, M...>) {
         using std::abs;
         components_ const q{s::component(x.q, K)...}, p{s::component(x.p, K)...};
         // One name for one number, where the type says so: what is computed from it twice is then computed once.
@@ -234,22 +237,22 @@ private:
             failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
     }
     template <int J>
-    [[gnu::always_inline]] static void add_row(components_& g, matrix_ const& D, components_ const& d) {
-        [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+    HILGER_ALWAYS_INLINE static void add_row(components_& g, matrix_ const& D, components_ const& d) {
+        [&]<int... K>(std::integer_sequence<int, K...>) HILGER_ALWAYS_INLINE {
             ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
         }
         (all{});
     }
     /// 0 for a number, NaN for NaN and infinity.
-    [[gnu::always_inline]] static S overflow(S const& x) { return x - x; }
+    HILGER_ALWAYS_INLINE static S overflow(S const& x) { return x - x; }
     /// Convergence is quadratic: after this correction the error is of the size of epsilon.
-    [[gnu::always_inline]] static bool at_the_floor(S const& size, components_ const& v) {
+    HILGER_ALWAYS_INLINE static bool at_the_floor(S const& size, components_ const& v) {
         return size <= square_root_of_epsilon<S>() * small() * largest(v);
     }
     /// The same where v enters quadratically and the error is in dL/dq alone: `moved` is the correction of the position, `change` what it
     /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach: as a quotient, for the
     /// squares of positions leave the range of the scalar long before positions do.
-    [[gnu::always_inline]] static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
+    HILGER_ALWAYS_INLINE static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
         S const relative = moved / reach;
         return w * relative * (g * relative + change) <= epsilon<S>() * small() * (p + w * g);
     }
@@ -258,20 +261,20 @@ private:
 
     /// The value of the polynomial through the last velocities at the next node.
     template <int... K>
-    [[gnu::always_inline]] components_ first_guess(std::integer_sequence<int, K...>) const {
+    HILGER_ALWAYS_INLINE components_ first_guess(std::integer_sequence<int, K...>) const {
         if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};
         if (known_ >= 2) return {S(past_[0][K] + (past_[0][K] - past_[1][K]))...};
         return past_[0];
     }
     template <int K, int... I>
-    [[gnu::always_inline]] S extrapolated(std::integer_sequence<int, I...>) const {
+    HILGER_ALWAYS_INLINE S extrapolated(std::integer_sequence<int, I...>) const {
         return ((S(extrapolation(history, I)) * past_[I][K]) + ...);
     }
     template <int... I>
-    [[gnu::always_inline]] void shift(std::integer_sequence<int, I...>) {
+    HILGER_ALWAYS_INLINE void shift(std::integer_sequence<int, I...>) {
         ((past_[history - 1 - I] = past_[history - 2 - I]), ...);
     }
-    [[gnu::always_inline]] void remember(components_ const& v) {
+    HILGER_ALWAYS_INLINE void remember(components_ const& v) {
         if constexpr (history > 1) {
             shift(std::make_integer_sequence<int, history - 1>{});
             if (known_ < history) ++known_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/integrator/structured_solvers.hpp"
 #include "hilger/mechanics/gradients.hpp"
@@ -24,20 +25,20 @@ public:
     /// Whether L has these parts, as seen from x.
     bool inspect(Problem const& what, state<S, V> const& x) { return inspected(what, x); }
     template <class R>
-    [[gnu::always_inline]] void velocity(R const& p, V& v) {
+    HILGER_ALWAYS_INLINE void velocity(R const& p, V& v) {
         room_ = p - at_rest_;
         times_inverse(room_, v);
     }
     /// M^-1 f, for f other than v.
-    [[gnu::always_inline]] void solve(V const& f, V& v) const { times_inverse(f, v); }
+    HILGER_ALWAYS_INLINE void solve(V const& f, V& v) const { times_inverse(f, v); }
     /// f = dL/dq at q. False where L turns out to have other parts there.
-    [[gnu::always_inline]] bool force(Problem const& what, S const& t, V const& q, V& f) {
+    HILGER_ALWAYS_INLINE bool force(Problem const& what, S const& t, V const& q, V& f) {
         return is_separable(gradients_at(what, t, q, at_rest_, f, unused_));
     }
 
 private:
     static bool is_separable(dependence on) { return not on.coupled and on.v <= 2; }
-    [[gnu::always_inline]] void times_inverse(V const& f, V& v) const {
+    HILGER_ALWAYS_INLINE void times_inverse(V const& f, V& v) const {
         if constexpr (s::is_scalar)
             v = inverse_ * f;
         else

@@ -4,6 +4,7 @@
 // drift after a drift, and the force at the end of a step is the first of the next: one force for each part, no velocity twice.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/parts.hpp"
 #include "hilger/integrator/reversed.hpp"
 #include "hilger/integrator/separable.hpp"
@@ -79,43 +80,43 @@ public:
         for (std::size_t k = 0; k < N; ++k) s::component(to, static_cast<int>(k)) = x[k];
     }
     /// False where L has other parts, or no velocity.
-    [[gnu::always_inline]] static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v) {
+    HILGER_ALWAYS_INLINE static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v) {
         return velocity(what, q, p, v, all{}, std::make_index_sequence<N * N>{});
     }
-    [[gnu::always_inline]] static bool force(Problem const& what, vector const& q, vector& g) { return force(what, q, g, all{}); }
+    HILGER_ALWAYS_INLINE static bool force(Problem const& what, vector const& q, vector& g) { return force(what, q, g, all{}); }
     template <class Sum>
-    [[gnu::always_inline]] static void add(vector& x, S const& w, vector const& y, Sum& sum) {
+    HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum) {
         add(x, w, y, sum, all{});
     }
     /// 0, or NaN where not all numbers are finite.
-    [[gnu::always_inline]] static S overflow(vector const& q, vector const& p) { return overflow(q, p, all{}); }
+    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p) { return overflow(q, p, all{}); }
 
 private:
     using all = std::make_integer_sequence<int, static_cast<int>(N)>;
     template <int... K>
-    [[gnu::always_inline]] static vector taken(V const& x, std::integer_sequence<int, K...>) {
+    HILGER_ALWAYS_INLINE static vector taken(V const& x, std::integer_sequence<int, K...>) {
         return {s::component(x, K)...};
     }
     template <int... K, std::size_t... M>
-    [[gnu::always_inline]] static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
-                                                std::integer_sequence<int, K...> every, std::index_sequence<M...>) {
+    HILGER_ALWAYS_INLINE static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
+                                              std::integer_sequence<int, K...> every, std::index_sequence<M...>) {
         auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
         std::array<S, N * N> inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
         v = {S(minus(p[K], e.template by_v<K>()))...};
         return not e.on().coupled and e.on().v <= 2 and small_solve(inertia, v);
     }
     template <int... K>
-    [[gnu::always_inline]] static bool force(Problem const& what, vector const& q, vector& g, std::integer_sequence<int, K...> every) {
+    HILGER_ALWAYS_INLINE static bool force(Problem const& what, vector const& q, vector& g, std::integer_sequence<int, K...> every) {
         auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
         g = {S(e.template by_q<K>())...};
         return not e.on().coupled;
     }
     template <class Sum, int... K>
-    [[gnu::always_inline]] static void add(vector& x, S const& w, vector const& y, Sum& sum, std::integer_sequence<int, K...>) {
+    HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum, std::integer_sequence<int, K...>) {
         (sum.add(x[K], S(w * y[K]), K), ...);
     }
     template <int... K>
-    [[gnu::always_inline]] static S overflow(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
+    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
         return S((S(q[K] - q[K]) + ...) + (S(p[K] - p[K]) + ...));
     }
 };
@@ -185,8 +186,8 @@ private:
                 lengths_[size_ - 1] = lengths_[size_ - 1] + w;
         });
     }
-    [[gnu::flatten]] bool flat_loop(Problem const& what, state<S, V>& x) { return loop(what, x); }
-    [[gnu::always_inline]] bool loop(Problem const& what, state<S, V>& x) {
+    HILGER_FLATTEN bool flat_loop(Problem const& what, state<S, V>& x) { return loop(what, x); }
+    HILGER_ALWAYS_INLINE bool loop(Problem const& what, state<S, V>& x) {
         next_q_ = sum_q_;
         next_p_ = sum_p_;
         q_ = parts_.taken(x.q);

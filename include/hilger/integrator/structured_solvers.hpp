@@ -9,13 +9,14 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/mechanical.hpp"
 
 namespace hilger::detail {
 
 /// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
 template <class S>
-[[gnu::always_inline]] inline bool is_pivot(S const& pivot, S const& entry, index d) {
+HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index d) {
     using std::abs;
     return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
 }

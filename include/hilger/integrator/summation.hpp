@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "hilger/inlining.hpp"
+
 namespace hilger {
 
 /// How a flow adds up its steps.
@@ -22,7 +24,7 @@ namespace hilger::detail {
 template <bool Compensated, class S, int N>
 struct summation {
     constexpr explicit summation(int = N) {}
-    [[gnu::always_inline]] static void add(S& x, S const& increment, int) { x = x + increment; }
+    HILGER_ALWAYS_INLINE static void add(S& x, S const& increment, int) { x = x + increment; }
     template <class Visit>
     static void visit(Visit&) {}
 };
@@ -34,7 +36,7 @@ struct summation<true, S, N> {
     explicit summation(int d = N) {
         if constexpr (N == Eigen::Dynamic) rest.assign(static_cast<std::size_t>(d), S(0));
     }
-    [[gnu::always_inline]] void add(S& x, S const& increment, int k) {
+    HILGER_ALWAYS_INLINE void add(S& x, S const& increment, int k) {
         S& carry = rest[static_cast<std::size_t>(k)];
         S const y = increment + carry;
         S const z = x + y;

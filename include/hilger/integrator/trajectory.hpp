@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "hilger/inlining.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/mechanics/variation.hpp"
 #include "hilger/scale/time_scale.hpp"
@@ -74,13 +75,13 @@ public:
             : path_(&path), memory_(begun(path)), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
         iterator(trajectory const& path, checkpoint_type const& from)
             : path_(&path), memory_(begun(path, from)), at_(from.at), number_(from.number), last_(path.T_.last()) {}
-        [[gnu::always_inline]] value_type const& operator*() const { return at_; }
-        [[gnu::always_inline]] value_type const* operator->() const { return &at_; }
-        [[gnu::always_inline]] iterator& operator++() {
+        HILGER_ALWAYS_INLINE value_type const& operator*() const { return at_; }
+        HILGER_ALWAYS_INLINE value_type const* operator->() const { return &at_; }
+        HILGER_ALWAYS_INLINE iterator& operator++() {
             advance();
             return *this;
         }
-        [[gnu::always_inline]] void operator++(int) { advance(); }
+        HILGER_ALWAYS_INLINE void operator++(int) { advance(); }
         /// The number of the point of T that the state is at.
         [[nodiscard]] index number() const { return number_; }
         /// What the method remembers there.
@@ -90,7 +91,7 @@ public:
         friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }
 
     private:
-        [[gnu::always_inline]] void advance() {
+        HILGER_ALWAYS_INLINE void advance() {
             if (number_ >= last_) {
                 ++number_;
                 return;
@@ -149,7 +150,7 @@ public:
     }
 
 private:
-    [[gnu::always_inline]] S step(index i) const { return T_.domain().base.step(T_.root(), i); }
+    HILGER_ALWAYS_INLINE S step(index i) const { return T_.domain().base.step(T_.root(), i); }
     Method method_;
     Scale T_;
     state<S, V> start_;

@@ -7,6 +7,7 @@
 // right for any d, and as slow as d^2; a system of that size has a structure that its author knows (hilger/mechanics/mechanical.hpp).
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/jet_functions.hpp"
 #include "hilger/mechanics/shape.hpp"
 
@@ -27,7 +28,7 @@ inline constexpr int chunk = 4;
 
 /// What a formula returns when given jets; plain numbers are constants.
 template <class Jet, class R>
-[[gnu::always_inline]] constexpr Jet as_jet(R const& r) {
+HILGER_ALWAYS_INLINE constexpr Jet as_jet(R const& r) {
     static_assert(std::constructible_from<Jet, plain_t<R>>,
                   "a Lagrangian or Hamiltonian returns a number, and this one returns something else");
     return Jet(r);
@@ -39,7 +40,7 @@ constexpr void require_callable() {
                             "or the time before them: derivatives pass through it");
 }
 template <class F, class X, class Y>
-[[gnu::always_inline]] constexpr decltype(auto) call(F const& f, X const& x, Y const& y) {
+HILGER_ALWAYS_INLINE constexpr decltype(auto) call(F const& f, X const& x, Y const& y) {
     require_callable<std::invocable<F const&, X const&, Y const&>>();
     return f(x, y);
 }
@@ -56,7 +57,7 @@ using qv_jet = jet<S, 0, 2 * N, Order>;
 /// cost nothing. That takes f being called from here on variables made here, and its result being built in place: with the variables made
 /// by a function of their own a step takes several times as long. A wide number's arithmetic is too long to be flattened.
 template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
-[[gnu::flatten]] inline qv_jet<S, static_cast<int>(Size), Order>
+HILGER_FLATTEN inline qv_jet<S, static_cast<int>(Size), Order>
 flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v, std::integer_sequence<int, K...>, Time const&... t) {
     constexpr int N = static_cast<int>(Size);
     using J = qv_jet<S, N, Order>;

@@ -2,6 +2,7 @@
 // First derivatives of a problem at one node, force included, and nothing of second order: what iterations without Newton need.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/problem.hpp"
 
 namespace hilger::detail {
@@ -19,7 +20,7 @@ inline constexpr bool is_timed = [] {
 
 /// by_q = dL/dq + force and by_v = dL/dv at (t, q, v), and how L depends on q and v as far as this evaluation tells.
 template <class F, class Force, class S, class V>
-[[gnu::always_inline]] inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
+HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
     using s = shape<V>;
     tally<scalar_of<V>>::add(work::force);
     dependence on{dependence::no_polynomial, dependence::no_polynomial, true};
@@ -29,16 +30,15 @@ template <class F, class Force, class S, class V>
         by_v = e.by_v;
         on = e.on;
     } else if constexpr (s::size != Eigen::Dynamic and s::size <= one_evaluation) {
-        [&]<int... K>(std::integer_sequence<int, K...> all) __attribute__((always_inline)) {
+        [&]<int... K>(std::integer_sequence<int, K...> all) HILGER_ALWAYS_INLINE {
             using J = jets_for<V>;
             std::array<S, sizeof...(K)> const x{s::component(q, K)...}, y{s::component(v, K)...};
-            auto const z = [&]() __attribute__((always_inline)) {
+            auto const z = [&]() HILGER_ALWAYS_INLINE {
                 if constexpr (std::invocable<F const&, S const&, typename J::position const&, typename J::velocity const&>)
                     return jets_of<1, s::is_scalar>(what.lagrangian, x, y, all, t);
                 else
                     return jets_of<1, s::is_scalar>(what.lagrangian, x, y, all);
-            }
-            ();
+            }();
             ((s::component(by_q, K) = z.template by<K>(), s::component(by_v, K) = z.template by<s::size + K>()), ...);
             on = z.on;
         }

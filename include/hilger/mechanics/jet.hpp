@@ -15,6 +15,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "hilger/inlining.hpp"
+
 namespace hilger {
 
 namespace detail {
@@ -26,7 +28,7 @@ concept says_what_is_constant = requires(S const& x) {
 };
 /// IEEE rules forbid a compiler to drop 0 * x and 0 + x; derivatives are full of zeros that are exact.
 template <class S>
-[[gnu::always_inline]] constexpr bool is_known_zero(S const& x) {
+HILGER_ALWAYS_INLINE constexpr bool is_known_zero(S const& x) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and x == S(0);
     else if constexpr (says_what_is_constant<S>)
@@ -35,7 +37,7 @@ template <class S>
         return x == S(0);
 }
 template <class S>
-[[gnu::always_inline]] constexpr bool is_known_one(S const& x) {
+HILGER_ALWAYS_INLINE constexpr bool is_known_one(S const& x) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and x == S(1);
     else if constexpr (says_what_is_constant<S>)
@@ -45,7 +47,7 @@ template <class S>
 }
 /// Both are one constant that the compiler can see.
 template <class S>
-[[gnu::always_inline]] constexpr bool is_one_constant(S const& x, S const& y) {
+HILGER_ALWAYS_INLINE constexpr bool is_one_constant(S const& x, S const& y) {
     if constexpr (std::is_floating_point_v<S>)
         return __builtin_constant_p(x) and __builtin_constant_p(y) and x == y;
     else if constexpr (says_what_is_constant<S>)
@@ -54,20 +56,20 @@ template <class S>
         return false;
 }
 template <class S>
-[[gnu::always_inline]] constexpr S times(S const& x, S const& y) {
+HILGER_ALWAYS_INLINE constexpr S times(S const& x, S const& y) {
     if (is_known_zero(x) or is_known_zero(y)) return S(0);
     if (is_known_one(x)) return y;
     if (is_known_one(y)) return x;
     return x * y;
 }
 template <class S>
-[[gnu::always_inline]] constexpr S plus(S const& x, S const& y) {
+HILGER_ALWAYS_INLINE constexpr S plus(S const& x, S const& y) {
     if (is_known_zero(x)) return y;
     if (is_known_zero(y)) return x;
     return x + y;
 }
 template <class S>
-[[gnu::always_inline]] constexpr S minus(S const& x, S const& y) {
+HILGER_ALWAYS_INLINE constexpr S minus(S const& x, S const& y) {
     if (is_known_zero(y)) return x;
     if (is_known_zero(x)) return -y;
     return x - y;
@@ -91,16 +93,16 @@ struct dependence {
     bool coupled = false; ///< a term has both
 
     friend constexpr bool operator==(dependence, dependence) = default;
-    [[gnu::always_inline]] constexpr bool on_both() const { return q > 0 and v > 0; }
-    [[gnu::always_inline]] friend constexpr dependence operator+(dependence x, dependence y) {
+    HILGER_ALWAYS_INLINE constexpr bool on_both() const { return q > 0 and v > 0; }
+    HILGER_ALWAYS_INLINE friend constexpr dependence operator+(dependence x, dependence y) {
         return {std::max(x.q, y.q), std::max(x.v, y.v), x.coupled or y.coupled};
     }
-    [[gnu::always_inline]] friend constexpr dependence operator*(dependence x, dependence y) {
+    HILGER_ALWAYS_INLINE friend constexpr dependence operator*(dependence x, dependence y) {
         dependence const z{std::min(x.q + y.q, no_polynomial), std::min(x.v + y.v, no_polynomial), false};
         bool const trivial = x == dependence{} or y == dependence{};
         return {z.q, z.v, trivial ? x.coupled or y.coupled : z.on_both()};
     }
-    [[gnu::always_inline]] constexpr dependence of_function() const {
+    HILGER_ALWAYS_INLINE constexpr dependence of_function() const {
         return {q > 0 ? no_polynomial : 0, v > 0 ? no_polynomial : 0, on_both()};
     }
 };
@@ -128,17 +130,16 @@ struct jet {
     triangle d2{}; ///< rows of the lower triangle
     dependence on{};
 
-    [[gnu::always_inline]] constexpr jet() = default;
-    [[gnu::always_inline]] constexpr jet(S const& x, gradient const& g, triangle const& t, dependence n) : value(x), d1(g), d2(t), on(n) {}
+    HILGER_ALWAYS_INLINE constexpr jet() = default;
+    HILGER_ALWAYS_INLINE constexpr jet(S const& x, gradient const& g, triangle const& t, dependence n) : value(x), d1(g), d2(t), on(n) {}
     template <class C>
-        requires std::constructible_from<S, C>
-    [[gnu::always_inline]] constexpr explicit(false) jet(C const& constant) : value(constant) {}
+    requires std::constructible_from<S, C> HILGER_ALWAYS_INLINE constexpr explicit(false) jet(C const& constant) : value(constant) {}
     /// A jet in fewer variables.
     template <int F, int C>
         requires(F >= First and F + C <= First + Count and C < Count)
-    [[gnu::always_inline]] constexpr explicit(false) jet(jet<S, F, C, Order> const& x);
+    HILGER_ALWAYS_INLINE constexpr explicit(false) jet(jet<S, F, C, Order> const& x);
     /// The variable number `which`, at `value`; one of q or of v.
-    [[gnu::always_inline]] static constexpr jet variable(S const& value, int which, dependence on) {
+    HILGER_ALWAYS_INLINE static constexpr jet variable(S const& value, int which, dependence on) {
         jet x(value);
         x.d1[static_cast<std::size_t>(which - First)] = S(1);
         x.on = on;
@@ -146,35 +147,35 @@ struct jet {
         return x;
     }
 
-    [[gnu::always_inline]] constexpr S constant() const { return detail::times(factor, S(power)); }
+    HILGER_ALWAYS_INLINE constexpr S constant() const { return detail::times(factor, S(power)); }
 
     /// Derivatives of u, then of g(u), then of c g(u), by the variables' numbers, J >= K; zero for variables out of the range.
     template <int J>
-    [[gnu::always_inline]] constexpr S inner() const {
+    HILGER_ALWAYS_INLINE constexpr S inner() const {
         if constexpr (J < First or J > last)
             return S(0);
         else
             return std::get<static_cast<std::size_t>(J - First)>(d1);
     }
     template <int J, int K>
-    [[gnu::always_inline]] constexpr S inner() const {
+    HILGER_ALWAYS_INLINE constexpr S inner() const {
         if constexpr (K < First or J > last)
             return S(0);
         else
             return std::get<static_cast<std::size_t>((J - First) * (J - First + 1) / 2 + K - First)>(d2);
     }
     template <int J>
-    [[gnu::always_inline]] constexpr S unscaled() const {
+    HILGER_ALWAYS_INLINE constexpr S unscaled() const {
         return detail::times(outer, detail::times(slope, inner<J>()));
     }
     // In this order: a bend of zero stays zero where the square of a large derivative is infinite.
     template <int J, int K>
-    [[gnu::always_inline]] constexpr S unscaled() const {
+    HILGER_ALWAYS_INLINE constexpr S unscaled() const {
         return detail::plus(detail::times(detail::times(outer, slope), inner<J, K>()),
                             detail::times(detail::times(bend, inner<J>()), inner<K>()));
     }
     template <int... JK>
-    [[gnu::always_inline]] constexpr S by() const {
+    HILGER_ALWAYS_INLINE constexpr S by() const {
         if constexpr (Order == 1)
             return detail::times(detail::times(detail::times(constant(), slope), outer), inner<JK...>()); // one factor serves all J
         else
@@ -189,19 +190,19 @@ struct jet {
     }
 
     template <class Y>
-    [[gnu::always_inline]] constexpr jet& operator+=(Y const& y) {
+    HILGER_ALWAYS_INLINE constexpr jet& operator+=(Y const& y) {
         return *this = *this + y;
     }
     template <class Y>
-    [[gnu::always_inline]] constexpr jet& operator-=(Y const& y) {
+    HILGER_ALWAYS_INLINE constexpr jet& operator-=(Y const& y) {
         return *this = *this - y;
     }
     template <class Y>
-    [[gnu::always_inline]] constexpr jet& operator*=(Y const& y) {
+    HILGER_ALWAYS_INLINE constexpr jet& operator*=(Y const& y) {
         return *this = *this * y;
     }
     template <class Y>
-    [[gnu::always_inline]] constexpr jet& operator/=(Y const& y) {
+    HILGER_ALWAYS_INLINE constexpr jet& operator/=(Y const& y) {
         return *this = *this / y;
     }
 };

@@ -3,6 +3,7 @@
 // no lambdas, which an optimiser sees through less well.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/jet.hpp"
 
 namespace hilger {
@@ -13,16 +14,15 @@ namespace detail {
 template <class Jet, class Rule>
 struct build {
     template <class... Arguments>
-    [[gnu::always_inline]] static constexpr Jet from(typename Jet::scalar_type const& value, dependence on, Arguments const&... arguments) {
+    HILGER_ALWAYS_INLINE static constexpr Jet from(typename Jet::scalar_type const& value, dependence on, Arguments const&... arguments) {
         return expand(std::make_integer_sequence<int, Jet::count>{}, std::make_integer_sequence<int, Jet::packed>{}, value, on,
                       arguments...);
     }
 
 private:
     template <int... J, int... N, class... Arguments>
-    [[gnu::always_inline]] static constexpr Jet expand(std::integer_sequence<int, J...>, std::integer_sequence<int, N...>,
-                                                       typename Jet::scalar_type const& value, dependence on,
-                                                       Arguments const&... arguments) {
+    HILGER_ALWAYS_INLINE static constexpr Jet expand(std::integer_sequence<int, J...>, std::integer_sequence<int, N...>,
+                                                     typename Jet::scalar_type const& value, dependence on, Arguments const&... arguments) {
         return {value,
                 {Rule::template d1<Jet::first + J>(arguments...)...},
                 {Rule::template d2<Jet::first + row(N), Jet::first + column(N)>(arguments...)...},
@@ -32,37 +32,37 @@ private:
 
 struct widened {
     template <int J, class X>
-    [[gnu::always_inline]] static constexpr auto d1(X const& x) {
+    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x) {
         return x.template by<J>();
     }
     template <int J, int K, class X>
-    [[gnu::always_inline]] static constexpr auto d2(X const& x) {
+    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x) {
         return x.template by<J, K>();
     }
 };
 /// x + y; with a common factor left out, x / c + y / c.
 struct added {
     template <int... JK, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto by(X const& x, Y const& y, bool common) {
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x, Y const& y, bool common) {
         return common ? plus(x.template unscaled<JK...>(), y.template unscaled<JK...>())
                       : plus(x.template by<JK...>(), y.template by<JK...>());
     }
     template <int J, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y, bool common) {
+    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, Y const& y, bool common) {
         return by<J>(x, y, common);
     }
     template <int J, int K, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y, bool common) {
+    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, Y const& y, bool common) {
         return by<J, K>(x, y, common);
     }
 };
 struct multiplied {
     template <int J, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d1(X const& x, Y const& y) {
+    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, Y const& y) {
         return plus(times(x.template by<J>(), y.value), times(x.value, y.template by<J>()));
     }
     template <int J, int K, class X, class Y>
-    [[gnu::always_inline]] static constexpr auto d2(X const& x, Y const& y) {
+    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, Y const& y) {
         return plus(plus(times(x.value, y.template by<J, K>()), times(x.template by<J>(), y.template by<K>())),
                     plus(times(x.template by<J, K>(), y.value), times(x.template by<K>(), y.template by<J>())));
     }
@@ -89,17 +89,17 @@ constexpr jet<S, First, Count, Order>::jet(jet<S, F, C, Order> const& x)
 
 /// c x
 template <class S, int F, int C, int O>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> scaled_by(jet<S, F, C, O> x, S const& image, S const& c) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> scaled_by(jet<S, F, C, O> x, S const& image, S const& c) {
     x.value = image;
     x.factor = detail::times(x.factor, c);
     return x;
 }
 template <class S, int F, int C, int O>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> const& x) {
     return scaled_by(x, S(-x.value), S(-1));
 }
 template <class S, int F, int C, int G, int D, int O>
-[[gnu::always_inline]] constexpr auto operator+(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+HILGER_ALWAYS_INLINE constexpr auto operator+(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
     // One constant factor stays a factor: the derivative of (x x + y y) / 2 is then x, and not 2 x / 2.
     bool const common = detail::is_one_constant(x.constant(), y.constant());
@@ -108,13 +108,13 @@ template <class S, int F, int C, int G, int D, int O>
     return z;
 }
 template <class S, int F, int C, int G, int D, int O>
-[[gnu::always_inline]] constexpr auto operator-(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+HILGER_ALWAYS_INLINE constexpr auto operator-(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     return x + (-y);
 }
 /// g(x) given g there, g' = c g1 and g'' = c r g2: constants apart from the rest, so that they meet other constants first.
 template <class S, int F, int C, int O>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> chain_rule(jet<S, F, C, O> x, S const& g, S const& g1, S const& g2, S const& c = S(1),
-                                                            S const& r = S(1)) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> chain_rule(jet<S, F, C, O> x, S const& g, S const& g1, S const& g2, S const& c = S(1),
+                                                          S const& r = S(1)) {
     using detail::plus, detail::times;
     x.value = g;
     x.slope = times(x.outer, x.slope);
@@ -131,12 +131,12 @@ namespace detail {
 
 /// The one is a power of a variable and the other that variable.
 template <class Jet>
-[[gnu::always_inline]] constexpr bool is_power_of(Jet const& x, Jet const& y) {
+HILGER_ALWAYS_INLINE constexpr bool is_power_of(Jet const& x, Jet const& y) {
     return x.which >= 0 and x.which == y.which and y.power == 1 and is_known_one(y.factor);
 }
 /// x y where x is a power of the variable y
 template <class Jet>
-[[gnu::always_inline]] constexpr Jet next_power(Jet const& x, Jet const& y) {
+HILGER_ALWAYS_INLINE constexpr Jet next_power(Jet const& x, Jet const& y) {
     using S = typename Jet::scalar_type;
     Jet z = x;
     z.value = x.value * y.value;
@@ -150,7 +150,7 @@ template <class Jet>
 } // namespace detail
 
 template <class S, int F, int C, int G, int D, int O>
-[[gnu::always_inline]] constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+HILGER_ALWAYS_INLINE constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     if constexpr (std::same_as<jet<S, F, C, O>, jet<S, G, D, O>>) {
         if (detail::is_power_of(x, y)) return detail::next_power(x, y);
         if (detail::is_power_of(y, x)) return detail::next_power(y, x);
@@ -163,51 +163,51 @@ template <class S, int F, int C, int G, int D, int O>
     return detail::build<detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x, y);
 }
 template <class S, int F, int C, int O>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
     S const i = S(1) / x.value;
     S const ii = i * i;
     return chain_rule(x, i, ii, S(ii * i), S(-1), S(-2));
 }
 template <class S, int F, int C, int G, int D, int O>
-[[gnu::always_inline]] constexpr auto operator/(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
+HILGER_ALWAYS_INLINE constexpr auto operator/(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     return x * inverse(y);
 }
 
 // Constants: whole numbers and doubles meet wide scalars exactly as the user wrote them.
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(jet<S, F, C, O> x, K const& c) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator+(jet<S, F, C, O> x, K const& c) {
     x.value = x.value + S(c);
     x.which = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator+(K const& c, jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator+(K const& c, jet<S, F, C, O> const& x) {
     return x + c;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> x, K const& c) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> x, K const& c) {
     x.value = x.value - S(c);
     x.which = -1;
     return x;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator-(K const& c, jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator-(K const& c, jet<S, F, C, O> const& x) {
     return -x + c;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator*(jet<S, F, C, O> const& x, K const& c) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator*(jet<S, F, C, O> const& x, K const& c) {
     return scaled_by(x, S(x.value * S(c)), S(c));
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator*(K const& c, jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator*(K const& c, jet<S, F, C, O> const& x) {
     return x * c;
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator/(jet<S, F, C, O> const& x, K const& c) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator/(jet<S, F, C, O> const& x, K const& c) {
     return scaled_by(x, S(x.value / S(c)), S(S(1) / S(c)));
 }
 template <class S, int F, int C, int O, constant_for<S> K>
-[[gnu::always_inline]] constexpr jet<S, F, C, O> operator/(K const& c, jet<S, F, C, O> const& x) {
+HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator/(K const& c, jet<S, F, C, O> const& x) {
     return inverse(x) * c;
 }
 

@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/pairs.hpp"
 
 namespace hilger {
@@ -58,11 +59,11 @@ struct chain {
 private:
     // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
     template <class V, class Room>
-    [[gnu::flatten]] void flat_tensions(V const& q, Room& tension) const {
+    HILGER_FLATTEN void flat_tensions(V const& q, Room& tension) const {
         tensions(q, tension);
     }
     template <class V, class Room>
-    [[gnu::always_inline]] void tensions(V const& q, Room& tension) const {
+    HILGER_ALWAYS_INLINE void tensions(V const& q, Room& tension) const {
         using S = scalar_of<V>;
         index const d = q.size();
         tension(0) = slope<S>(0, q(0));
@@ -70,7 +71,7 @@ private:
         tension(d) = slope<S>(d, -q(d - 1));
     }
     template <class S>
-    [[gnu::always_inline]] S slope(index k, S const& r) const {
+    HILGER_ALWAYS_INLINE S slope(index k, S const& r) const {
         using J = jet<S, 0, 1, 1>;
         return detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0>();
     }

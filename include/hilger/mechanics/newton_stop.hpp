@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/shape.hpp"
 
 namespace hilger {
@@ -32,7 +33,7 @@ constexpr int extrapolation(int n, int i) {
 }
 
 template <class S>
-[[gnu::always_inline]] inline S square_root_of_epsilon() {
+HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
     using std::sqrt;
     if constexpr (std::numeric_limits<S>::is_exact)
         return S(0);

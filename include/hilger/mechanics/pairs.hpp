@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/derivatives.hpp"
 
 namespace hilger {
@@ -108,11 +109,11 @@ private:
 
     // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
     template <class V>
-    [[gnu::flatten]] void flat_gradient(V const& q, V& g) const {
+    HILGER_FLATTEN void flat_gradient(V const& q, V& g) const {
         add_up(q, g);
     }
     template <class V>
-    [[gnu::always_inline]] void add_up(V const& q, V& g) const {
+    HILGER_ALWAYS_INLINE void add_up(V const& q, V& g) const {
         using S = scalar_of<V>;
         g.setZero();
         index k = 0;
@@ -124,12 +125,12 @@ private:
     }
     /// The components of one body.
     template <class X>
-    [[gnu::always_inline]] static auto part(X& q, index body) {
+    HILGER_ALWAYS_INLINE static auto part(X& q, index body) {
         return q.template segment<Dimension>(Dimension * body);
     }
     /// q_a - q_b, a number or a vector
     template <class Number, class X>
-    [[gnu::always_inline]] static auto between(X const& q, index a, index b) {
+    HILGER_ALWAYS_INLINE static auto between(X const& q, index a, index b) {
         auto const difference = [&] {
             if (has_walls and b < 0) return vector<Number>(part(q, a));
             if (has_walls and a < 0) return vector<Number>(-part(q, b));
@@ -141,16 +142,16 @@ private:
             return difference();
     }
     template <class Jet, int... C>
-    [[gnu::always_inline]] static auto by_component(Jet const& e, std::integer_sequence<int, C...>) {
+    HILGER_ALWAYS_INLINE static auto by_component(Jet const& e, std::integer_sequence<int, C...>) {
         return vector<typename Jet::scalar_type>{e.template by<C>()...};
     }
     template <class F>
-    [[gnu::always_inline]] static void for_component(F const& f) {
+    HILGER_ALWAYS_INLINE static void for_component(F const& f) {
         [&]<int... C>(std::integer_sequence<int, C...>) { (f(std::integral_constant<int, C>{}), ...); }
         (components{});
     }
     template <int Order, class R>
-    [[gnu::always_inline]] auto term(index k, R const& r) const {
+    HILGER_ALWAYS_INLINE auto term(index k, R const& r) const {
         using S = scalar_of<R>;
         using J = jet<S, 0, Dimension, Order>;
         if constexpr (Dimension == 1)
@@ -161,7 +162,7 @@ private:
             return spatial<J>(k, r, components{});
     }
     template <class J, class R, int... C>
-    [[gnu::flatten]] J flat_spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
+    HILGER_FLATTEN J flat_spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
         Eigen::Matrix<J, Dimension, 1> x;
         ((x(C) = J::variable(r(C), C, {})), ...);
         if constexpr (std::same_as<decltype(energy(k, x)), J>)

@@ -3,6 +3,7 @@
 // Lagrange-d'Alembert principle a force stands beside dL/dq under the position operator's adjoint.
 #pragma once
 
+#include "hilger/inlining.hpp"
 #include "hilger/mechanics/derivatives.hpp"
 #include "hilger/text.hpp"
 
@@ -34,7 +35,7 @@ struct at_time {
     F const& f;
     S const& t;
     template <class X, class Y>
-    [[gnu::always_inline]] constexpr decltype(auto) operator()(X const& x, Y const& y) const {
+    HILGER_ALWAYS_INLINE constexpr decltype(auto) operator()(X const& x, Y const& y) const {
         if constexpr (std::invocable<F const&, S const&, X const&, Y const&>)
             return f(t, x, y);
         else
@@ -102,30 +103,30 @@ template <int N, class Jet>
 struct node_jet {
     Jet z;
     using told = tally<typename Jet::scalar_type>;
-    [[gnu::always_inline]] dependence on() const { return z.on; }
+    HILGER_ALWAYS_INLINE dependence on() const { return z.on; }
     template <int J>
-    [[gnu::always_inline]] auto by_q() const {
+    HILGER_ALWAYS_INLINE auto by_q() const {
         if constexpr (J == 0) told::add(work::force);
         return z.template by<J>();
     }
     template <int J>
-    [[gnu::always_inline]] auto by_v() const {
+    HILGER_ALWAYS_INLINE auto by_v() const {
         return z.template by<N + J>();
     }
     template <int J, int K>
-    [[gnu::always_inline]] auto qq() const {
+    HILGER_ALWAYS_INLINE auto qq() const {
         return told::second(z.template by<std::max(J, K), std::min(J, K)>());
     }
     template <int J, int K>
-    [[gnu::always_inline]] auto qv() const {
+    HILGER_ALWAYS_INLINE auto qv() const {
         return told::second(z.template by<N + K, J>());
     }
     template <int J, int K>
-    [[gnu::always_inline]] auto vq() const {
+    HILGER_ALWAYS_INLINE auto vq() const {
         return told::second(z.template by<N + J, K>());
     }
     template <int J, int K>
-    [[gnu::always_inline]] auto vv() const {
+    HILGER_ALWAYS_INLINE auto vv() const {
         return told::second(z.template by<N + std::max(J, K), N + std::min(J, K)>());
     }
 };
@@ -198,8 +199,8 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
 
 /// Small states: straight from the jet where there is nothing else.
 template <bool Scalar, class F, class Force, class S, std::size_t Size, int... K>
-[[gnu::always_inline]] inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
-                                            std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
+HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
+                                          std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
     constexpr int N = static_cast<int>(Size);
     using V = std::conditional_t<Scalar, S, Eigen::Matrix<S, N, 1>>;
     if constexpr (std::same_as<Force, no_force> and not requires(V const& x) { at_time{what.lagrangian, t}.expand(x, x); }) {
