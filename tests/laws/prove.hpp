@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <boost/hana/for_each.hpp>
+#include <boost/hana/front.hpp>
 #include <boost/hana/tuple.hpp>
 
 #include "hilger/identity/registry.hpp"
@@ -109,13 +110,27 @@ template <class S>
 inline constexpr auto given_scales = boost::hana::make_tuple(equal_points<S>{}, random_points<S>{}, quantum<S>{}, harmonic<S>{},
                                                              fine_and_coarse<S>{}, own_circ<S>{});
 
+/// Where scales of one type come from; so that an identity is compiled once for all of them.
+template <class Scale>
+struct kind_of_scale {
+    char const* name;
+    std::function<Scale(index, drawn&)> make;
+};
+template <class Makers>
+auto kinds_of(Makers const& makers) {
+    std::vector<kind_of_scale<decltype(boost::hana::front(makers)(1, std::declval<drawn&>()))>> kinds;
+    boost::hana::for_each(makers, [&](auto const& make) { kinds.push_back({make.name, make}); });
+    return kinds;
+}
+
 template <class Identity, class Scale, class Value>
-void try_on(Identity const& identity, Scale const& make, Value const& zero, int times) {
-    using S = typename decltype(make(1, std::declval<drawn&>()))::scalar_type;
-    if constexpr (not Identity::uniform_only or decltype(make(1, std::declval<drawn&>()))::is_uniform)
-        for (index const N : {1, 2, 3, 10})
-            prove(identity.name, identity.source, std::string(make.name) + ", N = " + std::to_string(N), std::numeric_limits<S>::is_exact,
-                  times, [&, N](drawn& d) { return hilger::check(identity, make(N, d), zero, d); });
+void try_on(Identity const& identity, std::vector<kind_of_scale<Scale>> const& kinds, Value const& zero, int times) {
+    if constexpr (not Identity::uniform_only or Scale::is_uniform)
+        for (auto const& kind : kinds)
+            for (index const N : {1, 2, 3, 10})
+                prove(identity.name, identity.source, std::string(kind.name) + ", N = " + std::to_string(N),
+                      std::numeric_limits<typename Scale::scalar_type>::is_exact, times,
+                      [&, N](drawn& d) { return hilger::check(identity, kind.make(N, d), zero, d); });
 }
 
 /// The laws of every operator. The adjoint of the adjoint is the operator by type; that is tried where it is exact.
@@ -133,19 +148,15 @@ template <class S, class Value>
 void prove_all(Value const& zero, int times) {
     namespace hana = boost::hana;
     namespace id = hilger::identities;
-    hana::for_each(given_scales<S>, [&](auto const& make) {
-        auto const one = [&](auto const& identity) { try_on(identity, make, zero, times); };
-        hana::for_each(id::calculus, one);
-        hana::for_each(id::formulae, one);
-        for_each_operator_law<std::numeric_limits<S>::is_exact>(one);
-    });
-    hana::for_each(uniform_scales<S>, [&](auto const& make) {
-        auto const one = [&](auto const& identity) {
-            if constexpr (std::remove_cvref_t<decltype(identity)>::uniform_only) try_on(identity, make, zero, times);
-        };
-        hana::for_each(id::calculus, one);
-        hana::for_each(id::formulae, one);
-    });
+    auto const on_given = [&, kinds = kinds_of(given_scales<S>)](auto const& identity) { try_on(identity, kinds, zero, times); };
+    hana::for_each(id::calculus, on_given);
+    hana::for_each(id::formulae, on_given);
+    for_each_operator_law<std::numeric_limits<S>::is_exact>(on_given);
+    auto const on_uniform = [&, kinds = kinds_of(uniform_scales<S>)](auto const& identity) {
+        if constexpr (std::remove_cvref_t<decltype(identity)>::uniform_only) try_on(identity, kinds, zero, times);
+    };
+    hana::for_each(id::calculus, on_uniform);
+    hana::for_each(id::formulae, on_uniform);
 }
 
 /// What prove_all leaves out: every identity on scales whose type says that they are uniform.
@@ -153,12 +164,10 @@ template <class S>
 void prove_all_on_uniform_scales(int times) {
     namespace hana = boost::hana;
     namespace id = hilger::identities;
-    hana::for_each(uniform_scales<S>, [&](auto const& make) {
-        auto const one = [&](auto const& identity) { try_on(identity, make, S(0), times); };
-        hana::for_each(id::calculus, one);
-        hana::for_each(id::formulae, one);
-        for_each_operator_law<std::numeric_limits<S>::is_exact>(one);
-    });
+    auto const one = [&, kinds = kinds_of(uniform_scales<S>)](auto const& identity) { try_on(identity, kinds, S(0), times); };
+    hana::for_each(id::calculus, one);
+    hana::for_each(id::formulae, one);
+    for_each_operator_law<std::numeric_limits<S>::is_exact>(one);
 }
 
 } // namespace laws
