@@ -3,21 +3,39 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "hilger/error.hpp"
 
 namespace program {
 
+namespace {
+
+/// Writes the script and runs it in the directory, where all its files are.
+bool run_gnuplot(std::filesystem::path const& directory, std::string const& script, std::string const& commands) {
+    std::ofstream(directory / script) << "set datafile separator ','\nset encoding utf8\n" << commands;
+    std::string const command = "cd '" + directory.string() + "' && gnuplot " + script + " >/dev/null 2>&1";
+    return std::system(command.c_str()) == 0;
+}
+
+} // namespace
+
 std::string draw(std::string const& directory, std::string const& name, std::string const& commands) {
-    auto const script = std::filesystem::path(directory) / (name + ".gp");
-    auto const picture = std::filesystem::path(directory) / (name + ".png");
-    std::ofstream(script)
-        << "set datafile separator ','\nset encoding utf8\nset terminal pngcairo size 1500,720 font 'sans,12'\nset output '" << name
-        << ".png'\nset multiplot layout 1,2\n"
-        << commands << "unset multiplot\n";
-    std::string const command = "cd '" + directory + "' && gnuplot " + name + ".gp >/dev/null 2>&1";
-    return std::system(command.c_str()) == 0 ? picture.string() : script.string() + " (a gnuplot script: gnuplot itself did not run)";
+    std::filesystem::path const folder(directory);
+    std::string const script = name + ".gp", picture = name + ".png";
+    return run_gnuplot(folder, script,
+                       "set terminal pngcairo size 1500,720 font 'sans,12'\nset output '" + picture + "'\nset multiplot layout 1,2\n" +
+                           commands + "unset multiplot\n")
+               ? (folder / picture).string()
+               : (folder / script).string() + " (a gnuplot script: gnuplot itself did not run)";
+}
+
+std::string sketch(std::string const& directory, std::string const& name, std::string const& commands) {
+    std::filesystem::path const folder(directory);
+    if (not run_gnuplot(folder, name + ".txt.gp", "set terminal dumb size 100,28\nset output '" + name + ".txt'\n" + commands)) return "";
+    std::ifstream written(folder / (name + ".txt"));
+    return {std::istreambuf_iterator<char>(written), {}};
 }
 
 std::ofstream create(std::string const& directory, std::string const& name) {

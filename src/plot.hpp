@@ -10,6 +10,8 @@ namespace program {
 /// Two pictures side by side, by gnuplot, from CSV files in the directory. Returns the name of the picture, or of the script when there is
 /// no gnuplot.
 std::string draw(std::string const& directory, std::string const& name, std::string const& commands);
+/// One picture made of letters, as text; empty when there is no gnuplot.
+std::string sketch(std::string const& directory, std::string const& name, std::string const& commands);
 /// A file to be written in the directory, which is made where it is not there. @throws hilger::error::unreadable where it cannot be
 std::ofstream create(std::string const& directory, std::string const& name);
 /// Draws orbits and energy errors from the demonstration's CSV files with gnuplot. Returns the name of the picture, or of the

@@ -4,9 +4,11 @@
 #include <iostream>
 #include <sstream>
 
+#include "../papers/bourdin_cresson_greff_inizan_2013/exact.hpp"
 #include "hilger/hilger.hpp"
 #include "outer_solar_system_data.hpp"
 #include "scene.hpp"
+#include "structures.hpp"
 #include "systems.hpp"
 
 namespace program {
@@ -30,19 +32,26 @@ void tell(std::ostream& out, char const* name, System const& system) {
     row("mid-point", hilger::embed(L, hilger::midpoint));
     if constexpr (System::wide != in_many_digits::nothing) row("verlet", hilger::stoermer_verlet(L));
 }
-/// u'' + D^(1/2) u + u = 1 under mid-point, by its histories.
-void tell_fractional(std::ostream& out) {
-    scene const& s = scene_named("fractional-oscillator");
-    auto const L = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2 + q; };
+/// With a memory, from rest: kept as the scene usually has it, and whole.
+template <class Structure, class Load, class V>
+void tell_structure(std::ostream& out, char const* name, Structure const& on, Load const& load, V const& rest) {
+    scene const& s = scene_named(name);
     auto const row = [&](char const* history, auto const& policy) {
-        auto const damped = hilger::with_fractional_damping(L, 1.0, hilger::fraction<1, 2>{}, policy);
-        out << hilger::requirements_row{history,
-                                        hilger::requirements_of(hilger::embed(damped, hilger::midpoint).along(scale_of(s), 0.0, 0.0))};
+        auto const scheme = hilger::newmark<hilger::bdf<2>>(on, load, hilger::average_acceleration, policy);
+        out << hilger::requirements_row{history, hilger::requirements_of(scheme.along(scale_of(s), rest, rest))};
     };
     head(out, s);
     row("exponentials", hilger::exponentials{0.0, s.usual.steps + 1});
-    row("window:1000", hilger::window{1000});
     row("direct", hilger::direct{});
+}
+/// Not stepped: all points at once.
+void tell_boundary(std::ostream& out) {
+    scene const& s = scene_named("fractional-dirichlet");
+    head(out, s);
+    auto const found =
+        hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}), scale_of(s), 0.0, 1.0);
+    out << "all points at once: the operator on T is applied " << found.applications << " times, with " << found.iterations
+        << " corrections by Newton's method\n";
 }
 
 } // namespace
@@ -57,7 +66,12 @@ void list_costs(std::ostream& out) {
     tell(out, "outer-solar-system", planetary_system{read_solar_system(built_in, "the built-in data")});
     tell(out, "fermi-pasta-ulam", fermi_pasta_ulam_system{});
     tell(out, "charged-particle", charged_particle_system{});
-    tell_fractional(out);
+    Eigen::VectorXd const rest = Eigen::VectorXd::Zero(10);
+    viscoelastic_beam_system const beam;
+    tell_structure(out, "fractional-oscillator", damped_by_half_a_derivative.structure<double>(), damped_by_half_a_derivative.load(), 0.0);
+    tell_structure(out, "bagley-torvik", plate_in_a_fluid.structure<double>(), plate_in_a_fluid.load(), 0.0);
+    tell_structure(out, "viscoelastic-beam", beam.structure(), beam.load(), rest);
+    tell_boundary(out);
 }
 
 } // namespace program

@@ -2,6 +2,7 @@
 #include "histories.hpp"
 #include "path_walk.hpp"
 #include "scenes.hpp"
+#include "structures.hpp"
 
 namespace program {
 
@@ -9,8 +10,8 @@ namespace {
 
 constexpr auto nothing = [](auto const& x) { return std::vector<std::remove_cvref_t<decltype(x.t)>>{}; };
 
-/// m u'' + c D^alpha u + k u = f from rest, f constant, by Newmark's scheme with both kinds of weights.
-scene oscillator(scene s, int numerator, int denominator, int c_over, int k_over, int force) {
+/// From rest, by Newmark's scheme with both kinds of weights.
+scene oscillator(scene s, fractional_oscillator_system const& system) {
     s.embeddings = newmark_names();
     s.scalars = {"double", "50-digits"};
     s.histories = history_names();
@@ -18,9 +19,8 @@ scene oscillator(scene s, int numerator, int denominator, int c_over, int k_over
         std::unique_ptr<walk> result;
         auto const in = [&]<class S>(S const&) {
             auto const T = hilger::uniform(hilger::interval<S>{S(0), S(t1)}, c.steps);
-            hilger::fractional_structure const on{S(1), S(1) / S(c_over), S(1) / S(k_over), S(1), S(numerator) / S(denominator)};
-            auto const load = [force](S const&) { return S(force); };
-            with_newmark(c, on, load, [&](auto const& scheme) { result = walk_along(scheme.along(T, S(0), S(0)), nothing); });
+            with_newmark(c, system.structure<S>(), system.load(),
+                         [&](auto const& scheme) { result = walk_along(scheme.along(T, S(0), S(0)), nothing); });
         };
         if (c.scalar == "double")
             in(double{});
@@ -45,7 +45,7 @@ scene fractional_oscillator() {
     s.exact_source = "45 digits (papers/galucio_deu_dubois_2008/fractional_oscillator.csv)";
     s.exact_error = 1e-45;
     s.exact = [] { return std::vector{hilger::float100("0.857933655594914560893696297980414318052698379")}; };
-    return oscillator(s, 1, 2, 1, 1, 1);
+    return oscillator(s, damped_by_half_a_derivative);
 }
 scene bagley_torvik() {
     scene s;
@@ -53,7 +53,7 @@ scene bagley_torvik() {
     s.title = "A plate in a Newtonian fluid, u'' + D^(3/2) u / 2 + u / 2 = 8 from rest (Bagley, Torvik)";
     s.t1 = 20;
     s.usual = {"g-alpha-newmark", "double", "exponentials", 2'000};
-    return oscillator(s, 3, 2, 2, 2, 8);
+    return oscillator(s, plate_in_a_fluid);
 }
 
 } // namespace program

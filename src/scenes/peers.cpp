@@ -10,6 +10,9 @@
 
 #include "measure.hpp"
 #include "outer_solar_system_data.hpp"
+#if PROGRAM_HAS_GSL
+#include "peers_gsl.hpp"
+#endif
 #include "solar_system.hpp"
 
 namespace program {
@@ -36,6 +39,13 @@ public:
             adaptive("fehlberg78", tolerance,
                      [=] { return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<phase>()); });
             adaptive("bulirsch-stoer", tolerance, [=] { return odeint::bulirsch_stoer<phase>(tolerance, tolerance); });
+#if PROGRAM_HAS_GSL
+            for (auto const& method : gsl_methods())
+                fixed(method.name, tolerance, [&] {
+                    return by_gsl(
+                        method, tolerance, [this](double const* x, double* rate) { first_order(x, rate); }, start(), t1_);
+                });
+#endif
         }
         for (int steps = 256; steps <= 1 << 17; steps *= 2) {
             fixed("runge-kutta-4", steps, [&, steps] {
@@ -64,13 +74,14 @@ private:
         return x;
     }
     [[nodiscard]] auto field() const {
-        return [this](phase const& x, phase& rate, double) {
-            vector<D> q, a;
-            std::copy_n(x.begin(), D, q.begin());
-            acceleration_(q, a);
-            std::copy_n(x.begin() + D, D, rate.begin());
-            std::copy(a.begin(), a.end(), rate.begin() + D);
-        };
+        return [this](phase const& x, phase& rate, double) { first_order(x.data(), rate.data()); };
+    }
+    void first_order(double const* x, double* rate) const {
+        vector<D> q, a;
+        std::copy_n(x, D, q.begin());
+        acceleration_(q, a);
+        std::copy_n(x + D, D, rate);
+        std::copy(a.begin(), a.end(), rate + D);
     }
     [[nodiscard]] auto force() const {
         return [this](vector<D> const& q, vector<D>& a) { acceleration_(q, a); };

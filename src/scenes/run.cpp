@@ -162,6 +162,7 @@ int run_scene(run_options const& options) {
     auto const summary = write_summary(what, options, c, *w, seconds);
     std::string commands = what.picture;
     for (std::size_t at; (at = commands.find("DATA")) != std::string::npos;) commands.replace(at, 4, "'" + what.name + ".csv'");
+    std::cout << sketch(options.out, what.name, commands.substr(0, commands.find('\n', commands.find("plot ")) + 1));
     std::cout << "Written: " << record.rows() << ", " << summary << " and " << draw(options.out, what.name, "set grid\n" + commands)
               << '\n';
     return 0;

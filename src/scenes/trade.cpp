@@ -119,9 +119,9 @@ void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
     if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
 }
 
-/// All that was measured on the left, and the two fronts on the right.
-std::string picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
-                    std::vector<point> const& theirs) {
+/// All that was measured on the left, and the two fronts on the right; what double reaches of the fronts as text, too.
+void picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
+             std::vector<point> const& theirs) {
     auto const name = "trade_" + what.name;
     std::ofstream rows = create(out, name + ".csv");
     rows
@@ -134,21 +134,33 @@ std::string picture(std::string const& out, scene const& what, std::vector<point
         rows << "\n\n";
         return "'" + name + ".csv' index " + std::to_string(blocks++) + " using 3:4 with ";
     };
-    std::string commands = "set logscale xy; set format '10^{%L}'; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n"
-                           "set title '" +
-                           what.name + "'; set key outside right font ',9'\nplot ";
+    std::string everything = "set title '" + what.name + "'; set key outside right font ',9'\nplot ";
     std::vector<std::string> known;
     for (auto const& p : points) {
         if (std::find(known.begin(), known.end(), p.method) != known.end()) continue;
-        commands += (known.empty() ? "" : ", ") + write(points, p.method) + "linespoints pt 7 ps 0.5 dt " + (p.ours ? "1" : "3") +
-                    " title '" + p.method + "'";
+        everything += (known.empty() ? "" : ", ") + write(points, p.method) + "linespoints pt 7 ps 0.5 dt " + (p.ours ? "1" : "3") +
+                      " title '" + p.method + "'";
         known.push_back(p.method);
     }
-    commands += "\nset title 'What is reached in a time'; set key inside top right font ',12'\nplot " + write(ours, "") +
-                "steps lw 3 title 'hilger'";
-    if (not theirs.empty()) commands += ", " + write(theirs, "") + "steps lw 2 dt 3 title 'the best peer'";
+    std::string fronts = "\nset title 'What is reached in a time'; set key inside top right font ',12'\nplot ", letters = "plot ";
+    double longest = 0;
+    auto const add = [&](std::vector<point> const& front, char const* title, char const* style, char letter) {
+        if (front.empty()) return;
+        std::string const data = write(front, ""), named = std::string(" title '") + title + "'";
+        fronts += data + style + named + ", ";
+        letters += data + "points pt '" + letter + "'" + named + ", ";
+        for (auto const& p : front)
+            if (p.error > 1e-15) longest = std::max(longest, p.seconds);
+    };
+    add(ours, "hilger", "steps lw 3", 'h');
+    add(theirs, "the fastest peer", "steps lw 2 dt 3", 'p');
     rows.close();
-    return draw(out, name, commands + "\n");
+    std::string const axes = "set logscale xy; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n";
+    std::cout << '\n'
+              << sketch(out, name,
+                        axes + "unset grid; set format '1e%L'; set yrange [1e-16:1]; set xrange [:" + std::to_string(2 * longest) + "]\n" +
+                            letters + '\n');
+    std::cout << "Written: " << draw(out, name, axes + "set format '10^{%L}'\n" + everything + fronts + '\n') << '\n';
 }
 
 } // namespace
@@ -189,7 +201,7 @@ int run_trade(trade_options const& options) {
         auto const best = cheapest(ours, options.accuracy);
         std::cout << "\nfor " << options.accuracy << ": " << (best ? told(best) : std::string("nothing here is as accurate")) << '\n';
     }
-    std::cout << "\nWritten: " << picture(options.out, what, points, ours, theirs) << '\n';
+    picture(options.out, what, points, ours, theirs);
     return 0;
 }
 

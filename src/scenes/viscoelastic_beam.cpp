@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <cmath>
-
-#include "hilger/integrator/fractional_zener.hpp"
-#include "hilger/mechanics/beam.hpp"
 #include "histories.hpp"
 #include "path_walk.hpp"
 #include "scenes.hpp"
+#include "structures.hpp"
 
 namespace program {
 
@@ -22,17 +19,11 @@ scene viscoelastic_beam() {
     s.scalars = {"double"};
     s.histories = history_names();
     s.begin = [t1 = s.t1](configuration const& c) {
-        double const length = 0.15, width = 0.025, thickness = 0.005, density = 1000;                      // m, kg/m^3
-        double const relaxed = 1e6, unrelaxed = 50e6, relaxation_time = 1e-3, force = 0.01, loaded = 0.05; // Pa, s, N, s
-        auto const beam = hilger::cantilever(length, relaxed * width * std::pow(thickness, 3) / 12, density * width * thickness, 5);
-        hilger::zener_structure const material{beam.mass, beam.stiffness, relaxed, unrelaxed, relaxation_time, hilger::fraction<1, 2>{}};
-        auto const load = [tip = beam.tip(), force, loaded](double t) -> Eigen::VectorXd {
-            return Eigen::VectorXd::Unit(10, tip) * force * std::min(t / loaded, 1.0);
-        };
+        viscoelastic_beam_system const beam;
         Eigen::VectorXd const rest = Eigen::VectorXd::Zero(10);
         auto const T = hilger::uniform(hilger::interval{0.0, t1}, c.steps);
         std::unique_ptr<walk> result;
-        with_newmark(c, material, load, [&](auto const& scheme) {
+        with_newmark(c, beam.structure(), beam.load(), [&](auto const& scheme) {
             result = walk_along(scheme.along(T, rest, rest),
                                 [scheme, tip = beam.tip()](auto const& x) { return std::vector<double>{scheme.velocity(x.p)(tip)}; });
         });

@@ -152,3 +152,28 @@ TEST_CASE("Newmark's method of a structure solves once a step and factorizes bef
     CHECK(r.histories == 1);
     CHECK(r.growth_in_bytes == 0);
 }
+
+TEST_CASE("a structure's step by Newmark's scheme: its force twice and one solve, the matrix factorized before the first") {
+    // Broken by a matrix that is factorized in every step, by a history for each component.
+    Eigen::Matrix3d C = Eigen::Matrix3d::Zero(), K;
+    C(1, 1) = 0.5;
+    K << 2, -1, 0, -1, 2, -1, 0, -1, 2;
+    auto const load = []<class S>(S const& t) { return Eigen::Matrix<S, 3, 1>(t, S(0), S(1)); };
+    fractional_structure const one_damper{Eigen::Matrix3d(Eigen::Matrix3d::Identity()), C, K, 1.0, 0.5};
+    zener_structure const everywhere{Eigen::Matrix3d(Eigen::Matrix3d::Identity()), K, 1.0, 2.0, 0.1, fraction<1, 2>{}};
+    Eigen::Vector3d const x(1, 0, -1);
+    auto const check = [&](auto const& structure, hilger::index histories) {
+        requirements const r = needs(newmark<bdf<2>>(structure, load, average_acceleration, exponentials{1e-10, 1000}).along(T, x, x));
+        CHECK(r.forces == 2);
+        CHECK(r.solves == 1);
+        CHECK(r.factorizations == 0);
+        CHECK(r.newton_rounds == 0);
+        CHECK(r.second_derivatives == 0);
+        CHECK(r.allocations == 0);
+        CHECK(r.growth_in_bytes == 0);
+        CHECK(r.histories == histories);
+        CHECK(r.history_bytes > 0);
+    };
+    check(one_damper, 1);
+    check(everywhere, 3);
+}

@@ -70,6 +70,16 @@ index rows_of(B const& b) {
     else
         return 1;
 }
+/// A number, a matrix or an order in another scalar.
+template <class To, class X>
+auto number_in(X const& x) {
+    if constexpr (is_fraction<X>)
+        return x;
+    else if constexpr (requires { x.rows(); })
+        return x.template cast<To>().eval();
+    else
+        return To(x);
+}
 /// @throws error::mismatch, error::not_finite
 template <class B, class... More>
 void require_matrices(B const& mass, More const&... others) {
@@ -111,6 +121,14 @@ struct fractional_structure {
         detail::require_matrices(mass, damping, stiffness);
         detail::require_positive(relaxation_time, "a relaxation time");
         (void)detail::checked_order(order);
+    }
+    /// The same with numbers of another type.
+    template <class To>
+    [[nodiscard]] auto in_numbers() const {
+        using detail::number_in;
+        return fractional_structure<decltype(number_in<To>(mass)), decltype(number_in<To>(relaxation_time)),
+                                    decltype(number_in<To>(order))>{number_in<To>(mass), number_in<To>(damping), number_in<To>(stiffness),
+                                                                    number_in<To>(relaxation_time), number_in<To>(order)};
     }
 
     /// Along one trajectory of displacements V with steps h.

@@ -61,7 +61,13 @@ auto state_in(V const& x, Made const& made) {
 template <class To, class Path, class Made>
 auto path_in(Path const& path, index steps, Made const& made) {
     auto const start = *path.begin();
-    return path.method().along(scale_in<To>(path.scale(), steps, made), state_in<To>(start.q, made), state_in<To>(start.p, made));
+    auto const walk = [&](auto const& method) {
+        return method.along(scale_in<To>(path.scale(), steps, made), state_in<To>(start.q, made), state_in<To>(start.p, made));
+    };
+    if constexpr (requires { path.method().template in_numbers<To>(); })
+        return walk(path.method().template in_numbers<To>());
+    else
+        return walk(path.method());
 }
 
 inline constexpr index steps_before_counting = 12; ///< until first guesses are made from as many steps as they ever are
