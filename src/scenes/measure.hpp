@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 namespace program {
+
+/// The next of the numbers that divide each of [2^k, 2^(k + 1)] into so many parts.
+inline long next_number(long n, long parts) { return n + static_cast<long>(std::bit_floor(static_cast<unsigned long>(n))) / parts; }
 
 /// Seconds of the fastest of several runs: at most a hundred, and no more than fit into a fifth of a second.
 template <class Run>

@@ -33,7 +33,8 @@ public:
     second_order(Acceleration a, vector<D> const& q, vector<D> const& v, double t1) : acceleration_(a), q_(q), v_(v), t1_(t1) {}
 
     std::vector<peer_run> run() {
-        for (double const tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+        for (int half_digits = 6; half_digits <= 30; ++half_digits) {
+            double const tolerance = std::pow(10.0, -half_digits / 2.0);
             adaptive("dopri5", tolerance,
                      [=] { return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<phase>()); });
             adaptive("fehlberg78", tolerance,
@@ -47,7 +48,7 @@ public:
                 });
 #endif
         }
-        for (int steps = 256; steps <= 1 << 17; steps *= 2) {
+        for (int steps = 128; steps <= 1 << 17; steps = static_cast<int>(next_number(steps, 4))) {
             fixed("runge-kutta-4", steps, [&, steps] {
                 phase x = start();
                 odeint::runge_kutta4<phase> stepper;

@@ -61,7 +61,8 @@ struct checkpoint_reader {
     }
     template <class X>
     void operator()(char const* label, X& x) {
-        std::string const expected = "'" + std::string(label) + "' and a number";
+        // Appended: g++ 12 warns of what it makes of text + std::string.
+        std::string const expected = std::string("'").append(label) + "' and a number";
         next(expected);
         std::istringstream words(line);
         std::string found, word, rest;
