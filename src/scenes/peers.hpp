@@ -14,7 +14,8 @@ struct peer_run {
     std::vector<double> position;
 };
 /// Boost.odeint's Runge-Kutta methods of orders 4, 5 and 8, its Bulirsch-Stoer method and its symplectic one of order 4, and GSL's where it
-/// is installed, each over a range of steps or tolerances; and, for memory, the predictor-corrector of Diethelm, Ford and Freed. Empty where a scene has no peer.
+/// is installed, each over a range of steps or tolerances; and, for memory, the predictor-corrector of Diethelm, Ford and Freed. Empty
+/// where a scene has no peer.
 std::vector<peer_run> run_peers(std::string const& scene);
 
 } // namespace program
