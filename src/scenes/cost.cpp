@@ -47,11 +47,11 @@ void tell_structure(std::ostream& out, char const* name, Structure const& on, Lo
 /// Not stepped: all points at once.
 void tell_boundary(std::ostream& out) {
     scene const& s = scene_named("fractional-dirichlet");
-    head(out, s);
-    auto const found =
-        hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}), scale_of(s), 0.0, 1.0);
-    out << "all points at once: the operator on T is applied " << found.applications << " times, with " << found.iterations
-        << " corrections by Newton's method\n";
+    auto const T = scale_of(s);
+    auto const found = hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}), T, 0.0, 1.0);
+    out << '\n'
+        << s.name << ", N = " << T.steps() << ": no steps; " << found.iterations << " corrections by Newton's method, "
+        << found.applications << " applications of its matrix\n";
 }
 
 } // namespace
