@@ -4,7 +4,6 @@
 #include <iostream>
 #include <sstream>
 
-#include "../papers/bourdin_cresson_greff_inizan_2013/exact.hpp"
 #include "hilger/hilger.hpp"
 #include "outer_solar_system_data.hpp"
 #include "scene.hpp"
@@ -47,10 +46,9 @@ void tell_structure(std::ostream& out, char const* name, Structure const& on, Lo
 /// Not stepped: all points at once.
 void tell_boundary(std::ostream& out) {
     scene const& s = scene_named("fractional-dirichlet");
-    auto const T = scale_of(s);
-    auto const found = hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}), T, 0.0, 1.0);
+    auto const found = fractional_dirichlet_solution(s.usual.steps);
     out << '\n'
-        << s.name << ", N = " << T.steps() << ": no steps; " << found.iterations << " corrections by Newton's method, "
+        << s.name << ", N = " << s.usual.steps << ": no steps; " << found.iterations << " corrections by Newton's method, "
         << found.applications << " applications of its matrix\n";
 }
 
@@ -66,11 +64,10 @@ void list_costs(std::ostream& out) {
     tell(out, "outer-solar-system", planetary_system{read_solar_system(built_in, "the built-in data")});
     tell(out, "fermi-pasta-ulam", fermi_pasta_ulam_system{});
     tell(out, "charged-particle", charged_particle_system{});
-    Eigen::VectorXd const rest = Eigen::VectorXd::Zero(10);
     viscoelastic_beam_system const beam;
     tell_structure(out, "fractional-oscillator", damped_by_half_a_derivative.structure<double>(), damped_by_half_a_derivative.load(), 0.0);
     tell_structure(out, "bagley-torvik", plate_in_a_fluid.structure<double>(), plate_in_a_fluid.load(), 0.0);
-    tell_structure(out, "viscoelastic-beam", beam.structure(), beam.load(), rest);
+    tell_structure(out, "viscoelastic-beam", beam.structure(), beam.load(), beam.rest());
     tell_boundary(out);
 }
 

@@ -2,6 +2,7 @@
 #include "../papers/bourdin_cresson_greff_inizan_2013/exact.hpp"
 #include "path_walk.hpp"
 #include "scenes.hpp"
+#include "structures.hpp"
 
 namespace program {
 
@@ -10,19 +11,16 @@ namespace {
 /// The solution of a two-sided problem, computed at once and then walked along.
 class solution_walk final : public walk {
 public:
-    explicit solution_walk(hilger::index steps)
-        : T_(hilger::uniform(hilger::interval{0.0, 1.0}, steps)),
-          q_(hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}), T_, 0.0, 1.0).q) {}
-    void advance(hilger::index steps) override { at_ = std::min(at_ + steps, T_.steps()); }
+    explicit solution_walk(hilger::index steps) : q_(fractional_dirichlet_solution(steps).q) {}
+    void advance(hilger::index steps) override { at_ = std::min(at_ + steps, q_.root().steps()); }
     [[nodiscard]] hilger::index number() const override { return at_; }
-    [[nodiscard]] std::string row() const override { return digits_of(T_.element(at_)) + ',' + digits_of(q_[at_]); }
+    [[nodiscard]] std::string row() const override { return digits_of(q_.root().element(at_)) + ',' + digits_of(q_[at_]); }
     /// In the middle: at the ends it is given.
-    [[nodiscard]] std::vector<hilger::float100> position() const override { return {hilger::float100(q_[T_.steps() / 2])}; }
+    [[nodiscard]] std::vector<hilger::float100> position() const override { return {hilger::float100(q_[q_.root().steps() / 2])}; }
     [[nodiscard]] std::vector<double> drift() const override { return {}; }
 
 private:
-    decltype(hilger::uniform(hilger::interval{0.0, 1.0}, hilger::index{1})) T_;
-    decltype(hilger::function(T_, std::vector<double>{})) q_;
+    decltype(fractional_dirichlet_solution(1).q) q_;
     hilger::index at_ = 0;
 };
 
