@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
     auto* trade_command = app.add_subcommand("trade", "measure a scene's accuracy against its cost, beside other libraries");
     trade_command->add_option("scene", trade.scene, "one of those that `hilger scenes` lists")->required();
     trade_command->add_option("--accuracy", trade.accuracy, "say what to use for this accuracy");
-    trade_command->add_option("--budget", trade.budget, "seconds that one run may take")->capture_default_str();
+    trade_command->add_option("--budget", trade.budget, "seconds that one run may take (ten times that in many digits)")
+        ->capture_default_str();
     trade_command->add_option("--out", trade.out, "directory for the CSV file and the picture")->capture_default_str();
     program::papers_options about;
     auto* papers = app.add_subcommand("papers", "the tables, figures and theorems of the four papers, theirs beside ours");

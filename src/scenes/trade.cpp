@@ -67,13 +67,17 @@ void keep(std::vector<point>& points, point p) {
 }
 
 /// More and more steps (8, 10, 12, 14, 16, 20, ...; of many digits 8, 12, 16, 24, ...) of one configuration, until that is too slow or
-/// rounding has the last word.
+/// rounding has the last word. Many digits begin where steps are short enough for the iterations of high orders.
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
-    double best = 1e300, fine = reference.own_error * 4;
-    int worse = 0;
+    double best = 1e300, fine = reference.own_error * 4, before = 1e300;
+    int worse = 0, slower = 0;
     bool const many_digits = c.scalar.ends_with("digits");
-    if (many_digits) budget *= 5;
-    for (c.steps = what.histories.empty() ? 8 : 64; c.steps <= 1 << 22; c.steps = next_number(c.steps, many_digits ? 2 : 4)) {
+    hilger::index first = what.histories.empty() ? 8 : 64;
+    if (many_digits) {
+        budget *= 10;
+        first = std::max(first, what.reference.steps / 4);
+    }
+    for (c.steps = first; c.steps <= 1 << 22; c.steps = next_number(c.steps, many_digits ? 2 : 4)) {
         try {
             numbers end;
             double const seconds = fastest([&] { end = position_at_end(what, c); });
@@ -83,7 +87,10 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
                               std::to_string(c.steps), seconds, std::max(error, reference.own_error)});
             worse = error < best / 1.05 ? 0 : worse + 1;
             best = std::min(best, error);
-            if (seconds > budget or (best < 1 and worse > 6) or error < fine) return;
+            // Where few steps are so long that they need Newton's method, more steps take less.
+            slower += seconds > budget and seconds > before;
+            before = seconds;
+            if (slower > 1 or (best < 1 and worse > 6) or error < fine) return;
         } catch (hilger::error::exception const&) { // steps that are too long
         }
     }

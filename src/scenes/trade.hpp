@@ -8,7 +8,7 @@ namespace program {
 struct trade_options {
     std::string scene;
     double accuracy = 0; ///< says what to use for it; 0 for all
-    double budget = 1;   ///< seconds that one run may take
+    double budget = 1;   ///< seconds that one run may take; ten times that in many digits
     std::string out = "out";
 };
 /// Measures the error at the end against the time, over embeddings, numbers of steps, scalars and histories, beside other libraries, and

@@ -37,7 +37,7 @@ S outer_part(int n, int order) {
 
 /// The value of "-d.ddd...", digits in groups of nine.
 template <class S>
-S decimal(std::string_view digits) {
+constexpr S decimal(std::string_view digits) {
     bool const negative = digits.front() == '-';
     if (negative) digits.remove_prefix(1);
     S x(0);
@@ -125,7 +125,18 @@ struct tabulated_parts {
     std::array<S, size> values() const {
         static_assert(detail::has_roots<S>, "these parts of a step are irrational: they need a floating-point scalar");
         static_assert(std::numeric_limits<S>::digits10 <= 104, "these parts of a step are known to 108 digits");
-        std::array<S, size> c;
+        // A run of few steps takes less time than reading a table.
+        if constexpr (std::is_floating_point_v<S>) {
+            static constexpr std::array<S, size> c = read<S>();
+            return c;
+        } else
+            return read<S>();
+    }
+
+private:
+    template <class S>
+    static constexpr std::array<S, size> read() {
+        std::array<S, size> c{};
         for (std::size_t k = 0; k < Half.size(); ++k) c[k] = c[size - 1 - k] = detail::decimal<S>(Half[k]);
         return c;
     }
