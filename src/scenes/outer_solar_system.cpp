@@ -28,7 +28,7 @@ scene outer_solar_system() {
         "set title 'Orbits'; set size ratio -1; set xlabel 'x / au'; set ylabel 'y / au'\n"
         "plot for [k=0:5] DATA using (column(2+3*k)):(column(3+3*k)) with lines notitle\n"
         "set size noratio; set title 'Energy error'; set xlabel 't / days'; set ylabel ''; plot DATA using 1:38 with lines notitle\n";
-    s.reference = {"gauss-16", "100-digits", "", 120};
+    s.reference = {"gauss-16", "100-digits", "", 160};
     return scene_of(system, s);
 }
 
