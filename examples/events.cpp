@@ -18,7 +18,7 @@ constexpr lagrangian L{[](auto const& q, auto const& v) {
 double period(double amplitude, double h) {
     double last = 0;
     int count = 0;
-    auto const path = embed(L, midpoint).along(uniform(0.0, h, 1'000'000), amplitude, 0.0);
+    auto const path = embed(L, mid_point).along(uniform(0.0, h, 1'000'000), amplitude, 0.0);
     for (auto const& x : events(
              path, [](auto const& at) { return at.p; }, crossing::falling)) {
         last = x.t;

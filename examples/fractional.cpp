@@ -9,7 +9,7 @@ using namespace hilger;
 
 int main() {
     constexpr unknown q;
-    constexpr unknown<text("y")> y; // a second curve with the same variation
+    constexpr unknown<"y"> y; // a second curve with the same variation
     constexpr auto q_o = extend[q];
     constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); }};
     auto const T = uniform(0.0, 0.01, 4000);

@@ -14,6 +14,6 @@ int main() {
     auto const q = variables<double>("q"), v = variables<double>("v");
     std::cerr << "L     = " << L(q, v) << '\n' << "dL/dq = " << partial(L(q, v), q) << '\n' << "dL/dv = " << partial(L(q, v), v) << '\n';
 
-    std::cout << c_code(embed(L, midpoint), "pendulum");
+    std::cout << c_code(embed(L, mid_point), "pendulum");
     return std::cout.good() ? 0 : 1;
 }

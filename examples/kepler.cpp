@@ -16,7 +16,7 @@ S angular_momentum_error() {
     }};
     vector const q0(S(2) / S(5), S(0)), p0(S(0), S(2));
     S worst(0);
-    for (auto const& [t, q, p] : embed(L, midpoint).along(uniform(S(0), S(1) / S(50), 500), q0, p0)) {
+    for (auto const& [t, q, p] : embed(L, mid_point).along(uniform(S(0), S(1) / S(50), 500), q0, p0)) {
         using std::abs;
         worst = std::max(worst, S(abs(q(0) * p(1) - q(1) * p(0) - S(4) / S(5))));
     }

@@ -8,9 +8,9 @@
 using namespace hilger;
 
 int main() {
-    constexpr auto mine = make_embedding<steps>(on_lambda<1, 3> * extend_lambda<1, 3>, // where q is read, on T_{1/3}
-                                                pi_lambda_inverse<1, 3> * Delta_plus,  // where the velocity is read
-                                                "a third of the way");
+    constexpr auto mine = make_embedding<step_weight>(on_lambda<1, 3> * extend_lambda<1, 3>, // where q is read, on T_{1/3}
+                                                      pi_lambda_inverse<1, 3> * Delta_plus,  // where the velocity is read
+                                                      "a third of the way");
     static_assert(mine.position == theta<1, 3>.position and mine.velocity == theta<1, 3>.velocity);
 
     constexpr lagrangian L{[](auto x, auto v) { return v * v / 2 - x * x / 2; }};

@@ -27,7 +27,7 @@ int main() {
 
     hamiltonian const H(L);
     double drift = 0;
-    for (auto const& [t, at, p] : embed(L, midpoint).along(T, 1.0, 0.0)) drift = std::max(drift, std::abs(H(p, at) - H(0.0, 1.0)));
+    for (auto const& [t, at, p] : embed(L, mid_point).along(T, 1.0, 0.0)) drift = std::max(drift, std::abs(H(p, at) - H(0.0, 1.0)));
     std::cout << "largest energy error: " << drift << '\n';
     return worst < 1e-9 and drift < 1e-3 ? 0 : 1;
 }

@@ -20,18 +20,18 @@ int main() {
         std::cout << std::left << std::setw(44) << what << std::abs(end(flow) - best) << '\n';
     };
     say("order one", embed(pendulum, order_one));
-    say("mid-point", embed(pendulum, midpoint));
-    say("mid-point of H(p, q)", embed(lagrangian_of(H), midpoint));
+    say("mid-point", embed(pendulum, mid_point));
+    say("mid-point of H(p, q)", embed(lagrangian_of(H), mid_point));
     say("Galerkin, 4 Gauss nodes, order 8", embed(pendulum, galerkin<4, gauss>));
     say("Stoermer-Verlet: order one right after left", stoermer_verlet(pendulum));
-    say("9 mid-point steps as one of order 6", compose(kahan_li<6>, embed(pendulum, midpoint)));
-    say("mid-point with friction (another system)", embed(with_force(pendulum, friction), midpoint));
+    say("9 mid-point steps as one of order 6", compose(kahan_li<6>, embed(pendulum, mid_point)));
+    say("mid-point with friction (another system)", embed(with_force(pendulum, friction), mid_point));
 
     // A thousand particles: the sum says that the Hessian is tridiagonal.
-    auto const row = mechanical(1.0, chain([](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; }));
+    auto const row = mechanical(1.0, chain([](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; }));
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(1000, 0, 1), p = Eigen::VectorXd::Zero(1000);
-    drift const energies =
-        drift_along(embed(row, midpoint).along(T, q, p), [&](auto const& x) { return x.p.dot(x.p) / 2 + row.potential()(x.q); });
+    drift_statistics const energies =
+        drift_along(embed(row, mid_point).along(T, q, p), [&](auto const& x) { return x.p.dot(x.p) / 2 + row.potential()(x.q); });
     std::cout << "energy error of a chain of 1000: " << energies.largest << '\n';
-    return energies.largest < 1e-3 and std::abs(end(compose(kahan_li<6>, embed(pendulum, midpoint))) - best) < 1e-6 ? 0 : 1;
+    return energies.largest < 1e-3 and std::abs(end(compose(kahan_li<6>, embed(pendulum, mid_point))) - best) < 1e-6 ? 0 : 1;
 }

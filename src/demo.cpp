@@ -29,7 +29,7 @@ namespace program {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using hilger::index;
+using hilger::index_type;
 
 struct demo_options {
     double days = 200'000;
@@ -117,7 +117,7 @@ void run_baseline(solar_system const& system, Scale const& T, Stepper stepper, S
     };
     State x;
     x << system.q, watch.momenta();
-    for (index i = T.first(); i <= T.last(); ++i) {
+    for (index_type i = T.first(); i <= T.last(); ++i) {
         watch(T.element(i), x.template head<dimension>(), x.template tail<dimension>());
         bar.advance();
         if (i < T.last()) stepper.do_step(field, x, T.element(i), T.step(i));
@@ -150,7 +150,7 @@ int run_demo(demo_options const& options) {
     if (not(options.step > 0) or not(count >= 1) or not(count <= 1e9))
         hilger::error::raise<hilger::error::invalid_scale>(
             "--step is a positive number of days and --days at least one step, and these are ", options.step, " and ", options.days);
-    auto const T = hilger::uniform(0.0, options.step, static_cast<index>(std::floor(count)));
+    auto const T = hilger::uniform(0.0, options.step, static_cast<index_type>(std::floor(count)));
 
     std::filesystem::create_directories(options.out);
     auto const file = [&](char const* name) { return (std::filesystem::path(options.out) / name).string(); };
@@ -165,7 +165,7 @@ int run_demo(demo_options const& options) {
     std::cout << "\nIntegration\n  " << std::left << std::setw(34) << "scheme" << std::right << std::setw(6) << "h/day" << std::setw(15)
               << "energy error" << std::setw(15) << "ang. momentum" << std::setw(11) << "time\n";
     run_embedding(system, T, hilger::order_one, file("order_one.csv"));
-    run_embedding(system, T, hilger::midpoint, file("midpoint.csv"));
+    run_embedding(system, T, hilger::mid_point, file("midpoint.csv"));
     using phase = Eigen::Matrix<double, 2 * dimension, 1>;
     using algebra = odeint::vector_space_algebra;
     run_baseline(system, T, odeint::euler<phase, double, phase, double, algebra>{}, phase{}, "explicit Euler", file("euler.csv"));

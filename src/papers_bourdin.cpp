@@ -15,7 +15,7 @@ namespace program {
 namespace {
 
 using namespace hilger::papers;
-using hilger::index, hilger::Q;
+using hilger::index_type, hilger::Q;
 
 /// The table of section 3.4, the one for alpha = 3/4 among it.
 void show_errors(std::vector<row> const& rows, std::string const& out, agreement& seen) {
@@ -61,7 +61,7 @@ void write_solutions(std::string const& out) {
     auto const T = hilger::uniform(hilger::interval{0.0, 1.0}, 100);
     auto const fine = hilger::uniform(hilger::interval{0.0, 1.0}, 1000);
     auto const solution = solve_boundary(hilger::fractional_problem(dirichlet, 0.75), T, 0, 1);
-    for (index k = 0; k <= 1000; ++k) {
+    for (index_type k = 0; k <= 1000; ++k) {
         file << fine.point(k) << ',' << dirichlet_solution(0.75, fine.point(k)) << ',';
         if (k % 10 == 0) file << solution.q[k / 10];
         file << '\n';

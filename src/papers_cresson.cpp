@@ -14,7 +14,7 @@ namespace program {
 namespace {
 
 using namespace hilger::papers;
-using hilger::index, hilger::Q, hilger::Delta_plus, hilger::Delta_o_plus;
+using hilger::index_type, hilger::Q, hilger::Delta_plus, hilger::Delta_o_plus;
 
 constexpr hilger::unknown q;
 constexpr auto q_o = hilger::extend[q];
@@ -45,7 +45,7 @@ void show_theorems(agreement& seen) {
     for (int trial = 0; trial < 20; ++trial) {
         auto const x = some_function<V>(T, random);
         auto const residual = hilger::tabulate(variation(action).residual(x));
-        for (index i = 1; i < T.steps(); ++i, ++cases) equal += T.h() * residual[i] == wendlandt_marsden(plane_cubic, x, i) ? 1 : 0;
+        for (index_type i = 1; i < T.steps(); ++i, ++cases) equal += T.h() * residual[i] == wendlandt_marsden(plane_cubic, x, i) ? 1 : 0;
     }
     std::cout << "  (64), (66): Wendlandt and Marsden's equation is h times (56), " << seen.exact("(64), (66)", cases, equal) << " times\n";
     hilger::lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 + v * x / 3 - x * x / 2; }};
@@ -66,12 +66,12 @@ void write_scales(std::string const& out) {
     for (double const t : T) scales << t << ",2\n";
     for (double const t : half(T)) scales << t << ",1\n";
     for (double const t : circ(T)) scales << t << ",0\n";
-    auto const f = hilger::function(T, [](double t) { return 1 + std::sin(1.3 * t); });
+    auto const f = hilger::function_on(T, [](double t) { return 1 + std::sin(1.3 * t); });
     auto const f_o = hilger::extend[f];
     auto extension = create(out, "extension.csv");
     extension << "# t in T_o, f_o, Delta_o_plus[f_o] where there is one, derivative of the interpolation\n";
     auto const slope = hilger::Delta_o_plus[f_o];
-    for (index i = 0; i < f_o.size(); ++i) {
+    for (index_type i = 0; i < f_o.size(); ++i) {
         extension << f_o.scale().element(i) << ',' << f_o[i] << ',';
         if (i < slope.size()) extension << slope[i];
         extension << ',' << slope[std::min(i, slope.size() - 1)];

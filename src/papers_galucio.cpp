@@ -25,7 +25,7 @@ void show_coefficients(agreement& seen) {
                  "   j |       alpha = 1/3, printed                       here |      1/2, printed              here |       3/4, printed  "
                  "             here\n";
     std::array<std::vector<Q>, 3> g;
-    for (std::size_t k = 0; k < 3; ++k) g[k] = hilger::first_weights<bdf<2>, Q>(orders[k], static_cast<hilger::index>(rows.size()));
+    for (std::size_t k = 0; k < 3; ++k) g[k] = hilger::first_weights<bdf<2>, Q>(orders[k], static_cast<hilger::index_type>(rows.size()));
     long equal = 0;
     for (std::size_t j = 0; j < rows.size(); ++j) {
         std::cout << right(rows[j][0], 4);

@@ -30,7 +30,7 @@ void show_orders(std::string const& what, int claimed, Flow const& flow, Solutio
 
 /// The errors of the pendulum's first step, and of the seventh where it is damped, h = 2^-6, ..., 2^-14.
 void write_errors(std::string const& out) {
-    using hilger::theta, hilger::order_one, hilger::midpoint;
+    using hilger::theta, hilger::order_one, hilger::mid_point;
     auto file = create(out, "local_truncation.csv");
     file << "# h, errors in x and in v: gamma = 1, 3/4, 1/2; (21), remark 2, at the seventh step\n";
     for (int m = 6; m <= 14; ++m) {
@@ -42,7 +42,7 @@ void write_errors(std::string const& out) {
         };
         add(embed(bob, order_one), free_pendulum, 0);
         add(embed(bob, theta<1, 4>), free_pendulum, 0);
-        add(embed(bob, midpoint), free_pendulum, 0);
+        add(embed(bob, mid_point), free_pendulum, 0);
         add(linearly_damped(bob, damping_at::start), damped_pendulum, 6);
         add(linearly_damped(bob, damping_at::end), damped_pendulum, 6);
         file << '\n';
@@ -52,7 +52,7 @@ void write_errors(std::string const& out) {
 } // namespace
 
 void show_jimenez(std::string const& out, agreement& seen) {
-    using hilger::theta, hilger::order_one, hilger::midpoint;
+    using hilger::theta, hilger::order_one, hilger::mid_point;
     std::cout << "Orders of local truncation, fitted in 50 digits between h = 1/" << coarsest_step << " and 1/"
               << coarsest_step * step_ratio << ", from x = 1, v = 1/2\n"
               << std::string(54, ' ') << "  claimed |  in x  difference  |  in v  difference\n";
@@ -62,7 +62,7 @@ void show_jimenez(std::string const& out, agreement& seen) {
     };
     both("theorem 1, (11), gamma = 1", 1, order_one);
     both("theorem 1, (11), gamma = 3/4", 1, theta<1, 4>);
-    both("theorem 1, (11), gamma = 1/2", 2, midpoint);
+    both("theorem 1, (11), gamma = 1/2", 2, mid_point);
     for (int const step : {0, 6}) {
         show_orders("theorem 2, (21), damped spring", 1, linearly_damped(spring, damping_at::start), damped_spring, step, seen);
         show_orders("theorem 2, (21), damped pendulum", 1, linearly_damped(bob, damping_at::start), damped_pendulum, step, seen);

@@ -17,9 +17,9 @@ namespace {
 using hilger::Q;
 
 // What the compiler has proved when this file compiles.
-static_assert(hilger::midpoint.velocity == hilger::on_half * hilger::Delta_o_plus * hilger::extend);
+static_assert(hilger::mid_point.velocity == hilger::on_half * hilger::Delta_o_plus * hilger::extend);
 static_assert(adjoint(hilger::Delta_plus) == -hilger::Delta_minus);
-static_assert(hilger::uniformly(adjoint(hilger::on_half * hilger::extend)) == hilger::pi * hilger::mean_h_minus);
+static_assert(hilger::uniformly(adjoint(hilger::on_half * hilger::extend)) == hilger::pi_half * hilger::mean_h_minus);
 
 template <class Identity>
 bool prove(std::ostream& out, Identity const& identity) {
@@ -35,7 +35,7 @@ bool prove(std::ostream& out, Identity const& identity) {
         if (holds and not v.holds) failure = v.first_failure;
         holds = holds and v.holds;
     };
-    for (hilger::index N = 1; N <= 12; ++N) {
+    for (hilger::index_type N = 1; N <= 12; ++N) {
         on(hilger::uniform(Q(-1, 3), Q(2, 7), N));
         if constexpr (not Identity::uniform_only) {
             on(hilger::harmonic_numbers<Q>(N));
@@ -61,8 +61,8 @@ bool prove_identities(std::ostream& out) {
     one(id::lemma_2{});
     one(id::lemma_3{});
     one(id::lemma_4{});
-    one(id::by_parts_of<std::remove_cvref_t<decltype(hilger::midpoint.velocity)>>{hilger::midpoint.velocity});
-    one(id::by_parts_of<std::remove_cvref_t<decltype(hilger::midpoint.position)>>{hilger::midpoint.position});
+    one(id::by_parts_of<std::remove_cvref_t<decltype(hilger::mid_point.velocity)>>{hilger::mid_point.velocity});
+    one(id::by_parts_of<std::remove_cvref_t<decltype(hilger::mid_point.position)>>{hilger::mid_point.position});
     return all;
 }
 

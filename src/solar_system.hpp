@@ -30,7 +30,7 @@ struct solar_system {
         std::vector<S> strength;
         for (auto const& [a, b] : list) strength.push_back(S(gravity) * S(mass(3 * a)) * S(mass(3 * b)));
         return hilger::mechanical(Eigen::Matrix<S, dimension, 1>(mass.cast<S>()),
-                                  hilger::pairs<3>(list, [strength](hilger::index k, auto const& r) {
+                                  hilger::pairs<3>(list, [strength](hilger::index_type k, auto const& r) {
                                       return -strength[static_cast<std::size_t>(k)] / r.norm();
                                   }));
     }

@@ -14,7 +14,7 @@
 namespace hilger {
 
 /// Counts and numbers points; signed, so that "the point before the first" can be said.
-using index = std::ptrdiff_t;
+using index_type = std::ptrdiff_t;
 
 /// A number type closed under the four operations; the integers are not, their quotients are cut off. Expression templates
 /// (Boost.Multiprecision's default) are refused: their results refer to temporaries, and a lambda that returns one dangles. Use et_off, as

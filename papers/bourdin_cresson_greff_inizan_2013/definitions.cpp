@@ -11,31 +11,31 @@ using namespace hilger::papers;
 
 TEST_CASE("(9), (10): for alpha = 1 the differences are the backward one and minus the forward one") {
     auto const T = uniform(Q(-1), Q(2, 7), 6);
-    auto const f = function(T, [](Q t) { return Q((2 - t) / (5 + t)); });
+    auto const f = function_on(T, [](Q t) { return Q((2 - t) / (5 + t)); });
     fractional_problem const one([](auto const&, auto const& v) { return v * v / 2; }, Q(1));
     auto const left = one.velocity(f);
-    auto const right = one.right_difference(restrict_to(f, minus(T)));
-    for (hilger::index k = 1; k <= 6; ++k) CHECK(left[k] == (f[k] - f[k - 1]) / T.h());
-    for (hilger::index k = 1; k < 6; ++k) CHECK(right[k] == (f[k] - f[k + 1]) / T.h());
+    auto const right = one.right_difference(restrict_to(f, without_first(T)));
+    for (hilger::index_type k = 1; k <= 6; ++k) CHECK(left[k] == (f[k] - f[k - 1]) / T.h());
+    for (hilger::index_type k = 1; k < 6; ++k) CHECK(right[k] == (f[k] - f[k + 1]) / T.h());
 }
 
 TEST_CASE("remark 1: (11), the fractional derivatives replaced one by one, is the Euler-Lagrange equation of (12)") {
     auto const T = uniform(Q(0), Q(1), 6);
     auto const lagrangian = [](auto const& x, auto const& v) { return v * v * (1 + x) / 2 - x * x * x; };
-    auto const x = function(T, [](Q t) { return Q((1 + t * t) / (2 + t)); });
+    auto const x = function_on(T, [](Q t) { return Q((1 + t * t) / (2 + t)); });
     Q const alpha(2, 3);
     auto const a = first_weights<grunwald_letnikov>(alpha, 7);
     std::vector<Q> v(7, Q(0)), p(7, Q(0));
     for (std::size_t k = 1; k <= 6; ++k) {
-        for (std::size_t r = 0; r <= k; ++r) v[k] += a[r] * x[static_cast<hilger::index>(k - r)];
-        p[k] = v[k] * (1 + x[static_cast<hilger::index>(k)]); // dL/dv
+        for (std::size_t r = 0; r <= k; ++r) v[k] += a[r] * x[static_cast<hilger::index_type>(k - r)];
+        p[k] = v[k] * (1 + x[static_cast<hilger::index_type>(k)]); // dL/dv
     }
     auto const residual = fractional_problem(lagrangian, alpha).residual(x);
     for (std::size_t k = 1; k < 6; ++k) {
-        Q const at = x[static_cast<hilger::index>(k)];
+        Q const at = x[static_cast<hilger::index_type>(k)];
         Q direct = v[k] * v[k] / 2 - 3 * at * at; // dL/dx
         for (std::size_t r = 0; k + r <= 6; ++r) direct += a[r] * p[k + r];
-        CHECK(residual[static_cast<hilger::index>(k)] == direct);
+        CHECK(residual[static_cast<hilger::index_type>(k)] == direct);
     }
 }
 
@@ -50,14 +50,14 @@ TEST_CASE("definitions 1 and 3, (25), (32): rotations are a group, and (31) is w
     Q const alpha(3, 4);
     fractional_problem const problem(harmonic_oscillator, alpha);
     auto const solution = rational_solution(alpha);
-    auto const moved = function(solution.scale(), [&](Q const& t) { return turned(c, s, solution(t)); });
+    auto const moved = function_on(solution.scale(), [&](Q const& t) { return turned(c, s, solution(t)); });
     auto const v = problem.velocity(solution), w = problem.velocity(moved);
-    for (hilger::index k = 1; k <= 8; ++k) {
+    for (hilger::index_type k = 1; k <= 8; ++k) {
         CHECK(harmonic_oscillator(moved[k], w[k]) == harmonic_oscillator(solution[k], v[k]));
         CHECK(moved[k] != solution[k]);
     }
     auto const r = problem.residual(moved); // and the moved one is a solution too
-    for (hilger::index k = 1; k < 8; ++k) CHECK(r[k] == rational_plane(Q(0), Q(0)));
+    for (hilger::index_type k = 1; k < 8; ++k) CHECK(r[k] == rational_plane(Q(0), Q(0)));
 }
 
 TEST_CASE("section 4.3: the equation of (31) is Q + Delta_+^alpha Delta_-^alpha Q = 0, and -Delta_+ Delta_- Q = Q for alpha = 1") {
@@ -65,7 +65,7 @@ TEST_CASE("section 4.3: the equation of (31) is Q + Delta_+^alpha Delta_-^alpha 
         auto const x = rational_solution(alpha);
         fractional_problem const problem(harmonic_oscillator, alpha);
         auto const second = problem.right_difference(problem.velocity(x));
-        for (hilger::index k = 1; k < 8; ++k) {
+        for (hilger::index_type k = 1; k < 8; ++k) {
             CHECK(x[k] + second[k] == rational_plane(Q(0), Q(0)));
             if (alpha == 1) CHECK((x[k + 1] - 2 * x[k] + x[k - 1]) == x[k]); // h = 1
         }

@@ -67,7 +67,7 @@ TEST_CASE("a hundred thousand steps: the error goes on like h^(2 alpha - 1)") {
     auto const T = uniform(interval{0.0, 1.0}, 100'000);
     auto const solution = solve_boundary(problem, T, 0, 1); // q in C(T), its residual, the iterations
     double largest = 0;
-    for (hilger::index k = 0; k <= T.steps(); k += 1000)
+    for (hilger::index_type k = 0; k <= T.steps(); k += 1000)
         largest = std::max(largest, std::abs(solution.q[k] - dirichlet_solution(0.75, T.point(k))));
     double const coarse =
         std::abs(solve_boundary(problem, uniform(interval{0.0, 1.0}, 1000), 0, 1).q[990] - dirichlet_solution(0.75, 0.99));

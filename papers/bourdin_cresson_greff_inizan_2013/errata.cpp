@@ -12,15 +12,15 @@ using namespace hilger;
 
 namespace {
 
-constexpr hilger::index N = 7;
+constexpr hilger::index_type N = 7;
 auto const T = uniform(Q(-1, 3), Q(1), N);
-auto const some = function(T, [](Q t) { return Q((2 - t) / (5 + t)); });
-auto const other = function(T, [](Q t) { return Q(1 + t + 3 * t * t * t); });
+auto const some = function_on(T, [](Q t) { return Q((2 - t) / (5 + t)); });
+auto const other = function_on(T, [](Q t) { return Q(1 + t + 3 * t * t * t); });
 using row = std::vector<Q>;
 
 row weights(Q const& alpha) { return first_weights<grunwald_letnikov>(alpha, N + 1); }
 row values(auto const& f) { return row(f.begin(), f.end()); }
-std::size_t at(hilger::index k) { return static_cast<std::size_t>(k); }
+std::size_t at(hilger::index_type k) { return static_cast<std::size_t>(k); }
 /// Delta_-^alpha for k = first..N with Q_k for k = first..N.
 row left(row const& x, Q const& alpha) {
     row y(x.size(), Q(0));
@@ -41,15 +41,15 @@ TEST_CASE("(7): without its row k = 0 the operator has no semigroup, where x_0 i
     row cut = left(x, half);
     cut.erase(cut.begin());
     row const twice = left(cut, half);
-    for (hilger::index k = 1; k <= N; ++k) CHECK(twice[at(k - 1)] != local[at(k)]);
+    for (hilger::index_type k = 1; k <= N; ++k) CHECK(twice[at(k - 1)] != local[at(k)]);
     // The difference is what the lost row would have contributed.
-    for (hilger::index k = 1; k <= N; ++k) CHECK(local[at(k)] - twice[at(k - 1)] == weights(half)[at(k)] * x[0]);
+    for (hilger::index_type k = 1; k <= N; ++k) CHECK(local[at(k)] - twice[at(k - 1)] == weights(half)[at(k)] * x[0]);
     // With x_0 = 0 nothing is lost.
     row zero = x;
     zero[0] = 0;
     cut = left(zero, half);
     cut.erase(cut.begin());
-    for (hilger::index k = 1; k <= N; ++k) CHECK(left(cut, half)[at(k - 1)] == left(zero, Q(1))[at(k)]);
+    for (hilger::index_type k = 1; k <= N; ++k) CHECK(left(cut, half)[at(k - 1)] == left(zero, Q(1))[at(k)]);
 }
 
 TEST_CASE("lemma 2: discrete fractional integration by parts, boundary values included") {
@@ -57,38 +57,38 @@ TEST_CASE("lemma 2: discrete fractional integration by parts, boundary values in
         fractional_problem const problem([](auto const&, auto const& v) { return v * v / 2; }, alpha);
         row const q = values(some), w = values(other), a = weights(alpha);
         auto const minus_w = problem.velocity(other);
-        auto const plus_q = problem.right_difference(restrict_to(some, minus(T)));
+        auto const plus_q = problem.right_difference(restrict_to(some, without_first(T)));
         Q by_left(0), inner(0), last_row(0);
-        for (hilger::index k = 1; k <= N; ++k) by_left += q[at(k)] * minus_w[k];
-        for (hilger::index k = 1; k < N; ++k) inner += plus_q[k] * w[at(k)];
-        for (hilger::index r = 1; r <= N; ++r) last_row += a[at(r)] * q[at(r)];
+        for (hilger::index_type k = 1; k <= N; ++k) by_left += q[at(k)] * minus_w[k];
+        for (hilger::index_type k = 1; k < N; ++k) inner += plus_q[k] * w[at(k)];
+        for (hilger::index_type r = 1; r <= N; ++r) last_row += a[at(r)] * q[at(r)];
         Q const ends = q[at(N)] * w[at(N)] + last_row * w[0]; // of w_0: (Delta_+^alpha q)_0 without its own term
         CHECK(by_left == inner + ends);
         CHECK(by_left != inner);
         if (alpha == 1) CHECK(ends == q[at(N)] * w[at(N)] - q[1] * w[0]);
         // With w zero at both ends it is (DFIBP).
-        auto const zero_ends = function(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t); });
+        auto const zero_ends = function_on(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t); });
         Q printed(0);
-        for (hilger::index k = 1; k <= N; ++k) printed += q[at(k)] * problem.velocity(zero_ends)[k];
-        for (hilger::index k = 1; k < N; ++k) printed -= plus_q[k] * zero_ends[k];
+        for (hilger::index_type k = 1; k <= N; ++k) printed += q[at(k)] * problem.velocity(zero_ends)[k];
+        for (hilger::index_type k = 1; k < N; ++k) printed -= plus_q[k] * zero_ends[k];
         CHECK(printed == 0);
     }
 }
 
 TEST_CASE("(14): the inner sums run over r = 0..N-k; the printed ranges leave T, and miss terms when Q is zero beyond it") {
     row const q = values(some), a = weights(Q(3, 4));
-    auto const w = function(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t * t); });
-    auto const beyond = [&](hilger::index k) { return k <= N ? q[at(k)] : Q(0); };
+    auto const w = function_on(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t * t); });
+    auto const beyond = [&](hilger::index_type k) { return k <= N ? q[at(k)] : Q(0); };
     Q before(0), corrected(0), printed(0), second(0);
     bool leaves_T = false;
-    for (hilger::index k = 0; k <= N; ++k) {
-        for (hilger::index r = 0; r <= k; ++r) before += a[at(r)] * q[at(k)] * w[k - r]; // the first line
-        for (hilger::index r = 0; r <= N - k; ++r) corrected += a[at(r)] * q[at(k + r)] * w[k];
-        for (hilger::index r = 0; r <= k; ++r) {
+    for (hilger::index_type k = 0; k <= N; ++k) {
+        for (hilger::index_type r = 0; r <= k; ++r) before += a[at(r)] * q[at(k)] * w[k - r]; // the first line
+        for (hilger::index_type r = 0; r <= N - k; ++r) corrected += a[at(r)] * q[at(k + r)] * w[k];
+        for (hilger::index_type r = 0; r <= k; ++r) {
             leaves_T = leaves_T or k + r > N;
             printed += a[at(r)] * beyond(k + r) * w[k];
         }
-        for (hilger::index r = 0; r <= N - 1; ++r) second += a[at(r)] * beyond(k + r) * w[k];
+        for (hilger::index_type r = 0; r <= N - 1; ++r) second += a[at(r)] * beyond(k + r) * w[k];
     }
     CHECK(leaves_T);
     CHECK(before == corrected);

@@ -43,11 +43,11 @@ struct errors {
     double largest, mean_square;
 };
 /// (21) for N steps.
-inline errors dirichlet_errors(double alpha, index N) {
+inline errors dirichlet_errors(double alpha, index_type N) {
     auto const T = uniform(interval{0.0, 1.0}, N);
     auto const solution = solve_boundary(fractional_problem(dirichlet, alpha), T, 0, 1);
     errors e{0, 0};
-    for (index k = 0; k <= N; ++k) {
+    for (index_type k = 0; k <= N; ++k) {
         double const difference = std::abs(solution.q[k] - dirichlet_solution(alpha, T.point(k)));
         e.largest = std::max(e.largest, difference);
         e.mean_square += T.h() * difference * difference;

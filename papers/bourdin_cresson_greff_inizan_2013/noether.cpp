@@ -70,7 +70,7 @@ void is_conserved(L const& lagrangian, Generator const& xi, S const& alpha) {
     if (lagrangian.harmonic != 0) return;
     auto const change = problem.right_difference(problem.momentum(solution.q));
     S single(0);
-    for (hilger::index k = 1; k < T.steps(); ++k) single = std::max(single, S(magnitude(S(xi(solution.q[k]).dot(change[k])))));
+    for (hilger::index_type k = 1; k < T.steps(); ++k) single = std::max(single, S(magnitude(S(xi(solution.q[k]).dot(change[k])))));
     CHECK(single > S(1000) * bound);
 }
 
@@ -119,6 +119,6 @@ TEST_CASE("theorem 5, (29), (34): for alpha = 1 the constant is xi(Q_k).p_{k+1}"
     }
     CHECK(spread(oscillator, translation).first > 0.1);
     CHECK_THROWS_AS(
-        (void)noether_constant(fractional_problem(oscillator, 0.75), rotation, function(T, [](double) { return plane<double>(1, 1); })),
+        (void)noether_constant(fractional_problem(oscillator, 0.75), rotation, function_on(T, [](double) { return plane<double>(1, 1); })),
         error::invalid_parameter);
 }

@@ -15,19 +15,19 @@ template <class H, class P, class X>
 auto hamiltonian_action(H const& energy, P const& p, X const& x) {
     auto const p_o = on_half[extend[p]];
     auto const q_o = on_half[extend[x]];
-    return integral(dot(p_o, on_half[Delta_o_plus[extend[x]]]) - apply(energy, p_o, q_o), half(p.scale()));
+    return integral(dot(p_o, on_half[Delta_o_plus[extend[x]]]) - apply_pointwise(energy, p_o, q_o), half(p.scale()));
 }
 /// The two lines of (94), the left-hand side minus the right-hand one: on T_half^- and on T_half.
 template <class H, class P, class X>
 auto first_line(H const& energy, P const& p, X const& x) {
     auto const p_o = on_half[extend[p]];
-    auto const force = apply([=](auto const& y, auto const& z) { return energy.by_position(y, z); }, p_o, on_half[extend[x]]);
+    auto const force = apply_pointwise([=](auto const& y, auto const& z) { return energy.by_position(y, z); }, p_o, on_half[extend[x]]);
     return Delta_h_minus[p_o] + mean_h_minus[force];
 }
 template <class H, class P, class X>
 auto second_line(H const& energy, P const& p, X const& x) {
     auto const velocity =
-        apply([=](auto const& y, auto const& z) { return energy.by_momentum(y, z); }, on_half[extend[p]], on_half[extend[x]]);
+        apply_pointwise([=](auto const& y, auto const& z) { return energy.by_momentum(y, z); }, on_half[extend[p]], on_half[extend[x]]);
     return on_half[Delta_o_plus[extend[x]]] - velocity;
 }
 /// The derivative of (97) in the direction (w, v), w a variation of p and v one of q.
@@ -43,8 +43,8 @@ std::vector<scalar_of<V>> all_slopes(H const& energy, P const& p, X const& x) {
     auto const none = unit<V>(T, 0) - unit<V>(T, 0);
     std::vector<scalar_of<V>> all;
     for (int c = 0; c < detail::shape<V>::dimension(p[0]); ++c) {
-        for (index k = 0; k <= T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, unit<V>(T, k, c), none));
-        for (index k = 1; k < T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, none, unit<V>(T, k, c)));
+        for (index_type k = 0; k <= T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, unit<V>(T, k, c), none));
+        for (index_type k = 1; k < T.last(); ++k) all.push_back(slope_along<V>(energy, p, x, none, unit<V>(T, k, c)));
     }
     return all;
 }
@@ -82,7 +82,7 @@ ranks ranks_of_theorem_4(H const& energy, Scale const& T) {
     std::size_t const N = static_cast<std::size_t>(T.steps());
     // The columns are the values of the two linear maps at the unit vectors (p, q); the rows are kept.
     std::vector<std::vector<Q>> critical(2 * N), system(2 * N - 1);
-    for (index j = 0; j < 2 * T.size(); ++j) {
+    for (index_type j = 0; j < 2 * T.size(); ++j) {
         auto const one = unit<Q>(T, j % T.size());
         auto const p = Q(j < T.size() ? 1 : 0) * one;
         auto const x = Q(j < T.size() ? 0 : 1) * one;

@@ -48,23 +48,23 @@ V some_value(std::mt19937& random) {
 template <class V, class Scale>
 auto some_function(Scale const& T, std::mt19937& random) {
     std::vector<V> x;
-    for (index i = 0; i < T.size(); ++i) x.push_back(some_value<V>(random));
-    return function(T, x);
+    for (index_type i = 0; i < T.size(); ++i) x.push_back(some_value<V>(random));
+    return function_on(T, x);
 }
 /// Of the space of variations (53): zero at a and b.
 template <class V, class Scale>
 auto some_variation(Scale const& T, std::mt19937& random) {
     std::vector<V> x;
-    for (index i = 0; i < T.size(); ++i) x.push_back(some_value<V>(random));
+    for (index_type i = 0; i < T.size(); ++i) x.push_back(some_value<V>(random));
     x.front() = x.back() = zero_like(x.front());
-    return function(T, x);
+    return function_on(T, x);
 }
 /// Component c of the value at t_k is 1, all others are 0.
 template <class V, class Scale>
-auto unit(Scale const& T, index k, int c = 0) {
+auto unit(Scale const& T, index_type k, int c = 0) {
     std::vector<V> x(static_cast<std::size_t>(T.size()), detail::shape<V>::zero(2));
     detail::shape<V>::component(x[static_cast<std::size_t>(k)], c) = scalar_of<V>(1);
-    return function(T, x);
+    return function_on(T, x);
 }
 
 /// The positions and the momenta of a flow, as functions on T.
@@ -75,7 +75,7 @@ auto trajectory_of(Flow const& flow, Scale const& T, initial_velocity<V> const& 
         q.push_back(at.q);
         p.push_back(at.p);
     }
-    return std::pair(function(T, q), function(T, p));
+    return std::pair(function_on(T, q), function_on(T, p));
 }
 
 /// Both sides of theorem 2, (67), for some q and some w in V: the derivative of the action at q along w by its definition, and the sum of h
@@ -89,11 +89,12 @@ pairing<V> pair_with_residual(Action const& action, std::mt19937& random) {
     using S = scalar_of<V>;
     auto const x = some_function<V>(action.T, random);
     auto const w = some_variation<V>(action.T, random);
-    return {slope_at_zero<S>([&](S const& e) { return S(action(x + e * w)); }), weighted_sum<delta>(dot(variation(action).residual(x), w))};
+    return {slope_at_zero<S>([&](S const& e) { return S(action(x + e * w)); }),
+            weighted_sum<delta_weight>(dot(variation(action).residual(x), w))};
 }
 /// (64), corrected: the residual of Wendlandt and Marsden's equation at an inner point, with L_h(x, y) = h L((x + y)/2, (y - x)/h).
 template <class L, class X>
-auto wendlandt_marsden(L const& lagrangian, X const& x, index i) {
+auto wendlandt_marsden(L const& lagrangian, X const& x, index_type i) {
     auto const h = x.root().h();
     auto const L_h = [&](auto const& a, auto const& b) { return lagrangian.function((a + b) / decltype(h)(2), (b - a) / h) * h; };
     using V = std::remove_cvref_t<decltype(x[i])>;

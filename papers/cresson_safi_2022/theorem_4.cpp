@@ -17,14 +17,14 @@ void flow_is_critical(L const& lagrangian, V const& q0, V const& v0) {
     using S = scalar_of<V>;
     auto const T = uniform(S(0), S(1) / 5, 4);
     hamiltonian const H(lagrangian);
-    auto const made = trajectory_of(embed(lagrangian, midpoint), T, initial_velocity<V>{q0, v0});
+    auto const made = trajectory_of(embed(lagrangian, mid_point), T, initial_velocity<V>{q0, v0});
     auto const& x = made.first;
     auto const& p = made.second;
     CHECK(vanishes(largest(all_slopes<V>(H, p, x))));
     for (auto const& r : first_line(H, p, x)) CHECK(vanishes(magnitude(r)));
     for (auto const& r : second_line(H, p, x)) CHECK(vanishes(magnitude(r)));
     auto const none = unit<V>(T, 0) - unit<V>(T, 0);
-    for (hilger::index k = 0; k <= T.last(); ++k) {
+    for (hilger::index_type k = 0; k <= T.last(); ++k) {
         auto const moved = S(1) / 8 * unit<V>(T, k);
         CHECK(magnitude(slope_along<V>(H, p + moved, x, unit<V>(T, k), none)) > S(1) / 10000);
         CHECK(magnitude(slope_along<V>(H, p, x + moved, unit<V>(T, k == 0 ? 1 : k - 1), none)) > S(1) / 10000);
@@ -40,14 +40,14 @@ void is_the_discrete_momentum(L const& lagrangian, V const& q0, V const& v0, Nea
     int const N = 6;
     auto const T = uniform(S(0), S(1) / 5, N);
     S const h = T.h();
-    auto const made = trajectory_of(embed(lagrangian, midpoint), T, initial_velocity<V>{q0, v0});
+    auto const made = trajectory_of(embed(lagrangian, mid_point), T, initial_velocity<V>{q0, v0});
     auto const& p = made.second;
     auto const at = tabulate(on_half[extend[made.first]]);
     auto const v = tabulate(on_half[Delta_o_plus[extend[made.first]]]);
     auto const p_o = on_half[extend[p]];
-    auto const by_q = [&](hilger::index i) { return gradient_first(lagrangian, at[i], v[i]); };
-    auto const by_v = [&](hilger::index i) { return gradient_second(lagrangian, at[i], v[i]); };
-    for (hilger::index i = 0; i < N; ++i) {
+    auto const by_q = [&](hilger::index_type i) { return gradient_first(lagrangian, at[i], v[i]); };
+    auto const by_v = [&](hilger::index_type i) { return gradient_second(lagrangian, at[i], v[i]); };
+    for (hilger::index_type i = 0; i < N; ++i) {
         CHECK(near(p_o[i], by_v(i)));                           // (82)
         CHECK(near(p[i + 1], V(by_v(i) + by_q(i) * S(h / 2)))); // (89), at t_N too
         CHECK(near(p[i], V(by_v(i) - by_q(i) * S(h / 2))));     // (84); (90) for i = 0

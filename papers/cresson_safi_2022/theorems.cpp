@@ -49,7 +49,7 @@ void flow_is_critical(Action const& action, V const& q0, V const& v0) {
     auto const x = trajectory_of(flow_of(variation(action)), T, initial_velocity<V>{q0, v0}).first;
     auto const slope = [&](auto const& at, auto const& w) { return slope_at_zero<S>([&](S const& e) { return S(action(at + e * w)); }); };
     for (int trial = 0; trial < 10; ++trial) CHECK(vanishes(slope(x, some_variation<V>(T, random))));
-    for (hilger::index k = 1; k < T.steps(); ++k) CHECK(magnitude(slope(x + S(1) / 16 * unit<V>(T, k), unit<V>(T, k))) > S(1) / 100);
+    for (hilger::index_type k = 1; k < T.steps(); ++k) CHECK(magnitude(slope(x + S(1) / 16 * unit<V>(T, k), unit<V>(T, k))) > S(1) / 100);
 }
 template <class V, class L>
 void both_flows_are_critical(L const& lagrangian, V const& q0, V const& v0) {
@@ -79,28 +79,28 @@ TEST_CASE("Wendlandt and Marsden: (47) is the action of one step, and (64) is h 
     auto const L_h = [&](auto const& x, auto const& y) { return plane_cubic.function((x + y) / Q(2), (y - x) / h) * h; };
     std::mt19937 random(64);
     auto const x = some_function<plane<Q>>(T, random);
-    auto const term = apply(plane_cubic.function, action.position[x], action.velocity[x]);
+    auto const term = apply_pointwise(plane_cubic.function, action.position[x], action.velocity[x]);
     Q sum(0);
-    for (hilger::index i = 0; i < T.steps(); ++i) {
+    for (hilger::index_type i = 0; i < T.steps(); ++i) {
         CHECK(integral(term, T.element(i), T.element(i + 1)) == L_h(x[i], x[i + 1])); // (48)
         sum += L_h(x[i], x[i + 1]);
     }
     CHECK(action(x) == sum); // (50) to (52)
-    for (hilger::index i = 1; i < T.steps(); ++i)
+    for (hilger::index_type i = 1; i < T.steps(); ++i)
         CHECK(h * variation(action).residual(x)[i] == wendlandt_marsden(plane_cubic, x, i)); // (64)
 }
 
 TEST_CASE("the schemes are theorems about types: theta<1, 2> is mid-point, and the equations are (14) and (56)") {
     using std::is_same_v;
-    static_assert(is_same_v<decltype(theta<1, 2>.position), decltype(midpoint.position)> and theta<1, 2>.velocity == midpoint.velocity);
+    static_assert(is_same_v<decltype(theta<1, 2>.position), decltype(mid_point.position)> and theta<1, 2>.velocity == mid_point.velocity);
     static_assert(not(theta<1, 3>.position == theta<2, 3>.position));
-    static_assert(midpoint.velocity == on_half * Delta_o_plus * extend); // lemma 1
+    static_assert(mid_point.velocity == on_half * Delta_o_plus * extend); // lemma 1
     constexpr auto T = uniform(0.0, 0.1, 10);
     constexpr auto right = variation(integral(pendulum(q, Delta_plus[q]), T));
-    static_assert(right.force() == identity and right.momentum() == -Delta_minus);
+    static_assert(right.force() == identity_T and right.momentum() == -Delta_minus);
     constexpr auto mid = variation(integral(pendulum(q_o, Delta_o_plus[q_o]), half(T)));
     static_assert(mid.force() == mean_h_minus and mid.momentum() == -Delta_h_minus);
     // The flow's embedding and the integral written out are one scheme.
-    static_assert(mid.action().position == midpoint.position and mid.action().velocity == midpoint.velocity);
+    static_assert(mid.action().position == mid_point.position and mid.action().velocity == mid_point.velocity);
     CHECK(mid.action().T.steps() == 10);
 }

@@ -49,7 +49,7 @@ struct run {
 template <class S, class Order>
 run<S> walk(Order beta, S const& rho, S const& h, damping_at at, initial_history history) {
     auto const L = lagrangian{[](auto const& x, auto const& v) { return v * v / 2 - x * x; }}; // U = x^2, U' = 2x
-    auto const flow = embed(with_fractional_damping(L, rho, beta, direct{}, {.at = at, .history = history}), midpoint);
+    auto const flow = embed(with_fractional_damping(L, rho, beta, direct{}, {.at = at, .history = history}), mid_point);
     run<S> made;
     for (auto const& z : flow.along(uniform(S(0), h, 12), S(2) / S(3), S(-1) / S(4))) {
         made.x.push_back(z.q);
@@ -124,20 +124,20 @@ TEST_CASE("the kick at t_0: Riemann and Liouville's first step depends on where 
 }
 
 TEST_CASE("(19): summed to N - 1 it has an end term that (20) for y has not; summed to N it has none") {
-    hilger::index const N = 6;
+    hilger::index_type const N = 6;
     auto const T = uniform(Q(0), Q(1), N);
-    auto const x = function(T, [](Q const& t) { return Q(t * t - 3 * t + 2); });
-    auto const y = function(T, [](Q const& t) { return Q(5 / (t + 1) - t); });
+    auto const x = function_on(T, [](Q const& t) { return Q(t * t - 3 * t + 2); });
+    auto const y = function_on(T, [](Q const& t) { return Q(5 / (t + 1) - t); });
     auto const w = first_weights<grunwald_letnikov>(Q(1, 4), N + 1);
     auto const dx = Delta_minus_alpha<1, 4>[x];
     auto const dy = Delta_plus_alpha<1, 4>[y];
     auto const of_x = Delta_minus_alpha<1, 2>[x];
     auto const of_y = Delta_plus_alpha<1, 2>[y];
-    for (hilger::index n = 1; n < N; ++n) {
+    for (hilger::index_type n = 1; n < N; ++n) {
         // d/d epsilon of sum_k (Delta_-^alpha x)_k (Delta_+^alpha y)_k for x and y varied at t_n alike
-        auto const variation = [&](hilger::index last) {
+        auto const variation = [&](hilger::index_type last) {
             Q sum(0);
-            for (hilger::index k = 0; k <= last; ++k) {
+            for (hilger::index_type k = 0; k <= last; ++k) {
                 if (k >= n) sum += w[static_cast<std::size_t>(k - n)] * dy[k];
                 if (k <= n) sum += w[static_cast<std::size_t>(n - k)] * dx[k];
             }

@@ -35,7 +35,7 @@ void is_11(Embedding const& how, Q const& gamma) {
 TEST_CASE("(9) to (11): embeddings with lambda = 1 - gamma have these steps and this equation, exactly") {
     is_11(order_one, Q(1));
     is_11(theta<1, 4>, Q(3, 4));
-    is_11(midpoint, Q(1, 2));
+    is_11(mid_point, Q(1, 2));
     is_11(theta<3, 4>, Q(1, 4));
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("theorem 1: local truncation of order 2 for gamma = 1/2 and of order 1
         for (double const p : truncation_orders(embed(spring, how), of_spring)) CHECK(std::abs(p - order) < 0.02);
         for (double const p : truncation_orders(embed(bob, how), of_bob)) CHECK(std::abs(p - order) < 0.02);
     };
-    check(midpoint, 2);
+    check(mid_point, 2);
     check(order_one, 1);
     check(theta<1, 4>, 1);
 }
@@ -68,12 +68,12 @@ TEST_CASE("(15) is consistent: at t = 1 its error is of order one for x(0) = 0, 
         std::vector<double> errors;
         for (int const N : {256, 512, 1024}) {
             auto const T = uniform(interval{0.0, 1.0}, N);
-            auto const d = Delta_minus(alpha)[function(T, [](double t) { return t; })];
+            auto const d = Delta_minus(alpha)[function_on(T, [](double t) { return t; })];
             errors.push_back(std::abs(d[N] - 1 / std::tgamma(2 - alpha)));
         }
         CHECK(std::abs(fitted_slope(errors) - 1) < 0.02);
     }
     auto const T = uniform(Q(0), Q(1, 9), 9);
-    auto const x = function(T, [](Q const& t) { return t; });
-    for (hilger::index k = 1; k <= 9; ++k) CHECK((Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>)[x][k] == 1);
+    auto const x = function_on(T, [](Q const& t) { return t; });
+    for (hilger::index_type k = 1; k <= 9; ++k) CHECK((Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>)[x][k] == 1);
 }

@@ -8,7 +8,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 /// ln Gamma(x) in 50 digits, for x >= 1000 (Stirling; the first term left out is below 1e-50).
 float50 log_gamma(float50 const& x) {
@@ -39,11 +39,11 @@ row weight_far_out(char const* what, S alpha, long n) {
 }
 
 void points(rows& all) {
-    index const N = 100'000'000;
+    index_type const N = 100'000'000;
     double worst = 0, moved = 0;
     auto const T = uniform(0.0, 0.1, N), U = uniform(1.0 / 3, 0.1, N);
     bool found = true;
-    for (index i = N - 1000; i < N; ++i) {
+    for (index_type i = N - 1000; i < N; ++i) {
         worst = std::max(worst, in_epsilons(T.point(i), float50(float50(i) * 0.1)));
         moved = std::max(moved, in_epsilons(U.point(i), float50(float50(1.0 / 3) + float50(i) * 0.1)));
         found = found and U.number_of(U.point(i)) == i;
@@ -54,20 +54,20 @@ void points(rows& all) {
     all.push_back(refused<error::invalid_scale>("1e8 steps in float: h is lost beside b", [] { (void)uniform(0.0f, 0.1f, N); }));
 }
 
-void sums(rows& all, index N) {
+void sums(rows& all, index_type N) {
     std::string const n = few_digits(static_cast<double>(N));
     // Products with h, and 2 epsilon for the sum, of the sum of magnitudes.
     auto const T = uniform(0.0, 0.1, N);
     float50 const exact = float50(N) * 0.1 * 0.3;
     all.push_back(
-        kept("integral of a constant over points " + n, in_epsilons(integral(function(T, [](double) { return 0.3; }), T), exact), 2));
-    all.push_back(kept("nabla integral of it", in_epsilons(nabla_integral(function(T, [](double) { return 0.3; }), T), exact), 2));
-    all.push_back(kept("integral over T_half", in_epsilons(integral(function(half(T), [](double) { return 0.3; }), half(T)), exact), 2));
+        kept("integral of a constant over points " + n, in_epsilons(integral(function_on(T, [](double) { return 0.3; }), T), exact), 2));
+    all.push_back(kept("nabla integral of it", in_epsilons(nabla_integral(function_on(T, [](double) { return 0.3; }), T), exact), 2));
+    all.push_back(kept("integral over T_half", in_epsilons(integral(function_on(half(T), [](double) { return 0.3; }), half(T)), exact), 2));
     all.push_back(kept("antiderivative at the last point",
-                       in_epsilons(antiderivative_h[function(half(T), [](double) { return 0.3; })][N], exact), 2));
+                       in_epsilons(antiderivative_h[function_on(half(T), [](double) { return 0.3; })][N], exact), 2));
     // (-1)^i (i mod 1024): an exact sum that cancels, against that of magnitudes
     auto const U = uniform(0.0, 0.0625, N);
-    auto const f = function(U, [](double t) {
+    auto const f = function_on(U, [](double t) {
         auto const i = static_cast<long>(16 * t);
         return (i % 2 == 0 ? 0.1 : -0.1) * static_cast<double>(i % 1024 + 1);
     });
@@ -83,7 +83,7 @@ void sums(rows& all, index N) {
 
 /// The energy v^2/2 + q^2/2 of the oscillator after so many mid-point steps, which keep it: what is left is rounding.
 template <class Flow>
-double drift(Flow const& flow, index N) {
+double drift(Flow const& flow, index_type N) {
     double q = 0, p = 0;
     for (auto const& x : flow.along(uniform(0.0, 0.0625, N), 0.75, 0.5)) {
         q = x.q;
@@ -104,13 +104,13 @@ rows counts(scope how) {
     points(all);
     sums(all, report ? 100'000'000 : 1'000'000);
     auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
-    index const N = report ? 10'000'000 : 1'000'000;
+    index_type const N = report ? 10'000'000 : 1'000'000;
     std::string const n = few_digits(static_cast<double>(N));
     // Rounding of half an epsilon of q and of p in each step, were it always to one side.
-    all.push_back(kept("energy of the oscillator, steps " + n, drift(embed(oscillator, midpoint), N), static_cast<double>(2 * N)));
+    all.push_back(kept("energy of the oscillator, steps " + n, drift(embed(oscillator, mid_point), N), static_cast<double>(2 * N)));
     // The sums are exact then; what is left is the rounding of increments, h times smaller, and for compensated sums 1/1024 of it in
     // Newton.
-    all.push_back(kept("the same with compensated sums", drift(embed(oscillator, midpoint, compensated), N), static_cast<double>(N) / 4));
+    all.push_back(kept("the same with compensated sums", drift(embed(oscillator, mid_point, compensated), N), static_cast<double>(N) / 4));
     return all;
 }
 

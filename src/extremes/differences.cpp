@@ -8,27 +8,27 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 /// f at the points of T in double, and at the exact points a + ih in 50 digits.
 struct sampled {
     double a, h;
-    static constexpr index N = 64;
+    static constexpr index_type N = 64;
     auto scale() const { return uniform(a, h, N); }
     auto values() const {
-        return tabulate(function(scale(), [](double t) { return std::exp(t); }));
+        return tabulate(function_on(scale(), [](double t) { return std::exp(t); }));
     }
-    float50 exact(index i) const { return exp(float50(a) + float50(i) * float50(h)); }
+    float50 exact(index_type i) const { return exp(float50(a) + float50(i) * float50(h)); }
     /// Rounding of a value: of exp, and of t as exp sees it, in epsilons of it.
     double rounding() const { return 1 + std::abs(a) + N * h; }
 };
 
 /// The largest error of a local difference, in epsilons of |f| / h.
 template <class Operator>
-double local(sampled const& f, Operator const& difference, index first, index last, index before) {
+double local(sampled const& f, Operator const& difference, index_type first, index_type last, index_type before) {
     auto const d = difference[f.values()];
     double worst = 0;
-    for (index i = first; i <= last; ++i) {
+    for (index_type i = first; i <= last; ++i) {
         float50 const exact = (f.exact(i + 1 - before) - f.exact(i - before)) / f.h;
         worst = std::max(worst, in_epsilons(d[i], exact, float50(f.exact(i) / f.h)));
     }
@@ -40,9 +40,9 @@ double fractional(sampled const& f, double alpha) {
     float50 const scale = pow(float50(f.h), -float50(alpha));
     auto const w = first_weights<grunwald_letnikov>(float50(alpha), f.N + 1);
     double worst = 0;
-    for (index k = 0; k <= f.N; ++k) {
+    for (index_type k = 0; k <= f.N; ++k) {
         float50 sum(0);
-        for (index n = 0; n <= k; ++n) sum += w[static_cast<std::size_t>(n)] * f.exact(k - n);
+        for (index_type n = 0; n <= k; ++n) sum += w[static_cast<std::size_t>(n)] * f.exact(k - n);
         worst = std::max(worst, in_epsilons(d[k], float50(sum * scale), float50(f.exact(f.N) * scale)));
     }
     return worst;

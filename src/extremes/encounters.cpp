@@ -8,7 +8,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 template <class S>
 using plane = Eigen::Matrix<S, 2, 1>;
 
@@ -22,7 +22,7 @@ using wide = long double;
 
 /// The state after so many steps from the pericentre, 1/128 from the centre: the velocity of an ellipse of e = 0.990, whose period is 4.5.
 template <class S, class E>
-state<S, plane<S>> ellipse(E const& how, index steps, S const& moved) {
+state<S, plane<S>> ellipse(E const& how, index_type steps, S const& moved) {
     plane<S> const q(S(S(1) / 128 + moved), S(0)), p(S(0), S(S(4086) / 256));
     state<S, plane<S>> x{S(0), q, p};
     for (auto const& y : embed(kepler, how).along(uniform(S(0), S(S(1) / 8192), steps), q, p)) x = y;
@@ -35,7 +35,7 @@ wide distance(state<S, plane<S>> const& x, state<wide, plane<wide>> const& y) {
     return largest;
 }
 template <class E>
-void kepler_rows(rows& all, std::string const& name, E const& how, index steps) {
+void kepler_rows(rows& all, std::string const& name, E const& how, index_type steps) {
     auto const x = ellipse<double>(how, steps, 0.0);
     auto const exact = ellipse<wide>(how, steps, 0.0L);
     // What the orbit makes of a change of its start is lost to every scalar.
@@ -52,7 +52,7 @@ void kepler_rows(rows& all, std::string const& name, E const& how, index steps) 
 
 /// Two bodies and a third in space, at a distance `miss` from each other when they pass.
 auto bodies() {
-    return pairs<3>(all_pairs(3), [](index, auto const& r) {
+    return pairs<3>(all_pairs(3), [](index_type, auto const& r) {
         using std::sqrt;
         return -1 / sqrt(r.dot(r));
     });
@@ -71,7 +71,7 @@ nine towards() {
 /// The total momentum's largest component along a run, in epsilons of the largest momentum and the number of steps; or how it ended.
 template <class Flow>
 row passage(std::string const& what, Flow const& flow, double miss) {
-    index const steps = 4096;
+    index_type const steps = 4096;
     try {
         nine p = towards();
         double largest = 1;
@@ -112,19 +112,19 @@ void collision(rows& all, std::string const& name, L const& l) {
 
 rows encounters(scope how) {
     rows all;
-    index const steps = how == scope::report ? 400'000 : 40'000;
+    index_type const steps = how == scope::report ? 400'000 : 40'000;
     kepler_rows(all, "order one", order_one, steps);
-    kepler_rows(all, "mid-point", midpoint, steps);
+    kepler_rows(all, "mid-point", mid_point, steps);
     kepler_rows(all, "Galerkin", galerkin<2, gauss>, steps / 4);
     auto const system = mechanical(1.0, bodies());
     auto const generic = [u = bodies()](auto const& q, auto const& v) { return v.dot(v) / 2 - u(q); };
     for (double const miss : {1e-2, 1e-6, 1e-12}) {
         std::string const at = "bodies that pass at " + few_digits(miss);
         all.push_back(passage(at + ", order one", embed(system, order_one), miss));
-        all.push_back(passage(at + ", mid-point", embed(system, midpoint), miss));
+        all.push_back(passage(at + ", mid-point", embed(system, mid_point), miss));
     }
     all.push_back(passage("bodies that collide head on, order one", embed(system, order_one), 0));
-    all.push_back(passage("bodies that collide head on, mid-point", embed(system, midpoint), 0));
+    all.push_back(passage("bodies that collide head on, mid-point", embed(system, mid_point), 0));
     collision(all, "pairs", system);
     collision(all, "any L", generic);
     return all;

@@ -9,7 +9,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr int steps_made = 500;
@@ -34,18 +34,18 @@ rows ends(scope) {
     double const last = 1 - epsilon<double>() / 2;
     all.push_back(
         kept("theta at the last lambda below 1 is order one, left", apart(embed(pendulum, theta_at(last)), left), bound(1.2e-16)));
-    all.push_back(
-        kept("theta at lambda = 1/2 at run time is mid-point", apart(embed(pendulum, theta_at(0.5)), embed(pendulum, midpoint)), bound(0)));
+    all.push_back(kept("theta at lambda = 1/2 at run time is mid-point", apart(embed(pendulum, theta_at(0.5)), embed(pendulum, mid_point)),
+                       bound(0)));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = 0", [] { (void)theta_at(0.0); }));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = 1", [] { (void)theta_at(1.0); }));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = NaN", [] { (void)theta_at(std::nan("")); }));
 
     auto const T = uniform(0.0, 0.0625, 64);
     auto const exponential_of = [](double t) { return std::exp(t); };
-    double const at_left = integral(function(T, exponential_of), T), at_right = nabla_integral(function(T, exponential_of), T);
+    double const at_left = integral(function_on(T, exponential_of), T), at_right = nabla_integral(function_on(T, exponential_of), T);
     auto const integral_at = [&](double lambda) {
         auto const scale = at_lambda(T, lambda);
-        return integral(function(scale, exponential_of), scale);
+        return integral(function_on(scale, exponential_of), scale);
     };
     // Points, values and the sum round; e^t is at most t times as sensitive.
     all.push_back(kept("integral over T_lambda, lambda = 0", in_epsilons(integral_at(0), float50(at_left)), 0));
@@ -61,7 +61,7 @@ rows ends(scope) {
         refused<error::invalid_scale>("T_{o,lambda} of points 1e-15 apart, lambda = 1/1024", [&] { (void)circ(given, 1.0 / 1024); }));
     auto const O = circ(T, 1e-12);
     bool ordered = true;
-    for (index i = O.first(); i < O.last(); ++i)
+    for (index_type i = O.first(); i < O.last(); ++i)
         ordered = ordered and O.element(i) < O.element(i + 1) and O.sigma(O.element(i)) == O.element(i + 1);
     all.push_back(
         holds("T_{o,lambda}, lambda = 1e-12: sigma goes from each point to the next", "129 points in order", ordered and O.size() == 129));

@@ -8,7 +8,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 using plane = Eigen::Vector2d;
 using space = Eigen::Vector3d;
 
@@ -67,9 +67,9 @@ void mass_matrices(rows& all) {
     auto const z = embed(together, order_one).step(state<double, plane>{0, plane(0, 0), plane(1e-30, 1e30)}, 0.5);
     all.push_back(kept("the same as a matrix", (z.q - plane(0.5, 0.5)).cwiseAbs().maxCoeff() / epsilon<double>(), 2));
     all.push_back(
-        refused<error::singular>("a mass of 0", [] { (void)mechanical(0.0, chain([](index, auto const& r) { return r * r; })); }));
+        refused<error::singular>("a mass of 0", [] { (void)mechanical(0.0, chain([](index_type, auto const& r) { return r * r; })); }));
     all.push_back(refused<error::singular>("a negative mass",
-                                           [] { (void)mechanical(plane(1, -1), chain([](index, auto const& r) { return r * r; })); }));
+                                           [] { (void)mechanical(plane(1, -1), chain([](index_type, auto const& r) { return r * r; })); }));
     fractional_structure const frame{Eigen::MatrixXd(mass(0)), Eigen::MatrixXd(Eigen::Matrix2d::Zero()), Eigen::MatrixXd(mass(0)), 1.0,
                                      fraction<1, 2>{}};
     all.push_back(refused<error::singular>("singular mass and stiffness of a structure", [&] {
@@ -83,7 +83,7 @@ void mass_matrices(rows& all) {
     all.push_back(refused<error::singular>(
         "a step whose equation is singular: q'' = q, mid-point, h = 2",
         [&] {
-            for (auto const& x : embed(hill, midpoint).along(uniform(0.0, 2.0, 2), 1.0, 0.0)) (void)x;
+            for (auto const& x : embed(hill, mid_point).along(uniform(0.0, 2.0, 2), 1.0, 0.0)) (void)x;
         },
         "the step from t = 0"));
 }

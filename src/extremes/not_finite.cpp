@@ -11,7 +11,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 using plane = Eigen::Vector2d;
 
 constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
@@ -23,7 +23,7 @@ using bad = error::not_finite;
 
 void flows(rows& all, std::string const& name, double x) {
     auto const T = uniform(0.0, 0.125, 4);
-    auto const flow = embed(oscillator, midpoint);
+    auto const flow = embed(oscillator, mid_point);
     all.push_back(refused<bad>(name + " as a position", [&] { (void)flow.along(T, x, 0.0); }));
     all.push_back(refused<bad>(name + " as a momentum", [&] { (void)flow.along(T, 0.0, x); }));
     all.push_back(refused<bad>(name + " as an initial velocity", [&] { (void)flow.along(T, initial_velocity<double>{0.0, x}); }));
@@ -38,17 +38,17 @@ void flows(rows& all, std::string const& name, double x) {
     all.push_back(refused<bad>(name + " in a composition", [&] { (void)compose(kahan_li<6>, flow).along(T, x, 0.0); }));
     all.push_back(refused<bad>(
         name + " in L",
-        [&] { walk(embed([x](auto const& q, auto const& v) { return v * v / 2 - x * q * q; }, midpoint).along(T, 1.0, 0.0)); },
+        [&] { walk(embed([x](auto const& q, auto const& v) { return v * v / 2 - x * q * q; }, mid_point).along(T, 1.0, 0.0)); },
         "the step from t = 0"));
     all.push_back(refused<bad>(
         name + " as a force",
-        [&] { walk(embed(with_force(oscillator, [x](auto const& q, auto const&) { return q * 0 + x; }), midpoint).along(T, 1.0, 0.0)); },
+        [&] { walk(embed(with_force(oscillator, [x](auto const& q, auto const&) { return q * 0 + x; }), mid_point).along(T, 1.0, 0.0)); },
         "the step from t = 0"));
     all.push_back(refused<bad>(
         name + " in a Galerkin step",
         [&] { walk(embed([x](auto const& q, auto const& v) { return v * v / 2 - x * q * q; }, galerkin<2, gauss>).along(T, 1.0, 0.0)); },
         "the step from t = 0"));
-    auto const row = chain([](index, auto const& r) { return r * r / 2; });
+    auto const row = chain([](index_type, auto const& r) { return r * r / 2; });
     all.push_back(refused<bad>(name + " as a mass", [&] { (void)mechanical(x, row); }));
     all.push_back(refused<bad>(name + " among masses", [&] { (void)mechanical(plane(1, x), row); }));
     all.push_back(refused<bad>(name + " in a mass matrix", [&] { (void)mechanical(Eigen::Matrix2d{{1, 0}, {0, x}}, row); }));
@@ -59,7 +59,7 @@ void flows(rows& all, std::string const& name, double x) {
 void with_memory(rows& all, std::string const& name, double x) {
     auto const T = uniform(0.0, 0.125, 4);
     all.push_back(refused<bad>(name + " in a flow with memory", [&] {
-        walk(embed(with_fractional_damping(oscillator, 0.5, fraction<1, 2>{}), midpoint).along(T, x, 0.0));
+        walk(embed(with_fractional_damping(oscillator, 0.5, fraction<1, 2>{}), mid_point).along(T, x, 0.0));
     }));
     all.push_back(
         refused<error::invalid_parameter>(name + " as a damping", [&] { (void)with_fractional_damping(oscillator, x, fraction<1, 2>{}); }));
@@ -99,7 +99,7 @@ void read(rows& all, std::string const& name, double x) {
     all.push_back(refused<error::invalid_scale>(name + " as a step", [&] { (void)uniform(0.0, x, 4); }));
     all.push_back(refused<error::invalid_scale>(name + " as an end", [&] { (void)uniform(interval{0.0, x}, 4); }));
     all.push_back(refused<error::invalid_scale>(name + " among points", [&] { (void)time_scale<double>{0.0, 1.0, x}; }));
-    all.push_back(refused<bad>(name + " in a table", [&] { (void)function(uniform(0.0, 1.0, 1), std::vector<double>{1, x}); }));
+    all.push_back(refused<bad>(name + " in a table", [&] { (void)function_on(uniform(0.0, 1.0, 1), std::vector<double>{1, x}); }));
     all.push_back(refused<error::exception>(
         name + " as a line of a file",
         [&] {
@@ -107,7 +107,7 @@ void read(rows& all, std::string const& name, double x) {
             (void)read_time_scale<double>(in);
         },
         "line 2"));
-    auto const path = embed(oscillator, midpoint).along(uniform(0.0, 0.125, 4), 1.0, 0.0);
+    auto const path = embed(oscillator, mid_point).along(uniform(0.0, 0.125, 4), 1.0, 0.0);
     std::ostringstream out;
     write_checkpoint(out, path, path.begin().checkpoint());
     std::string text = out.str();

@@ -10,7 +10,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 struct order {
     double alpha;
@@ -40,16 +40,16 @@ double worst_weight(double alpha, int count) {
 
 /// Delta_-^alpha[f] on [0, 2] against 50 digits, relative to the sum of the terms' magnitudes, in epsilons.
 double worst_difference(double alpha) {
-    index const N = 200;
+    index_type const N = 200;
     auto const T = uniform(0.0, 1.0 / 128, N);
-    auto const f = tabulate(function(T, [](double t) { return 2 + std::cos(5 * t); }));
+    auto const f = tabulate(function_on(T, [](double t) { return 2 + std::cos(5 * t); }));
     auto const difference = Delta_minus(alpha)[f];
     auto const w = first_weights<grunwald_letnikov>(float50(alpha), N + 1);
     float50 const scale = pow(float50(T.h()), -float50(alpha));
     double worst = 0;
-    for (index k = 0; k <= N; ++k) {
+    for (index_type k = 0; k <= N; ++k) {
         float50 sum(0), size(0);
-        for (index n = 0; n <= k; ++n) {
+        for (index_type n = 0; n <= k; ++n) {
             float50 const term = w[static_cast<std::size_t>(n)] * f[k - n] * scale;
             sum += term;
             size += abs(term);

@@ -20,7 +20,7 @@ constexpr auto pendulum = [](auto const& q, auto const& v) {
 /// From (1, 1/4), which every scalar holds exactly.
 template <class S>
 state<S, S> step_of(S const& h) {
-    return embed(pendulum, midpoint).step(state<S, S>{S(0), S(1), S(S(1) / 4)}, h);
+    return embed(pendulum, mid_point).step(state<S, S>{S(0), S(1), S(S(1) / 4)}, h);
 }
 template <class S>
 row one(std::string const& name, state<wide, wide> const& exact) {

@@ -9,7 +9,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 using plane = Eigen::Vector2d;
 using space = Eigen::Vector3d;
 
@@ -64,11 +64,11 @@ void chains(rows& all) {
     auto const run = [](double unit, double mass) {
         Eigen::VectorXd q(6), p = Eigen::VectorXd::Zero(6);
         q << 0.5, -0.25, 1, 0.75, 0.125, -1;
-        auto const L = mechanical(mass, chain([=](index, auto const& r) {
+        auto const L = mechanical(mass, chain([=](index_type, auto const& r) {
                                       auto const x = evaluated(r * (1 / unit));
                                       return (mass * unit) * (x * x / 2 + x * x * x * x) * unit;
                                   }));
-        return end_of(embed(L, midpoint).along(uniform(0.0, h, N), Eigen::VectorXd(q * unit), p), unit, unit * mass);
+        return end_of(embed(L, mid_point).along(uniform(0.0, h, N), Eigen::VectorXd(q * unit), p), unit, unit * mass);
     };
     all.push_back(same("chain of 6, mid-point, masses and stiffness times 2^1000", run, 1, 0x1p1000));
     all.push_back(same("chain of 6, mid-point, masses and stiffness times 2^-1000", run, 1, 0x1p-1000));
@@ -79,7 +79,7 @@ void linear(rows& all) {
     auto const run = [](double unit, double mass) {
         auto const L = [mass](auto const& q, auto const& v) { return mass * (v * v) / 2 - mass * (q * q) / 2; };
         auto const damped = with_fractional_damping(L, 0.25 * mass, fraction<1, 2>{}, exponentials{});
-        return end_of(embed(damped, midpoint).along(uniform(0.0, h, N), 0.75 * unit, 0.5 * (unit * mass)), unit, unit * mass);
+        return end_of(embed(damped, mid_point).along(uniform(0.0, h, N), 0.75 * unit, 0.5 * (unit * mass)), unit, unit * mass);
     };
     all.push_back(same("fractional oscillator, positions times 2^1000", run, 0x1p1000, 1));
     all.push_back(same("fractional oscillator, positions times 2^-950", run, 0x1p-950, 1));
@@ -119,12 +119,12 @@ void beyond(rows& all) {
             if (not is_finite(x.q) or not is_finite(x.p)) return; // delivered: no error
     };
     all.push_back(refused<error::not_finite>(
-        "a position that overflows, mid-point", [&] { walk(embed(free, midpoint), 1e308, 1e308, 10); }, "the step from t = 0"));
+        "a position that overflows, mid-point", [&] { walk(embed(free, mid_point), 1e308, 1e308, 10); }, "the step from t = 0"));
     all.push_back(refused<error::not_finite>(
         "a position that overflows, order one", [&] { walk(embed(free, order_one), 1e308, 1e308, 10); }, "the step from t = 0"));
     all.push_back(refused<error::not_finite>(
         "a position that overflows, Galerkin", [&] { walk(embed(free, galerkin<2, gauss>), 1e308, 1e308, 10); }, "the step from t = 0"));
-    auto const row = mechanical(1.0, chain([](index, auto const& r) { return r * r / 2; }));
+    auto const row = mechanical(1.0, chain([](index_type, auto const& r) { return r * r / 2; }));
     all.push_back(refused<error::not_finite>(
         "a position that overflows, chain",
         [&] {
@@ -134,9 +134,9 @@ void beyond(rows& all) {
         "the step from t = 0"));
     auto const push = [](auto const& q, auto const& v) { return v * v * 1e10 / 2 + 1e308 * q; };
     all.push_back(refused<error::not_finite>(
-        "a momentum that overflows, mid-point", [&] { walk(embed(push, midpoint), 0.0, 1.5e308, 1); }, "the step from t = 0"));
+        "a momentum that overflows, mid-point", [&] { walk(embed(push, mid_point), 0.0, 1.5e308, 1); }, "the step from t = 0"));
     // The sum of the components overflows, and no component does.
-    auto const still = embed([](auto const&, auto const& v) { return v.dot(v) / 2; }, midpoint);
+    auto const still = embed([](auto const&, auto const& v) { return v.dot(v) / 2; }, mid_point);
     auto const y = still.step(state<double, plane>{0, plane(1.5e308, 1.5e308), plane(1, 1)}, 1.0);
     all.push_back(holds("components of 1.5e308, whose sum overflows", "(1.5e308, 1.5e308)", y.q == plane(1.5e308, 1.5e308)));
 }
@@ -146,9 +146,9 @@ void beyond(rows& all) {
 rows sizes(scope) {
     rows all;
     quartics(all, "quartic, order one", order_one, 0.75);
-    quartics(all, "quartic, mid-point", midpoint, 0.75);
-    quartics(all, "quartic in the plane, mid-point", midpoint, plane(0.75, -0.5));
-    quartics(all, "quartic in space, mid-point", midpoint, space(0.75, -0.5, 0.25));
+    quartics(all, "quartic, mid-point", mid_point, 0.75);
+    quartics(all, "quartic in the plane, mid-point", mid_point, plane(0.75, -0.5));
+    quartics(all, "quartic in space, mid-point", mid_point, space(0.75, -0.5, 0.25));
     quartics(all, "quartic, Galerkin of 2 nodes", galerkin<2, gauss>, 0.75);
     chains(all);
     linear(all);

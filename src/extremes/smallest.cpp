@@ -11,7 +11,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 /// Checks identities in random fractions and counts them.
 class proofs {
@@ -47,8 +47,8 @@ row identities_on(std::string what, Scale const& T) {
 /// <A f, g> = <f, A* g> + end terms, whatever A is.
 template <class Operator, class Scale>
 bool by_parts_holds(Operator const& A, Scale const& T) {
-    auto const f = function(T, [](Q const& t) { return Q(t * t + 2); });
-    auto const g = function(T, [](Q const& t) { return Q(3 - t); });
+    auto const f = function_on(T, [](Q const& t) { return Q(t * t + 2); });
+    auto const g = function_on(T, [](Q const& t) { return Q(3 - t); });
     auto const parts = by_parts(A, f, g);
     return parts.left == parts.interior + parts.boundary;
 }
@@ -64,22 +64,22 @@ row operators_on(std::string what, Scale const& T) {
     one(by_parts_holds(sigma, T));
     one(by_parts_holds(rho, T));
     one(by_parts_holds(fraction<2, 3>{} * Delta_plus + sigma, T));
-    auto const f = function(T, [](Q const& t) { return Q(t * t + 2); });
+    auto const f = function_on(T, [](Q const& t) { return Q(t * t + 2); });
     one(integral(Delta_plus[f], T) == boundary(f));
     one(nabla_integral(Delta_minus[f], T) == boundary(f));
     one(integral(Delta_o_plus[extend[f]], half(T)) == boundary(f));
     one(integral(f, T.min(), T.max()) == -integral(f, T.max(), T.min()));
-    one(antiderivative[restrict_to(f, plus(T))][T.last()] == integral(f, T));
+    one(antiderivative[restrict_to(f, without_last(T))][T.last()] == integral(f, T));
     return holds(std::move(what), "equal in the rationals", good == all, std::to_string(good) + " of " + std::to_string(all));
 }
 
 /// The states of a run of N steps are those of N single steps.
 template <class E>
-bool steps_as_flow(E const& how, index N) {
+bool steps_as_flow(E const& how, index_type N) {
     auto const flow = embed([](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; }, how);
     Q const h(1, 4);
     state<Q, Q> x{Q(0), Q(1), Q(1, 3)};
-    index count = 0;
+    index_type count = 0;
     bool same = true;
     for (auto const& y : flow.along(uniform(Q(0), h, N), x.q, x.p)) {
         same = same and y == x;
@@ -88,7 +88,7 @@ bool steps_as_flow(E const& how, index N) {
     }
     return same and count == N + 1;
 }
-bool boundary_problem(index N) {
+bool boundary_problem(index_type N) {
     auto const L = [](auto const& q, auto const& v) { return v * v / 2 + q * q / 2; };
     auto const s = solve_boundary(fractional_problem(L, fraction<1>{}), uniform(Q(0), Q(1), N), Q(0), Q(6));
     // x_1 of x_2 - 2 x_1 + x_0 = x_1
@@ -99,19 +99,19 @@ bool boundary_problem(index N) {
 
 rows smallest(scope) {
     rows all;
-    for (index const N : {1, 2}) {
+    for (index_type const N : {1, 2}) {
         std::string const n = "N = " + std::to_string(N) + ": ";
         auto const T = uniform(Q(-1, 3), Q(2, 7), N);
         all.push_back(identities_on(n + "identities on a uniform scale", T));
         all.push_back(identities_on(n + "identities on harmonic numbers", harmonic_numbers<Q>(N)));
         all.push_back(operators_on(n + "operators, their adjoints and integrals", T));
         all.push_back(operators_on(n + "the same on given points", powers(Q(3, 2), 0, N)));
-        bool const flows = steps_as_flow(order_one, N) and steps_as_flow(order_one_left, N) and steps_as_flow(midpoint, N) and
+        bool const flows = steps_as_flow(order_one, N) and steps_as_flow(order_one_left, N) and steps_as_flow(mid_point, N) and
                            steps_as_flow(galerkin<2, lobatto>, N);
         all.push_back(holds(n + "flows: order one, left, mid-point, Galerkin", "as single steps", flows));
         all.push_back(holds(n + "two-sided problem", "solved exactly", boundary_problem(N)));
         auto const U = uniform(Q(0), Q(1), N);
-        auto const f = function(U, [](Q const& t) { return Q(t + 1); });
+        auto const f = function_on(U, [](Q const& t) { return Q(t + 1); });
         auto const d = Delta_minus_alpha<1, 2>[f];
         all.push_back(holds(n + "fractional difference", "1, 3/2, ...", d[0] == 1 and d[1] == Q(3, 2) and (N == 1 or d[2] == Q(15, 8))));
     }

@@ -9,7 +9,7 @@ namespace extremes {
 namespace {
 
 using namespace hilger;
-using hilger::index;
+using hilger::index_type;
 
 /// A linear map of (q, p) in 100 digits, and its powers.
 struct map {
@@ -35,7 +35,7 @@ constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 
 
 /// The state after N steps against that of the map, in epsilons of the largest component, times h where h > 1.
 template <class Flow>
-double against(Flow const& flow, map (*one_step)(float100 const&), double h, index N) {
+double against(Flow const& flow, map (*one_step)(float100 const&), double h, index_type N) {
     double q = 0, p = 0;
     for (auto const& x : flow.along(uniform(0.0, h, N), 1.0, 0.0)) {
         q = x.q;
@@ -48,7 +48,7 @@ double against(Flow const& flow, map (*one_step)(float100 const&), double h, ind
 }
 template <class Flow>
 void each_step(rows& all, std::string const& name, Flow const& flow, map (*one_step)(float100 const&), std::vector<double> const& lengths) {
-    index const N = 1000;
+    index_type const N = 1000;
     // A step rounds q and p by an epsilon each or less; what the map makes of it is at most N times as much.
     for (double const h : lengths)
         all.push_back(kept("oscillator, " + name + ", 1000 steps of h = " + few_digits(h), against(flow, one_step, h, N), 2.0 * N * N));
@@ -71,7 +71,7 @@ rows steps(scope) {
     rows all;
     auto const euler = embed(oscillator, order_one);
     auto const verlet = stoermer_verlet(oscillator);
-    auto const mid = embed(oscillator, midpoint);
+    auto const mid = embed(oscillator, mid_point);
     each_step(all, "order one", euler, order_one_map, {1e-12, 1e-6, 1, 1.99, 2});
     each_step(all, "Stoermer-Verlet", verlet, verlet_map, {1e-12, 1, 1.99});
     each_step(all, "mid-point", mid, midpoint_map, {1e-12, 1e-6, 1, 2.5, 1e3, 1e6});
@@ -92,7 +92,7 @@ rows steps(scope) {
     all.push_back(refused<error::no_convergence>(
         "mid-point where a step has no solution",
         [&] {
-            for (auto const& x : embed(cubic, midpoint).along(uniform(0.0, 1.0, 3), 1.0, 0.0)) (void)x;
+            for (auto const& x : embed(cubic, mid_point).along(uniform(0.0, 1.0, 3), 1.0, 0.0)) (void)x;
         },
         "the step from t = 0"));
     all.push_back(refused<error::no_convergence>(
@@ -107,7 +107,7 @@ rows steps(scope) {
     int solved = 0, said = 0;
     for (double h = 0.5; h < 200; h *= 1.25) {
         try {
-            auto const y = embed(pendulum, midpoint).step(state<double, double>{0, 1.0, 0.5}, h);
+            auto const y = embed(pendulum, mid_point).step(state<double, double>{0, 1.0, 0.5}, h);
             float50 const v = (float50(y.q) - 1) / h, middle = (float50(y.q) + 1) / 2;
             float50 const force = -sin(middle) * h;
             worst = std::max({worst, in_epsilons(0.0, float50(v - 0.5 - force / 2), float50(abs(v) + h)),

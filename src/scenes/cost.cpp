@@ -28,7 +28,7 @@ void tell(std::ostream& out, char const* name, System const& system) {
         out << hilger::requirements_row{method, hilger::requirements_of(path)};
     };
     head(out, s);
-    row("mid-point", hilger::embed(L, hilger::midpoint));
+    row("mid-point", hilger::embed(L, hilger::mid_point));
     if constexpr (System::wide != in_many_digits::nothing) row("verlet", hilger::stoermer_verlet(L));
 }
 /// With a memory, from rest: kept as the scene usually has it, and whole.

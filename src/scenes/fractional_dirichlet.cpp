@@ -11,9 +11,9 @@ namespace {
 /// The solution of a two-sided problem, computed at once and then walked along.
 class solution_walk final : public walk {
 public:
-    explicit solution_walk(hilger::index steps) : q_(fractional_dirichlet_solution(steps).q) {}
-    void advance(hilger::index steps) override { at_ = std::min(at_ + steps, q_.root().steps()); }
-    [[nodiscard]] hilger::index number() const override { return at_; }
+    explicit solution_walk(hilger::index_type steps) : q_(fractional_dirichlet_solution(steps).q) {}
+    void advance(hilger::index_type steps) override { at_ = std::min(at_ + steps, q_.root().steps()); }
+    [[nodiscard]] hilger::index_type number() const override { return at_; }
     [[nodiscard]] std::string row() const override { return digits_of(q_.root().element(at_)) + ',' + digits_of(q_[at_]); }
     /// In the middle: at the ends it is given.
     [[nodiscard]] std::vector<hilger::float100> position() const override { return {hilger::float100(q_[q_.root().steps() / 2])}; }
@@ -21,7 +21,7 @@ public:
 
 private:
     decltype(fractional_dirichlet_solution(1).q) q_;
-    hilger::index at_ = 0;
+    hilger::index_type at_ = 0;
 };
 
 } // namespace

@@ -27,12 +27,12 @@ N parameter_of(std::string const& name, N otherwise) {
 
 /// Calls use(policy) for one of history_names().
 template <class Use>
-void with_history(std::string const& name, hilger::index steps, Use const& use) {
+void with_history(std::string const& name, hilger::index_type steps, Use const& use) {
     std::string const kind = name.substr(0, name.find(':'));
     if (kind == "direct") use(hilger::direct{});
     if (kind == "blocks") use(hilger::blocks{});
     if (kind == "exponentials") use(hilger::exponentials{parameter_of(name, 0.0), steps + 1});
-    if (kind == "window") use(hilger::window{parameter_of(name, hilger::index{1000})});
+    if (kind == "window") use(hilger::window{parameter_of(name, hilger::index_type{1000})});
 }
 /// Calls use(scheme) with the weights that c.embedding names, one of newmark_names(), and the history that c.history does.
 template <class Structure, class Load, class Use>

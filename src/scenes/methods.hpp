@@ -23,11 +23,11 @@ void with_method(std::string const& name, L const& l, Use const& use) {
     using namespace hilger;
     constexpr bool many_digits = not std::is_floating_point_v<S>, all = Wide != in_many_digits::nothing;
     if constexpr (not std::is_same_v<S, float100>) {
-        if (name == "mid-point") use(embed(l, midpoint));
+        if (name == "mid-point") use(embed(l, mid_point));
     }
     if constexpr (std::is_same_v<S, double>) {
         if (name == "order-one") use(embed(l, order_one));
-        if (name == "mid-point+") use(embed(l, midpoint, compensated));
+        if (name == "mid-point+") use(embed(l, mid_point, compensated));
         if (name == "verlet") use(stoermer_verlet(l));
         if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
     }

@@ -38,8 +38,8 @@ public:
         : path_(std::move(path)), observe_(std::move(observe)), at_(std::as_const(path_).begin()), start_(observe_(*at_)),
           largest_(start_.size(), 0) {}
 
-    void advance(hilger::index steps) override {
-        hilger::index const last = std::min(path_.scale().last(), at_.number() + steps);
+    void advance(hilger::index_type steps) override {
+        hilger::index_type const last = std::min(path_.scale().last(), at_.number() + steps);
         iterator at = at_; // where nobody else can see it, the optimiser may keep it in registers
         try {
             while (at.number() < last) ++at;
@@ -49,7 +49,7 @@ public:
         }
         at_ = at;
     }
-    [[nodiscard]] hilger::index number() const override { return at_.number() - path_.scale().first(); }
+    [[nodiscard]] hilger::index_type number() const override { return at_.number() - path_.scale().first(); }
     [[nodiscard]] std::string row() const override {
         auto const& x = *at_;
         std::string text = digits_of(x.t);

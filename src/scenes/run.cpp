@@ -27,18 +27,18 @@ extern "C" void ask_to_stop(int) { stop_asked = 1; }
 /// The rows of a run and the checkpoint that belongs to them.
 class record_of_run {
 public:
-    record_of_run(scene const& what, run_options const& options, configuration const& c, hilger::index every)
+    record_of_run(scene const& what, run_options const& options, configuration const& c, hilger::index_type every)
         : head_(what.name + ": " + description(c) + ", a row every " + std::to_string(every)),
           rows_(files::path(options.out) / (what.name + ".csv")), checkpoint_(files::path(options.out) / (what.name + ".checkpoint")) {
         if (options.anew) files::remove(checkpoint_);
     }
     /// Puts the walk where the interrupted run was, if there is one. @throws hilger::error::mismatch when it was another run
-    bool continues(walk& w, hilger::index every, progress_bar& bar) {
+    bool continues(walk& w, hilger::index_type every, progress_bar& bar) {
         std::ifstream in(checkpoint_);
         if (not in) return false;
         std::string head;
         std::uintmax_t bytes = 0;
-        hilger::index point = 0;
+        hilger::index_type point = 0;
         bool state = false;
         std::getline(in, head);
         if (not(in >> bytes >> point >> state) or in.get() != '\n')
@@ -118,7 +118,7 @@ void say(scene const& what, configuration const& c, walk const& w, double second
 int run_scene(run_options const& options) {
     scene const& what = scene_named(options.scene);
     configuration const c = completed(what, options.choice);
-    hilger::index const every = options.every > 0 ? options.every : std::max<hilger::index>(1, c.steps / 2000);
+    hilger::index_type const every = options.every > 0 ? options.every : std::max<hilger::index_type>(1, c.steps / 2000);
     auto const begin = clock::now();
     auto const w = what.begin(c);
     record_of_run record(what, options, c, every);
@@ -135,7 +135,7 @@ int run_scene(run_options const& options) {
             record.write(w->row());
         }
         auto kept = clock::now();
-        hilger::index rows = 0;
+        hilger::index_type rows = 0;
         while (w->number() < c.steps) {
             try {
                 w->advance(std::min(every, c.steps - w->number()));

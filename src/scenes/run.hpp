@@ -10,10 +10,10 @@ namespace program {
 struct run_options {
     std::string scene;
     configuration choice;
-    hilger::index every = 0; ///< rows are written at every so many points; 0 for about 2000 rows
+    hilger::index_type every = 0; ///< rows are written at every so many points; 0 for about 2000 rows
     std::string out = "out";
-    bool anew = false;            ///< an interrupted run is not continued
-    hilger::index stop_after = 0; ///< stops after so many rows, as a signal does; 0 for never
+    bool anew = false;                 ///< an interrupted run is not continued
+    hilger::index_type stop_after = 0; ///< stops after so many rows, as a signal does; 0 for never
 };
 
 /// Runs a scene and writes its rows (CSV), a summary (JSON) and a picture. What is interrupted, by a signal or by a step that fails, leaves

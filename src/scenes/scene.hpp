@@ -16,7 +16,7 @@ namespace program {
 /// What can be chosen. An empty text or no steps stand for what the scene usually has.
 struct configuration {
     std::string embedding, scalar, history;
-    hilger::index steps = 0;
+    hilger::index_type steps = 0;
     friend bool operator==(configuration const&, configuration const&) = default;
 };
 
@@ -25,8 +25,8 @@ class walk {
 public:
     virtual ~walk() = default;
     /// So many steps further, or up to the last point. @throws what steps throw; the walk is then at its last good point
-    virtual void advance(hilger::index steps) = 0;
-    [[nodiscard]] virtual hilger::index number() const = 0;
+    virtual void advance(hilger::index_type steps) = 0;
+    [[nodiscard]] virtual hilger::index_type number() const = 0;
     /// The numbers of this point under the scene's columns, in digits that read back exactly.
     [[nodiscard]] virtual std::string row() const = 0;
     /// Position at this point, all components.

@@ -45,7 +45,7 @@ public:
                    (t < S(loaded) ? S(t * S(force / loaded)) : S(force));
         };
     }
-    [[nodiscard]] hilger::index tip() const { return beam_.tip(); }
+    [[nodiscard]] hilger::index_type tip() const { return beam_.tip(); }
 
 private:
     static constexpr double length_ = 0.15, width_ = 0.025, thickness_ = 0.005, density_ = 1000, relaxed_ = 1e6;
@@ -54,7 +54,7 @@ private:
 };
 
 /// D_+^alpha D_-^alpha q = 0, q(0) = 0, q(1) = 1, alpha = 3/4, in N steps.
-[[nodiscard]] inline auto fractional_dirichlet_solution(hilger::index N) {
+[[nodiscard]] inline auto fractional_dirichlet_solution(hilger::index_type N) {
     return hilger::solve_boundary(hilger::fractional_problem(hilger::papers::dirichlet, hilger::fraction<3, 4>{}),
                                   hilger::uniform(hilger::interval{0.0, 1.0}, N), 0.0, 1.0);
 }

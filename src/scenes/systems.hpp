@@ -115,7 +115,7 @@ struct fermi_pasta_ulam_system {
     static constexpr int size = 32;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
-        return hilger::mechanical(S(1), hilger::chain([](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; }));
+        return hilger::mechanical(S(1), hilger::chain([](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; }));
     }
     template <class S>
     [[nodiscard]] auto start() const {

@@ -72,7 +72,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
     double best = 1e300, fine = reference.own_error * 4, before = 1e300;
     int worse = 0, slower = 0;
     bool const many_digits = c.scalar.ends_with("digits");
-    hilger::index first = what.histories.empty() ? 8 : 64;
+    hilger::index_type first = what.histories.empty() ? 8 : 64;
     if (many_digits) {
         budget *= 10;
         first = std::max(first, what.reference.steps / 4);

@@ -46,7 +46,7 @@ void boundary() {
     hilger::fractional_problem const oscillator([](auto const& x, auto const& v) { return (x * x + v * v) / 2; }, alpha);
     double const exact = exact_at_one_half();
     std::cout << "Two-sided problems, alpha = 3/4\n        N   Dirichlet    error     residual  oscillator  applications   peak memory\n";
-    for (hilger::index N = 1000; N <= 1'000'000; N *= 10) {
+    for (hilger::index_type N = 1000; N <= 1'000'000; N *= 10) {
         auto const T = hilger::uniform(hilger::interval{0.0, 1.0}, N);
         double error = 0, residual = 0;
         int applications = 0;

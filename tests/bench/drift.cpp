@@ -12,23 +12,23 @@ namespace {
 /// The relative change of the mean energy over 2^16 steps, from the first ones to the last of each decade.
 template <class Flow, class Energy>
 void follow(std::string const& name, Flow const& flow, double h, double steps, Energy const& energy) {
-    using hilger::index;
-    constexpr index window = 1 << 16;
-    auto const N = static_cast<index>(steps);
+    using hilger::index_type;
+    constexpr index_type window = 1 << 16;
+    auto const N = static_cast<index_type>(steps);
     auto const begin = std::chrono::steady_clock::now();
     double q = 0, p = 0, sum = 0, first = 0;
-    index from = 0, decade = 1'000'000;
+    index_type from = 0, decade = 1'000'000;
     std::cout << name << "\n    steps     change of the mean energy\n";
     auto const path = flow.along(hilger::uniform(0.0, h, N), 1.0, 0.25);
     auto at = path.begin();
     // The loop that only steps is apart from the one that looks.
-    auto const pass = [&](index count) {
-        for (index i = 0; i < count; ++i) ++at;
+    auto const pass = [&](index_type count) {
+        for (index_type i = 0; i < count; ++i) ++at;
     };
     // Weights that vanish with all their derivatives at both ends: what is periodic averages out, whatever its period.
     auto const mean = [&] {
         double total = 0, weights = 0;
-        for (index i = 1; i <= window; ++i) {
+        for (index_type i = 1; i <= window; ++i) {
             double const x = static_cast<double>(i) / static_cast<double>(window + 1), w = std::exp(-1 / (x * (1 - x)));
             q = at->q;
             p = at->p;
@@ -62,8 +62,8 @@ void drift(double log10_of_steps) {
     auto const of_oscillator = [](double q, double p) { return (p * p + q * q) / 2; };
     auto const of_pendulum = [](double q, double p) { return p * p / 2 + (1 - std::cos(q)); };
     double const h = 0.0625;
-    follow("oscillator, mid-point, plain sums", hilger::embed(oscillator, hilger::midpoint), h, steps, of_oscillator);
-    follow("oscillator, mid-point, compensated sums", hilger::embed(oscillator, hilger::midpoint, hilger::compensated), h, steps,
+    follow("oscillator, mid-point, plain sums", hilger::embed(oscillator, hilger::mid_point), h, steps, of_oscillator);
+    follow("oscillator, mid-point, compensated sums", hilger::embed(oscillator, hilger::mid_point, hilger::compensated), h, steps,
            of_oscillator);
     follow("pendulum, order one, plain sums", hilger::embed(pendulum, hilger::order_one), h, steps, of_pendulum);
     follow("pendulum, order one, compensated sums", hilger::embed(pendulum, hilger::order_one, hilger::compensated), h, steps, of_pendulum);

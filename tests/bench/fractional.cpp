@@ -55,9 +55,9 @@ void fractional() {
     using hilger::fraction;
     using hilger::with_fractional_damping;
     std::cout << "Pendulum, mid-point, damping -D^(1/2) q / 10: steps, time of one, ratio to the step without damping, last position\n";
-    double const undamped = time_of_a_step("no damping", embed(pendulum, hilger::midpoint), 17, 0);
+    double const undamped = time_of_a_step("no damping", embed(pendulum, hilger::mid_point), 17, 0);
     auto const damped = [](auto order, auto policy) {
-        return embed(with_fractional_damping(pendulum, 0.1, order, policy), hilger::midpoint);
+        return embed(with_fractional_damping(pendulum, 0.1, order, policy), hilger::mid_point);
     };
     time_of_a_step("order 1, no history", damped(fraction<1>{}, hilger::direct{}), 17, undamped);
     time_of_a_step("direct", damped(fraction<1, 2>{}, hilger::direct{}), 14, undamped);

@@ -90,7 +90,7 @@ void histories() {
     double all = std::numeric_limits<double>::infinity(), weights = all;
     for (int r = 0; r < 5; ++r) {
         auto begin = clock::now();
-        auto const w = hilger::first_weights<grunwald_letnikov>(0.5, static_cast<hilger::index>(N));
+        auto const w = hilger::first_weights<grunwald_letnikov>(0.5, static_cast<hilger::index_type>(N));
         weights = std::min(weights, seconds_since(begin));
         begin = clock::now();
         auto const y = hilger::convolve<grunwald_letnikov>(0.5, x);

@@ -182,7 +182,7 @@ struct solar {
         return s + q(3);
     }
     [[nodiscard]] auto lagrangian() const {
-        auto const energy = [k = strength](hilger::index n, auto const& r) { return -k[static_cast<std::size_t>(n)] / r.norm(); };
+        auto const energy = [k = strength](hilger::index_type n, auto const& r) { return -k[static_cast<std::size_t>(n)] / r.norm(); };
         return hilger::mechanical(system.mass, hilger::pairs<3>(hilger::all_pairs(program::bodies), energy));
     }
 };
@@ -191,7 +191,7 @@ struct solar {
 
 void large_systems() {
     using hilger::embed;
-    auto const chain = hilger::mechanical(1.0, hilger::chain([](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; }));
+    auto const chain = hilger::mechanical(1.0, hilger::chain([](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; }));
     auto const fpu = [&](auto const& how) {
         return [flow = embed(chain, how)](long n) {
             row const start = fpu_start();
@@ -204,7 +204,7 @@ void large_systems() {
     race("Fermi-Pasta-Ulam chain, d = 128, mid-point", 2000, 30,
          {{"hand: Newton, tridiagonal solve, linear guess", fpu_newton_by_hand, true},
           {"hand: iteration, guess through 6 velocities", fpu_iteration_by_hand, true},
-          {"hilger: embed(mechanical(1, chain), midpoint)", fpu(hilger::midpoint)}});
+          {"hilger: embed(mechanical(1, chain), midpoint)", fpu(hilger::mid_point)}});
     race("Fermi-Pasta-Ulam chain, d = 128, order one", 2000, 30,
          {{"hand: symplectic Euler", fpu_order_one_by_hand, true},
           {"hilger: embed(mechanical(1, chain), order_one)", fpu(hilger::order_one)}});
@@ -218,7 +218,7 @@ void large_systems() {
     };
     race("Outer solar system, d = 18, mid-point", 2000, 30,
          {{"hand: iteration, guess through 6 velocities", [](long n) { return planets.midpoint_by_hand(n); }, true},
-          {"hilger: embed(mechanical(m, pairs<3>), midpoint)", run(hilger::midpoint)}});
+          {"hilger: embed(mechanical(m, pairs<3>), midpoint)", run(hilger::mid_point)}});
     race("Outer solar system, d = 18, order one", 2000, 30,
          {{"hand: symplectic Euler", [](long n) { return planets.order_one_by_hand(n); }, true},
           {"hilger: embed(mechanical(m, pairs<3>), order_one)", run(hilger::order_one)}});

@@ -28,7 +28,7 @@ template <class Flow>
 void walk(std::string const& name, Flow const& flow, long steps) {
     constexpr long every = 1000;
     double const h = 0.0625;
-    auto const wide_flow = hilger::embed(pendulum, hilger::midpoint);
+    auto const wide_flow = hilger::embed(pendulum, hilger::mid_point);
     using wide = hilger::state<long double, long double>;
     hilger::state<double, double> x{0.0, 1.5, 0.0};
     typename Flow::template memory<double, double> memory(flow, h, x.q);
@@ -66,8 +66,8 @@ void walk(std::string const& name, Flow const& flow, long steps) {
 
 void rounding(double log10_of_steps) {
     long const steps = std::lround(std::pow(10, log10_of_steps));
-    walk("mid-point, compensated sums", hilger::embed(pendulum, hilger::midpoint, hilger::compensated), steps);
-    walk("mid-point, plain sums", hilger::embed(pendulum, hilger::midpoint), steps);
+    walk("mid-point, compensated sums", hilger::embed(pendulum, hilger::mid_point, hilger::compensated), steps);
+    walk("mid-point, plain sums", hilger::embed(pendulum, hilger::mid_point), steps);
 }
 
 } // namespace bench

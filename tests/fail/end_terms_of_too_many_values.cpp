@@ -7,10 +7,10 @@ using namespace hilger;
 
 int main() {
     auto const T = uniform(0.0, 0.1, 10);
-    auto const f = function(T, [](double t) { return t; });
+    auto const f = function_on(T, [](double t) { return t; });
 #ifdef MUST_NOT_COMPILE
     [[maybe_unused]] auto const ends = boundary_form(Delta_plus, f, f);
 #else
-    [[maybe_unused]] auto const ends = boundary_form(Delta_plus, f, restrict_to(f, plus(T)));
+    [[maybe_unused]] auto const ends = boundary_form(Delta_plus, f, restrict_to(f, without_last(T)));
 #endif
 }

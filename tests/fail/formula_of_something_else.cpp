@@ -9,8 +9,8 @@ int main() {
     auto const T = uniform(0.0, 0.1, 10);
     struct angle {};
 #ifdef MUST_NOT_COMPILE
-    [[maybe_unused]] auto const f = function(T, [](angle) { return 1.0; });
+    [[maybe_unused]] auto const f = function_on(T, [](angle) { return 1.0; });
 #else
-    [[maybe_unused]] auto const f = function(T, [](double) { return 1.0; });
+    [[maybe_unused]] auto const f = function_on(T, [](double) { return 1.0; });
 #endif
 }

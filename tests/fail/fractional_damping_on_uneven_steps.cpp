@@ -7,7 +7,7 @@ using namespace hilger;
 
 int main() {
     constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
-    auto const flow = embed(with_fractional_damping(L, 0.1, fraction<1, 2>{}), midpoint);
+    auto const flow = embed(with_fractional_damping(L, 0.1, fraction<1, 2>{}), mid_point);
 #ifdef MUST_NOT_COMPILE
     time_scale<double> const T{0.0, 0.1, 0.3};
 #else

@@ -10,6 +10,6 @@ int main() {
 #else
     auto const T = uniform(0.0, 1.0, 2);
 #endif
-    auto const f = function(T, [](double t) { return t; });
+    auto const f = function_on(T, [](double t) { return t; });
     [[maybe_unused]] auto const g = Delta_minus_alpha<1, 2>[f];
 }

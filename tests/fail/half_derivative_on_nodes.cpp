@@ -7,7 +7,7 @@ using namespace hilger;
 
 int main() {
     auto const T = uniform(0.0, 0.1, 10);
-    auto const f = function(T, [](double t) { return t * t; });
+    auto const f = function_on(T, [](double t) { return t * t; });
 #ifdef MUST_NOT_COMPILE
     [[maybe_unused]] auto const g = Delta_h_plus[f];
 #else

@@ -8,7 +8,7 @@ using namespace hilger;
 
 int main() {
     auto const T = uniform(0.0, 0.5, 2);
-    auto const f = function(time_scale{0.0, 0.5, 1.0}, [](double t) { return t; });
+    auto const f = function_on(time_scale{0.0, 0.5, 1.0}, [](double t) { return t; });
 #ifdef MUST_NOT_COMPILE
     [[maybe_unused]] auto const s = integral(f, T);
 #else

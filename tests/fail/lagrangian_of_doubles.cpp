@@ -11,5 +11,5 @@ int main() {
 #else
     auto const L = [](auto q, auto v) { return v * v / 2 - q * q / 2; };
 #endif
-    [[maybe_unused]] auto const path = embed(L, midpoint).along(uniform(0.0, 0.1, 10), 1.0, 0.0);
+    [[maybe_unused]] auto const path = embed(L, mid_point).along(uniform(0.0, 0.1, 10), 1.0, 0.0);
 }

@@ -11,5 +11,5 @@ int main() {
     auto const L = [](auto const& q, auto const& v) { return (v - q).dot(v); };
 #endif
     using vector = Eigen::Vector2d;
-    [[maybe_unused]] auto const path = embed(L, midpoint).along(uniform(0.0, 0.1, 10), vector(1, 0), vector(0, 1));
+    [[maybe_unused]] auto const path = embed(L, mid_point).along(uniform(0.0, 0.1, 10), vector(1, 0), vector(0, 1));
 }

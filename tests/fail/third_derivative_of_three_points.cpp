@@ -7,7 +7,7 @@ using namespace hilger;
 
 int main() {
     constexpr auto T = uniform<2>(0.0, 0.1);
-    constexpr auto f = function(T, [](double t) { return t; });
+    constexpr auto f = function_on(T, [](double t) { return t; });
 #ifdef MUST_NOT_COMPILE
     [[maybe_unused]] constexpr auto g = Delta_plus[Delta_plus[Delta_plus[f]]];
 #else

@@ -6,7 +6,7 @@
 using namespace hilger;
 
 int main() {
-    auto const flow = embed([](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; }, midpoint);
+    auto const flow = embed([](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; }, mid_point);
     auto const T = uniform(0.0, 0.1, 10);
 #ifdef MUST_NOT_COMPILE
     [[maybe_unused]] auto const at = flow.along(T, 1.0, 0.0).begin();

@@ -9,10 +9,10 @@ int main() {
     auto const T = uniform(0.0, 0.5, 2);
     auto const U = time_scale{0.0, 0.5, 1.0};
     auto const formula = [](double t) { return t; };
-    auto const f = function(U, formula);
+    auto const f = function_on(U, formula);
 #ifdef MUST_NOT_COMPILE
-    [[maybe_unused]] auto const g = function(T, formula) * f;
+    [[maybe_unused]] auto const g = function_on(T, formula) * f;
 #else
-    [[maybe_unused]] auto const g = function(time_scale(T), formula) * f;
+    [[maybe_unused]] auto const g = function_on(time_scale(T), formula) * f;
 #endif
 }

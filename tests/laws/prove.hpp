@@ -17,7 +17,7 @@
 
 namespace laws {
 
-using hilger::index;
+using hilger::index_type;
 
 /// The numbers RapidCheck drew, handed out one after the other and then again.
 class drawn {
@@ -50,12 +50,12 @@ void report(char const* values);
 template <class S>
 struct uniform_steps {
     static constexpr char const* name = "a + ih";
-    auto operator()(index N, drawn& d) const { return hilger::uniform(S(d.step<S>() - S(3)), d.step<S>(), N); }
+    auto operator()(index_type N, drawn& d) const { return hilger::uniform(S(d.step<S>() - S(3)), d.step<S>(), N); }
 };
 template <class S>
 struct divided_interval {
     static constexpr char const* name = "[a, b] in N";
-    auto operator()(index N, drawn& d) const {
+    auto operator()(index_type N, drawn& d) const {
         S const a = -d.step<S>();
         return hilger::uniform(hilger::interval<S>{a, a + d.step<S>()}, N);
     }
@@ -63,30 +63,30 @@ struct divided_interval {
 template <class S>
 struct random_points {
     static constexpr char const* name = "random points";
-    auto operator()(index N, drawn& d) const {
+    auto operator()(index_type N, drawn& d) const {
         std::vector<S> points{S(-d.step<S>())};
-        for (index i = 0; i < N; ++i) points.push_back(points.back() + d.step<S>());
+        for (index_type i = 0; i < N; ++i) points.push_back(points.back() + d.step<S>());
         return hilger::time_scale<S>(std::move(points));
     }
 };
 template <class S>
 struct quantum {
     static constexpr char const* name = "q^Z";
-    auto operator()(index N, drawn& d) const { return hilger::powers(S(S(1) + d.step<S>() / S(8)), index(-1), N - 1); }
+    auto operator()(index_type N, drawn& d) const { return hilger::powers(S(S(1) + d.step<S>() / S(8)), index_type(-1), N - 1); }
 };
 template <class S>
 struct harmonic {
     static constexpr char const* name = "harmonic numbers";
-    auto operator()(index N, drawn&) const { return hilger::harmonic_numbers<S>(N); }
+    auto operator()(index_type N, drawn&) const { return hilger::harmonic_numbers<S>(N); }
 };
 /// Two fine steps after every coarse one.
 template <class S>
 struct fine_and_coarse {
     static constexpr char const* name = "fine and coarse";
-    auto operator()(index N, drawn& d) const {
+    auto operator()(index_type N, drawn& d) const {
         S const h = d.step<S>();
         std::vector<S> points{S(0)};
-        for (index i = 0; i < N; ++i) points.push_back(points.back() + (i % 3 == 0 ? h : S(h / S(100))));
+        for (index_type i = 0; i < N; ++i) points.push_back(points.back() + (i % 3 == 0 ? h : S(h / S(100))));
         return hilger::time_scale<S>(std::move(points));
     }
 };
@@ -94,14 +94,14 @@ struct fine_and_coarse {
 template <class S>
 struct own_circ {
     static constexpr char const* name = "T_o as a T";
-    auto operator()(index N, drawn& d) const { return hilger::time_scale<S>(hilger::circ(random_points<S>{}(N, d))); }
+    auto operator()(index_type N, drawn& d) const { return hilger::time_scale<S>(hilger::circ(random_points<S>{}(N, d))); }
 };
 
 /// Equal steps given as points: the same set as uniform_steps, computed as any other.
 template <class S>
 struct equal_points {
     static constexpr char const* name = "equal steps, given";
-    auto operator()(index N, drawn& d) const { return hilger::time_scale<S>(uniform_steps<S>{}(N, d)); }
+    auto operator()(index_type N, drawn& d) const { return hilger::time_scale<S>(uniform_steps<S>{}(N, d)); }
 };
 
 template <class S>
@@ -114,7 +114,7 @@ inline constexpr auto given_scales = boost::hana::make_tuple(equal_points<S>{}, 
 template <class Scale>
 struct kind_of_scale {
     char const* name;
-    std::function<Scale(index, drawn&)> make;
+    std::function<Scale(index_type, drawn&)> make;
 };
 template <class Makers>
 auto kinds_of(Makers const& makers) {
@@ -127,7 +127,7 @@ template <class Identity, class Scale, class Value>
 void try_on(Identity const& identity, std::vector<kind_of_scale<Scale>> const& kinds, Value const& zero, int times) {
     if constexpr (not Identity::uniform_only or Scale::is_uniform)
         for (auto const& kind : kinds)
-            for (index const N : {1, 2, 3, 10})
+            for (index_type const N : {1, 2, 3, 10})
                 prove(identity.name, identity.source, std::string(kind.name) + ", N = " + std::to_string(N),
                       std::numeric_limits<typename Scale::scalar_type>::is_exact, times,
                       [&, N](drawn& d) { return hilger::check(identity, kind.make(N, d), zero, d); });

@@ -29,7 +29,7 @@ void meets(double wanted) {
     auto const x = solve(kepler, I, initial_velocity<plane<S>>{{S(2) / S(5), S(0)}, {S(0), S(2)}}, accuracy{wanted});
     auto const T = uniform(I, x.steps);
     S worst(0);
-    for (hilger::index i = 0; i <= x.steps; ++i) worst = std::max(worst, S((x.q[i] - ellipse(T.element(i))).norm()));
+    for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, S((x.q[i] - ellipse(T.element(i))).norm()));
     CHECK(worst <= S(wanted));
     CHECK(x.error <= S(wanted));
     CHECK(worst <= S(2) * x.error + S(64) * epsilon<S>()); // the error that is told is no smaller than the true one

@@ -27,7 +27,7 @@ double order_between(float50 const& coarse, float50 const& fine) {
 TEST_CASE("L = v^2/2 is solved exactly: straight lines for alpha = 1, and rationals for h = 1 and any alpha") {
     auto const T = uniform(Q(-1, 3), Q(2, 7), 9);
     auto const line = solve_boundary(fractional_problem(dirichlet, Q(1)), T, Q(1, 2), Q(-3));
-    for (hilger::index k = 0; k <= 9; ++k) CHECK(line.q[k] == Q(1, 2) + (Q(-3) - Q(1, 2)) * k / 9);
+    for (hilger::index_type k = 0; k <= 9; ++k) CHECK(line.q[k] == Q(1, 2) + (Q(-3) - Q(1, 2)) * k / 9);
     CHECK(line.residual == 0);
     CHECK(line.iterations == 0);
     for (Q const& alpha : {Q(3, 4), Q(1, 2), Q(1, 5)})

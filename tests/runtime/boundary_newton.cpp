@@ -124,7 +124,7 @@ TEST_CASE("a problem without a solution ends in an error that has the last itera
         double worst = 0;
         for (double r : failure.residual) worst = std::max(worst, std::abs(r));
         CHECK(worst > 1);
-        auto const again = fractional_problem(runaway, 1).residual(function(T, failure.iterate));
+        auto const again = fractional_problem(runaway, 1).residual(function_on(T, failure.iterate));
         CHECK(again[7] == failure.residual[6]);
     }
     CHECK_THROWS_AS((void)solve_boundary(fractional_problem(straight{0, 1}, Q(1)), uniform(Q(0), Q(1), 4), 1, 2), error::no_convergence);

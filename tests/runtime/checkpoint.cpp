@@ -32,18 +32,18 @@ std::string why_unreadable(std::string const& text, Path const& path) {
 } // namespace
 
 TEST_CASE("1000 steps are 400 and 600, bit for bit") {
-    CHECK(differences(pendulum_path<double>(embed(pendulum, midpoint), 1000), 400) == 0);
-    CHECK(differences(pendulum_path<double>(embed(pendulum, midpoint, compensated), 1000), 400) == 0);
+    CHECK(differences(pendulum_path<double>(embed(pendulum, mid_point), 1000), 400) == 0);
+    CHECK(differences(pendulum_path<double>(embed(pendulum, mid_point, compensated), 1000), 400) == 0);
     CHECK(differences(pendulum_path<double>(embed(pendulum, order_one), 1000), 400) == 0);
     CHECK(differences(pendulum_path<double>(embed(pendulum, order_one, compensated), 1000), 400) == 0);
-    CHECK(differences(pendulum_path<float50>(embed(pendulum, midpoint), 1000), 400) == 0);
-    CHECK(differences(pendulum_path<float50>(embed(pendulum, midpoint, compensated), 1000), 400) == 0);
+    CHECK(differences(pendulum_path<float50>(embed(pendulum, mid_point), 1000), 400) == 0);
+    CHECK(differences(pendulum_path<float50>(embed(pendulum, mid_point, compensated), 1000), 400) == 0);
     CHECK(differences(pendulum_path<float50>(embed(pendulum, order_one), 1000), 400) == 0);
     CHECK(differences(pendulum_path<float50>(embed(pendulum, order_one, compensated), 1000), 400) == 0);
 }
 
 TEST_CASE("what is remembered matters: forgetting it changes bits") {
-    auto const path = pendulum_path<double>(embed(pendulum, midpoint, compensated), 1000);
+    auto const path = pendulum_path<double>(embed(pendulum, mid_point, compensated), 1000);
     auto at = path.begin();
     for (int i = 0; i < 400; ++i) ++at;
     auto forgetful = path.begin().checkpoint();
@@ -56,7 +56,7 @@ TEST_CASE("what is remembered matters: forgetting it changes bits") {
 }
 
 TEST_CASE("a run goes on beyond its scale's end") {
-    auto const flow = embed(pendulum, midpoint);
+    auto const flow = embed(pendulum, mid_point);
     auto const whole = pendulum_path<double>(flow, 20), part = pendulum_path<double>(flow, 10);
     auto at = part.begin();
     while (at.number() < 10) ++at;
@@ -94,6 +94,6 @@ TEST_CASE("the format, and what is said of text that is not in it") {
           "line 2 of 'run.txt' should be 'scalar with 53 digits', and is 'scalar with 168 digits'");
     CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, order_one, compensated), 10)), path)
               .find("should be 'end', and is 'carry ") != std::string::npos);
-    CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, midpoint), 10)), path).find("should be 'end', and is 'velocity ") !=
+    CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, mid_point), 10)), path).find("should be 'end', and is 'velocity ") !=
           std::string::npos);
 }

@@ -58,7 +58,7 @@ TEST_CASE("a composition makes the steps of its flows, in turn") {
     // Steps of changing length.
     time_scale<Q> const T{Q(1, 7), Q(1, 3), Q(1, 2), Q(3, 5)};
     state<Q, Q> x = start;
-    hilger::index i = 0;
+    hilger::index_type i = 0;
     for (auto const& at : both.along(T, x.q, x.p)) {
         CHECK(at == x);
         if (i < 3) x = both.step(x, T.step(i++));
@@ -87,7 +87,9 @@ TEST_CASE("order one and its adjoint over half a step each are Stoermer-Verlet")
 
 TEST_CASE("kicks and drifts are the steps of the flows in turns, where the problem is one, and the position the last one") {
     auto const spring = [](Q const& k) { return lagrangian{[k](auto const& x, auto const& v) { return v * v - v / 3 - k * x * x / 2; }}; };
-    auto const chain_of = [](Q const& k) { return mechanical(Q(3), chain([k](hilger::index, auto const& r) { return k * r * r / 2; })); };
+    auto const chain_of = [](Q const& k) {
+        return mechanical(Q(3), chain([k](hilger::index_type, auto const& r) { return k * r * r / 2; }));
+    };
     using Q2 = Eigen::Matrix<Q, 2, 1>;
     state<Q, Q2> const start_2{Q(1, 7), Q2(Q(1, 3), Q(2, 5)), Q2(Q(-1, 2), Q(3))};
     /// Steps of f, part after part, and the same by single steps: each begins where the last one ended, but for one that somebody moves.
@@ -155,7 +157,7 @@ TEST_CASE("what is not made of kicks and drifts is stepped in turns") {
 
 TEST_CASE("kicks and drifts that meet what is no number say so, and leave the state") {
     auto const fall = [](auto const& x, auto const& v) { return v * v / 2 + 1 / (x * x); };
-    auto const row = mechanical(1.0, chain([](hilger::index, auto const& r) { return 1 / (r * r); }));
+    auto const row = mechanical(1.0, chain([](hilger::index_type, auto const& r) { return 1 / (r * r); }));
     state<double, double> x{0, 1e-200, 0};
     state<double, Eigen::Vector2d> y{0, {1e-200, 0.5}, {0, 0}};
     auto const check = [](auto const& f, auto const& from) {
@@ -176,9 +178,9 @@ TEST_CASE("kicks and drifts that meet what is no number say so, and leave the st
 }
 
 TEST_CASE("with their adjoints, flows of order one have order 2") {
-    CHECK(fitted_order(stoermer_verlet(pendulum), embed(pendulum, midpoint)) == doctest::Approx(2).epsilon(0.01));
-    CHECK(fitted_order(position_verlet(bead), embed(bead, midpoint)) == doctest::Approx(2).epsilon(0.01));
-    CHECK(fitted_order(symmetrized(embed(damped_pendulum, theta<1, 3>)), embed(damped_pendulum, midpoint)) ==
+    CHECK(fitted_order(stoermer_verlet(pendulum), embed(pendulum, mid_point)) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(position_verlet(bead), embed(bead, mid_point)) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(symmetrized(embed(damped_pendulum, theta<1, 3>)), embed(damped_pendulum, mid_point)) ==
           doctest::Approx(2).epsilon(0.01));
 }
 
@@ -215,7 +217,7 @@ TEST_CASE("a flow that fails in the second half leaves the state as it was") {
         using std::sqrt;
         return v * v / 2 - sqrt(x);
     }};
-    auto const half_way = embed(falling, midpoint);
+    auto const half_way = embed(falling, mid_point);
     auto const f = compose(halves, half_way);
     state<double, double> const before{3, 0.06, -1}, away{0, 1, 0};
     CHECK(half_way.step(before, 0.05).q < 0.01);
@@ -236,14 +238,14 @@ TEST_CASE("a flow that fails in the second half leaves the state as it was") {
 }
 
 TEST_CASE("parts that do not make up the step are refused") {
-    auto const f = embed(pendulum, midpoint);
+    auto const f = embed(pendulum, mid_point);
     auto const most = compose(shares<fraction<1, 2>, fraction<1, 4>>{}, f, f);
     CHECK_THROWS_WITH_AS((void)most.step(state<double, double>{0, 1, 0}, 0.1),
                          "the parts of a composed step add up to 1, and these add up to 0.75", error::invalid_parameter);
 }
 
 TEST_CASE("a step of h ends at t + h, whatever its parts round to") {
-    auto const f = embed(pendulum, midpoint);
+    auto const f = embed(pendulum, mid_point);
     auto const thirds = compose(shares<fraction<1, 3>, fraction<1, 3>, fraction<1, 3>>{}, f);
     for (double const h : {0.1, 0.3, 0.7}) CHECK(thirds.step(state<double, double>{1, 1, 0}, h).t == 1 + h);
 }

@@ -127,7 +127,7 @@ TEST_CASE("the parts are the published ones") {
 TEST_CASE("orders on a linear, a nonlinear and a non-separable problem, fitted in 50 digits") {
     for (auto const kind : three_problems) {
         CAPTURE(static_cast<int>(kind));
-        auto const m = embed(problem_of(kind), midpoint);
+        auto const m = embed(problem_of(kind), mid_point);
         auto const v = stoermer_verlet(problem_of(kind));
         float50 const reference = at_one(compose(kahan_li<8>, m), 200);
         auto const check = [&](auto const& flow, int order, int steps) {
@@ -150,7 +150,7 @@ TEST_CASE("orders on a linear, a nonlinear and a non-separable problem, fitted i
 
 TEST_CASE("they preserve area and are their own adjoints") {
     float50 const h = float50(1) / 10, e("1e-15"), q(1), p = float50(1) / 2;
-    auto const f = compose(suzuki_umeno<8>, embed(bead, midpoint));
+    auto const f = compose(suzuki_umeno<8>, embed(bead, mid_point));
     auto const step = [&](float50 const& x, float50 const& y) { return f.step(state<float50, float50>{0, x, y}, h); };
     auto const a = step(q + e, p), b = step(q - e, p), c = step(q, p + e), d = step(q, p - e);
     float50 const det = (a.q - b.q) * (c.p - d.p) - (c.q - d.q) * (a.p - b.p);

@@ -34,10 +34,10 @@ void conserves(char const* name, Flow const& flow) {
 TEST_CASE("embeddings are symplectic and keep momentum maps") {
     conserves("order one", embed(charge, order_one));
     conserves("theta", embed(charge, theta<1, 3>));
-    conserves("mid-point", embed(charge, midpoint));
+    conserves("mid-point", embed(charge, mid_point));
     conserves("Galerkin, Gauss", embed(charge, galerkin<3, gauss>));
     conserves("Galerkin, Lobatto", embed(charge, galerkin<4, lobatto>));
-    conserves("composition", compose(suzuki<4>, embed(charge, midpoint)));
+    conserves("composition", compose(suzuki<4>, embed(charge, mid_point)));
 }
 
 TEST_CASE("a scheme that is not variational is not symplectic: the test can tell") {

@@ -32,7 +32,7 @@ std::pair<float50, float50> errors(float50 const& h) {
 } // namespace
 
 TEST_CASE("the slopes are q' = v and p' = dL/dq with the force, exactly") {
-    auto const free = embed(oscillator, midpoint);
+    auto const free = embed(oscillator, mid_point);
     auto const slopes = slopes_at(free.mechanics(), state<Q, Q>{0, Q(2), Q(5)}); // v = p - x/3
     CHECK(slopes.q == Q(13, 3));
     CHECK(slopes.p == Q(13, 9) - 2);
@@ -46,11 +46,11 @@ TEST_CASE("the slopes are q' = v and p' = dL/dq with the force, exactly") {
 TEST_CASE("free fall is reproduced exactly in the rationals") {
     lagrangian const fall{[](auto const& x, auto const& v) { return v * v / 2 - x; }};
     auto const at = [](Q const& t) { return state<Q, Q>{t, 1 + t - t * t / 2, 1 - t}; };
-    dense_output const path(embed(fall, midpoint).mechanics(), std::vector{at(Q(0)), at(Q(1, 3)), at(Q(2)), at(Q(7, 2))});
+    dense_output const path(embed(fall, mid_point).mechanics(), std::vector{at(Q(0)), at(Q(1, 3)), at(Q(2)), at(Q(7, 2))});
     for (int k = 0; k <= 35; ++k) CHECK(path(Q(k, 10)) == at(Q(k, 10)));
     CHECK_THROWS_WITH_AS((void)path(Q(-1)), "-1 is outside the interval [0, 7/2]", error::outside_domain);
     CHECK_THROWS_AS((void)path(Q(4)), error::outside_domain);
-    CHECK_THROWS_AS(dense_output(embed(fall, midpoint).mechanics(), std::vector{at(Q(0))}), error::mismatch);
+    CHECK_THROWS_AS(dense_output(embed(fall, mid_point).mechanics(), std::vector{at(Q(0))}), error::mismatch);
 }
 
 TEST_CASE("order 4 in q and in p, fitted in 50 digits") {
@@ -63,7 +63,7 @@ TEST_CASE("order 4 in q and in p, fitted in 50 digits") {
 }
 
 TEST_CASE("points of a trajectory are met, and left continuously") {
-    auto const flow = embed(pendulum, midpoint);
+    auto const flow = embed(pendulum, mid_point);
     auto const run = record(flow.along(uniform(0.0, 0.1, 20), 1.0, 0.5));
     dense_output const path(flow.mechanics(), run.states);
     for (auto const& x : run.states) CHECK(path(x.t) == x);

@@ -44,13 +44,13 @@ TEST_CASE("angular momentum is the momentum map of rotations, and is kept to rou
     auto const rotation = [](auto const& q) { return std::remove_cvref_t<decltype(q)>(-q(1), q(0)); };
     auto const translation = [](auto const& q) { return std::remove_cvref_t<decltype(q)>(1 + 0 * q(0), 0 * q(0)); };
     CHECK(momentum_map(rotation)(state<double, Eigen::Vector2d>{0, {2, 3}, {5, 7}}) == -1);
-    auto const path = embed(kepler, midpoint).along(uniform(0.0, 0.02, 1000), Eigen::Vector2d(0.4, 0), Eigen::Vector2d(0, 2));
+    auto const path = embed(kepler, mid_point).along(uniform(0.0, 0.02, 1000), Eigen::Vector2d(0.4, 0), Eigen::Vector2d(0, 2));
     CHECK(drift_along(path, momentum_map(rotation)).largest < 1000 * epsilon<double>());
     CHECK(drift_along(path, momentum_map(translation)).largest > 1);
 }
 
 TEST_CASE("the derivative of a step: exactly in the rationals, to epsilon^(4/5) elsewhere") {
-    auto const flow = embed(oscillator, midpoint);
+    auto const flow = embed(oscillator, mid_point);
     auto const M = jacobian_of_step(flow, state<Q, Q>{0, 1, 2}, Q(1, 3));
     // In q and v = p - q/3 it is the Cayley transform of the harmonic oscillator, h/2 = 1/6: (35, 12; -12, 35)/37.
     CHECK(M(0, 0) == Q(31, 37));
@@ -61,10 +61,10 @@ TEST_CASE("the derivative of a step: exactly in the rationals, to epsilon^(4/5) 
 
     auto const bound = []<class S>(S const& epsilon) { return S(10 * pow(epsilon, S(4) / S(5))); };
     using std::pow;
-    CHECK(symplecticity_error(jacobian_of_step(embed(pendulum, midpoint), state<float50, float50>{0, 1, float50(1) / 2}, float50(1) / 10)) <
-          bound(epsilon<float50>()));
+    CHECK(symplecticity_error(jacobian_of_step(embed(pendulum, mid_point), state<float50, float50>{0, 1, float50(1) / 2},
+                                               float50(1) / 10)) < bound(epsilon<float50>()));
     state<double, Eigen::Vector2d> const plane{0, {1, 0.1}, {0.1, 1}};
-    CHECK(symplecticity_error(jacobian_of_step(embed(kepler, midpoint), plane, 0.1)) < 10 * std::pow(epsilon<double>(), 0.8));
+    CHECK(symplecticity_error(jacobian_of_step(embed(kepler, mid_point), plane, 0.1)) < 10 * std::pow(epsilon<double>(), 0.8));
     CHECK(symplecticity_error(jacobian_of_step(embed(kepler, order_one), plane, 0.1)) < 10 * std::pow(epsilon<double>(), 0.8));
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("there and back") {
     state<float50, float50> const x{0, 1, float50(1) / 2};
     float50 const h = float50(1) / 10;
     auto const error = [&](auto const& method, auto const& adjoint) { return reversibility_error(method, adjoint, x, h); };
-    CHECK(error(embed(pendulum, midpoint), embed(pendulum, midpoint)) < 8 * epsilon<float50>());
+    CHECK(error(embed(pendulum, mid_point), embed(pendulum, mid_point)) < 8 * epsilon<float50>());
     CHECK(error(embed(pendulum, order_one), embed(pendulum, order_one_left)) < 8 * epsilon<float50>());
     CHECK(error(embed(pendulum, order_one), embed(pendulum, order_one)) > h * h / 10);
 }
@@ -98,7 +98,7 @@ TEST_CASE("the residual of the equation along a recorded trajectory") {
         return largest_residual(EL, record(embed(L, how).along(T, S(1), S(1) / S(2))).positions());
     };
     // |x| <= 2, and the equation divides by h^2.
-    CHECK(residual(pendulum, midpoint, 0.1) < 16 * epsilon<double>() * 2 / 0.01);
-    CHECK(residual(pendulum, midpoint, float50(1) / 10) < 16 * epsilon<float50>() * 2 * 100);
+    CHECK(residual(pendulum, mid_point, 0.1) < 16 * epsilon<double>() * 2 / 0.01);
+    CHECK(residual(pendulum, mid_point, float50(1) / 10) < 16 * epsilon<float50>() * 2 * 100);
     CHECK(residual(pendulum, order_one, 0.1) > 1e-4); // that solves another equation
 }

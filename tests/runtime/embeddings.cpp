@@ -51,7 +51,7 @@ TEST_CASE("order one and theta have order 1, mid-point 2") {
     check_order(order_one, 1, {200, 200, 200});
     check_order(order_one_left, 1, {200, 200, 200});
     check_order(theta<1, 3>, 1, {200, 200, 200});
-    check_order(midpoint, 2, {40, 40, 40});
+    check_order(mid_point, 2, {40, 40, 40});
 }
 
 TEST_CASE("Galerkin with s Gauss nodes has order 2s") {

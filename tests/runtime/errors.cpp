@@ -52,7 +52,7 @@ TEST_CASE("a message is its parts, and its numbers can be read back") {
 
 TEST_CASE("an error leaves what it happened to as it was") {
     auto const T = testing::steps_1_2_4();
-    auto const f = function(T, [](Q const& t) { return t; });
+    auto const f = function_on(T, [](Q const& t) { return t; });
     CHECK_THROWS_AS((void)f(Q(2)), error::outside_domain);
     CHECK(f(Q(3)) == 3);
     std::vector<Q> points{Q(0), Q(1), Q(1)};

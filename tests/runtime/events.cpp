@@ -27,7 +27,7 @@ std::vector<double> times(Range const& range) {
 template <class S>
 auto passing_zero(S const& start) {
     lagrangian const free{[](auto const& x, auto const& v) { return v * v / 2 + 0 * x; }};
-    return embed(free, midpoint).along(uniform(S(0), S(1) / S(2), 8), start, S(1));
+    return embed(free, mid_point).along(uniform(S(0), S(1) / S(2), 8), start, S(1));
 }
 
 } // namespace
@@ -80,7 +80,7 @@ TEST_CASE("until ends at the event, or with the trajectory") {
 
 TEST_CASE("nothing behind the event is computed") {
     // The cubic system runs away and its steps fail after t = 0.9; its first event is before.
-    auto const path = embed(cubic, midpoint).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
+    auto const path = embed(cubic, mid_point).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
     auto const g = [](auto const& x) { return x.q - 1.5; };
     double last = 0;
     for (auto const& x : until(path, g)) last = x.q;
@@ -95,7 +95,7 @@ TEST_CASE("nothing behind the event is computed") {
 
 TEST_CASE("half periods of the pendulum are equal, and of order 2") {
     auto const half_period = [](float50 const& h) {
-        auto const path = embed(pendulum, midpoint).along(uniform(float50(0), h, 2000), float50(1), float50(0));
+        auto const path = embed(pendulum, mid_point).along(uniform(float50(0), h, 2000), float50(1), float50(0));
         auto const zeros = events(path, momentum);
         auto at = zeros.begin();
         float50 const first = at->t;
@@ -121,7 +121,7 @@ TEST_CASE("a Poincare section of Henon and Heiles: the plane x = 0, one sheet, o
     };
     double const E = 1.0 / 12, y0 = 0.1, py0 = 0.05;
     double const px0 = std::sqrt(2 * E - py0 * py0 - y0 * y0 + 2 * y0 * y0 * y0 / 3);
-    auto const path = embed(henon_heiles, midpoint).along(uniform(0.0, 0.02, 20'000), vector(0, y0), vector(px0, py0));
+    auto const path = embed(henon_heiles, mid_point).along(uniform(0.0, 0.02, 20'000), vector(0, y0), vector(px0, py0));
     int count = 0;
     for (auto const& z : events(
              path, [](auto const& x) { return x.q(0); }, crossing::rising)) {

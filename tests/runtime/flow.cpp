@@ -26,7 +26,7 @@ double fitted_order(L const& lagrangian, Embedding const& how) {
     // Richardson: two mid-point runs give a reference of order 4.
     auto const run = [&](int steps) {
         float50 last;
-        for (auto const& at : embed(lagrangian, midpoint).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2))
+        for (auto const& at : embed(lagrangian, mid_point).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2))
             last = at.q;
         return last;
     };
@@ -69,20 +69,20 @@ TEST_CASE("a flow solves its discrete Euler-Lagrange equation to rounding") {
 }
 
 TEST_CASE("orders, fitted in 50 digits") {
-    CHECK(fitted_order(pendulum, midpoint) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(pendulum, mid_point) == doctest::Approx(2).epsilon(0.01));
     CHECK(fitted_order(pendulum, order_one) == doctest::Approx(1).epsilon(0.02));
     CHECK(fitted_order(pendulum, order_one_left) == doctest::Approx(1).epsilon(0.02));
     CHECK(fitted_order(pendulum, theta<1, 3>) == doctest::Approx(1).epsilon(0.02));
-    CHECK(fitted_order(bead, midpoint) == doctest::Approx(2).epsilon(0.01));
-    CHECK(fitted_order(oscillator, midpoint) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(bead, mid_point) == doctest::Approx(2).epsilon(0.01));
+    CHECK(fitted_order(oscillator, mid_point) == doctest::Approx(2).epsilon(0.01));
 }
 
 TEST_CASE("every flow preserves area") {
     float100 const h = float100(1) / 10, tolerance("1e-55"); // the differences' own error is 1e-60
-    CHECK(area_error(embed(pendulum, midpoint), h) < tolerance);
+    CHECK(area_error(embed(pendulum, mid_point), h) < tolerance);
     CHECK(area_error(embed(pendulum, order_one), h) < tolerance);
     CHECK(area_error(embed(pendulum, order_one_left), h) < tolerance);
-    CHECK(area_error(embed(bead, midpoint), h) < tolerance);
+    CHECK(area_error(embed(bead, mid_point), h) < tolerance);
     CHECK(area_error(embed(bead, order_one), h) < tolerance);
     CHECK(area_error(embed(bead, theta<1, 3>), h) < tolerance);
 }
@@ -91,7 +91,7 @@ TEST_CASE("quadratic Lagrangians step exactly in the rationals, and mid-point ke
     hamiltonian const H(oscillator);
     Q const E0 = H(Q(1, 2), Q(1));
     int steps = 0;
-    for (auto const& [t, q, p] : embed(oscillator, midpoint).along(uniform(Q(0), Q(1, 5), 12), Q(1), Q(1, 2))) {
+    for (auto const& [t, q, p] : embed(oscillator, mid_point).along(uniform(Q(0), Q(1, 5), 12), Q(1), Q(1, 2))) {
         CHECK(H(p, q) == E0);
         CHECK(t == Q(steps, 5));
         ++steps;
@@ -102,24 +102,24 @@ TEST_CASE("quadratic Lagrangians step exactly in the rationals, and mid-point ke
 TEST_CASE("p_o = dL/dv(q_o, Delta_o_plus[q_o]): definition 12 satisfies the momentum constraint (82), exactly") {
     auto const T = uniform(Q(0), Q(1, 5), 8);
     std::vector<Q> qs, ps;
-    for (auto const& at : embed(oscillator, midpoint).along(T, Q(1), Q(1, 2))) {
+    for (auto const& at : embed(oscillator, mid_point).along(T, Q(1), Q(1, 2))) {
         qs.push_back(at.q);
         ps.push_back(at.p);
     }
-    auto const q = function(T, qs), p = function(T, ps);
+    auto const q = function_on(T, qs), p = function_on(T, ps);
     auto const at = on_half[extend[q]];
     auto const v = on_half[Delta_o_plus[extend[q]]];
     auto const p_o = on_half[extend[p]];
     hamiltonian const H(oscillator);
-    for (hilger::index i = 0; i < 8; ++i) {
+    for (hilger::index_type i = 0; i < 8; ++i) {
         CHECK(p_o[i] == gradient_second(oscillator, at[i], v[i])); // (82)
         CHECK(v[i] == H.by_momentum(p_o[i], at[i]));               // the second line of (94), on all of T_half
         CHECK(p[i + 1] == gradient_second(oscillator, at[i], v[i]) + Q(1, 10) * gradient_first(oscillator, at[i], v[i])); // (89)
     }
     CHECK(p[0] == gradient_second(oscillator, at[0], v[0]) - Q(1, 10) * gradient_first(oscillator, at[0], v[0])); // (90)
     auto const left = Delta_h_minus[p_o];
-    auto const force = apply([&](Q const& x, Q const& y) { return Q(-H.by_position(x, y)); }, p_o, at);
-    for (hilger::index i = 1; i < 8; ++i) CHECK(left[i] == mean_h_minus[force][i]); // the first line of (94), on T_half^-
+    auto const force = apply_pointwise([&](Q const& x, Q const& y) { return Q(-H.by_position(x, y)); }, p_o, at);
+    for (hilger::index_type i = 1; i < 8; ++i) CHECK(left[i] == mean_h_minus[force][i]); // the first line of (94), on T_half^-
 }
 
 TEST_CASE("mid-point is its own inverse with -h; order one right and left are inverse to each other") {
@@ -129,8 +129,8 @@ TEST_CASE("mid-point is its own inverse with -h; order one right and left are in
         auto const end = back.step(there.step(start, h), float50(-h));
         return abs(end.q - start.q) + abs(end.p - start.p) < tolerance;
     };
-    CHECK(returns(embed(bead, midpoint), embed(bead, midpoint)));
-    CHECK(returns(embed(pendulum, midpoint), embed(pendulum, midpoint)));
+    CHECK(returns(embed(bead, mid_point), embed(bead, mid_point)));
+    CHECK(returns(embed(pendulum, mid_point), embed(pendulum, mid_point)));
     CHECK(returns(embed(bead, order_one), embed(bead, order_one_left)));
     CHECK_FALSE(returns(embed(bead, order_one), embed(bead, order_one)));
 }
@@ -147,20 +147,20 @@ TEST_CASE("angular momentum of Kepler's ellipse is kept to rounding") {
             most = std::max(most, std::abs(q(0) * p(1) - q(1) * p(0) - 0.8));
         return most;
     };
-    CHECK(worst(midpoint) < 1000 * epsilon<double>());
+    CHECK(worst(mid_point) < 1000 * epsilon<double>());
     CHECK(worst(order_one) < 1000 * epsilon<double>());
 }
 
 TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
     auto const T = uniform(0.0, 0.1, 10);
     double const infinity = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH_AS((void)embed(pendulum, midpoint).along(T, std::nan(""), 0.0),
+    CHECK_THROWS_WITH_AS((void)embed(pendulum, mid_point).along(T, std::nan(""), 0.0),
                          "the initial position and momentum are finite numbers, and these contain NaN or infinity", error::not_finite);
-    CHECK_THROWS_AS((void)embed(pendulum, midpoint).along(T, 0.0, infinity), error::not_finite);
+    CHECK_THROWS_AS((void)embed(pendulum, mid_point).along(T, 0.0, infinity), error::not_finite);
 
     lagrangian const massless{[](auto const& x, auto const& v) { return x * v; }};
     auto const walk = [&](auto const& L, auto const& scale, double q0, double p0) {
-        for (auto const& at : embed(L, midpoint).along(scale, q0, p0)) (void)at;
+        for (auto const& at : embed(L, mid_point).along(scale, q0, p0)) (void)at;
     };
     CHECK_THROWS_AS(walk(massless, T, 1.0, 0.0), error::singular);
 
@@ -187,5 +187,5 @@ TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
                                          "iterations") == 0);
         CHECK(dynamic_cast<interrupted<double, double> const&>(e).last.q == 1.0);
     }
-    CHECK_THROWS_AS((void)embed(cubic, midpoint).step(state<Q, Q>{0, 1, 0}, Q(1, 10)), error::no_convergence);
+    CHECK_THROWS_AS((void)embed(cubic, mid_point).step(state<Q, Q>{0, 1, 0}, Q(1, 10)), error::no_convergence);
 }

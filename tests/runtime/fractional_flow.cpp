@@ -30,7 +30,7 @@ fractional_oscillator<double>::value reference(Order beta, initial_history histo
 template <generating_function G = grunwald_letnikov, class Order>
 std::array<double, 2> orders(Order beta, damping_options options) {
     auto const exact = reference(beta, options.history);
-    auto const flow = embed(with_fractional_damping<G>(spring, c, beta, direct{}, options), midpoint);
+    auto const flow = embed(with_fractional_damping<G>(spring, c, beta, direct{}, options), mid_point);
     std::vector<double> eq, ep;
     for (int const N : {512, 1024, 2048}) {
         state<double, double> last;
@@ -101,16 +101,16 @@ TEST_CASE("and against Riemann and Liouville's, whose x jumps from zero at t_0, 
 
 TEST_CASE("orders 1 and none are what they should be, to the bit") {
     auto const T = uniform(0.0, 0.1, 50);
-    auto const q = positions(embed(with_fractional_damping(pendulum, 0.3, fraction<1>{}), midpoint), T, 1.0, 0.5);
-    CHECK(q == positions(embed(with_fractional_damping(pendulum, 0.3, 1.0), midpoint), T, 1.0, 0.5));
-    CHECK(q == positions(embed(with_fractional_damping(pendulum, 0.3, fraction<2, 2>{}), midpoint), T, 1.0, 0.5));
-    CHECK(positions(embed(with_fractional_damping(pendulum, 0, 0.5), midpoint), T, 1.0, 0.5) ==
-          positions(embed(pendulum, midpoint), T, 1.0, 0.5));
-    auto const half = positions(embed(with_fractional_damping(pendulum, 0.3, fraction<1, 2>{}), midpoint), T, 1.0, 0.5);
-    CHECK(half == positions(embed(with_fractional_damping(pendulum, 0.3, 0.5), midpoint), T, 1.0, 0.5));
+    auto const q = positions(embed(with_fractional_damping(pendulum, 0.3, fraction<1>{}), mid_point), T, 1.0, 0.5);
+    CHECK(q == positions(embed(with_fractional_damping(pendulum, 0.3, 1.0), mid_point), T, 1.0, 0.5));
+    CHECK(q == positions(embed(with_fractional_damping(pendulum, 0.3, fraction<2, 2>{}), mid_point), T, 1.0, 0.5));
+    CHECK(positions(embed(with_fractional_damping(pendulum, 0, 0.5), mid_point), T, 1.0, 0.5) ==
+          positions(embed(pendulum, mid_point), T, 1.0, 0.5));
+    auto const half = positions(embed(with_fractional_damping(pendulum, 0.3, fraction<1, 2>{}), mid_point), T, 1.0, 0.5);
+    CHECK(half == positions(embed(with_fractional_damping(pendulum, 0.3, 0.5), mid_point), T, 1.0, 0.5));
     CHECK(half != q);
     // Both integrators have the positions of (20): from the same first two they are the same curve.
-    auto const late = embed(with_fractional_damping(pendulum, 0.3, fraction<1, 2>{}, direct{}, {.at = damping_at::end}), midpoint);
+    auto const late = embed(with_fractional_damping(pendulum, 0.3, fraction<1, 2>{}, direct{}, {.at = damping_at::end}), mid_point);
     auto const at_end = positions(late, T, 1.0, 0.5);
     for (std::size_t k = 0; k < half.size(); ++k) CHECK(std::abs(half[k] - at_end[k]) < 256 * epsilon<double>());
 }
@@ -119,7 +119,7 @@ TEST_CASE("a constant is not damped by Caputo's derivative, nor is uniform motio
     constexpr lagrangian free{[](auto const& x, auto const& v) { return v * v / 2 + 0 * x; }};
     auto const T = uniform(0.0, 0.1, 40);
     auto const last = [&](auto beta, initial_history history, double p0) {
-        return positions(embed(with_fractional_damping(free, 1.0, beta, direct{}, {.history = history}), midpoint), T, 1.0, p0).back();
+        return positions(embed(with_fractional_damping(free, 1.0, beta, direct{}, {.history = history}), mid_point), T, 1.0, p0).back();
     };
     CHECK(last(0.5, initial_history::caputo, 0.0) == 1.0);
     CHECK(last(1.0, initial_history::caputo, 0.0) == 1.0);
@@ -135,16 +135,16 @@ TEST_CASE("components without a coefficient move as if nothing were damped, and 
     auto const T = uniform(0.0, 0.1, 30);
     Eigen::Vector2d const q0(1, -1), p0(0.5, 0.25);
     auto const damped = with_fractional_damping(two, Eigen::Vector2d(0, 0.5), fraction<1, 2>{});
-    auto const both = positions(embed(damped, midpoint), T, q0, p0);
-    auto const first = positions(embed(pendulum, midpoint), T, 1.0, 0.5);
-    auto const other = positions(embed(with_fractional_damping(second, 0.5, fraction<1, 2>{}), midpoint), T, -1.0, 0.25);
+    auto const both = positions(embed(damped, mid_point), T, q0, p0);
+    auto const first = positions(embed(pendulum, mid_point), T, 1.0, 0.5);
+    auto const other = positions(embed(with_fractional_damping(second, 0.5, fraction<1, 2>{}), mid_point), T, -1.0, 0.25);
     for (std::size_t k = 0; k < both.size(); ++k) {
         CHECK(std::abs(both[k](0) - first[k]) < 64 * epsilon<double>());
         CHECK(std::abs(both[k](1) - other[k]) < 64 * epsilon<double>());
     }
     // The same for vectors whose dimension is known at run time only.
     auto const dynamic =
-        positions(embed(with_fractional_damping(two, Eigen::VectorXd(Eigen::Vector2d(0, 0.5)), fraction<1, 2>{}), midpoint), T,
+        positions(embed(with_fractional_damping(two, Eigen::VectorXd(Eigen::Vector2d(0, 0.5)), fraction<1, 2>{}), mid_point), T,
                   Eigen::VectorXd(q0), Eigen::VectorXd(p0));
     for (std::size_t k = 0; k < both.size(); ++k) CHECK((dynamic[k] - both[k]).norm() < 256 * epsilon<double>());
 
@@ -155,15 +155,15 @@ TEST_CASE("components without a coefficient move as if nothing were damped, and 
         for (int k = 0; k < 20; ++k) memory.advance(flow, x, 0.1);
         return std::array{memory.damped_components(), memory.values_kept()};
     };
-    using counts = std::array<hilger::index, 2>;
-    CHECK(kept_after_20(embed(damped, midpoint), q0, p0) == counts{1, 21});
-    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.5, 0.5), midpoint), q0, p0) == counts{2, 21});
-    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.5, 1.0), midpoint), q0, p0) == counts{2, 1});
-    CHECK(kept_after_20(embed(with_fractional_damping<bdf<2>>(two, 0.5, fraction<1>{}), midpoint), q0, p0) == counts{2, 2});
-    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.0, 0.5), midpoint), q0, p0) == counts{0, 0});
+    using counts = std::array<hilger::index_type, 2>;
+    CHECK(kept_after_20(embed(damped, mid_point), q0, p0) == counts{1, 21});
+    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.5, 0.5), mid_point), q0, p0) == counts{2, 21});
+    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.5, 1.0), mid_point), q0, p0) == counts{2, 1});
+    CHECK(kept_after_20(embed(with_fractional_damping<bdf<2>>(two, 0.5, fraction<1>{}), mid_point), q0, p0) == counts{2, 2});
+    CHECK(kept_after_20(embed(with_fractional_damping(two, 0.0, 0.5), mid_point), q0, p0) == counts{0, 0});
     // Where the order is 1 by its type there is not even room for an engine.
-    auto const local = embed(with_fractional_damping(pendulum, 0.5, fraction<1>{}), midpoint);
-    auto const whole = embed(with_fractional_damping(pendulum, 0.5, fraction<1, 2>{}), midpoint);
+    auto const local = embed(with_fractional_damping(pendulum, 0.5, fraction<1>{}), mid_point);
+    auto const whole = embed(with_fractional_damping(pendulum, 0.5, fraction<1, 2>{}), mid_point);
     static_assert(sizeof(decltype(local)::memory<double, double>) + sizeof(decltype(make_history<grunwald_letnikov>(direct{}, 0.5, 1.0))) <=
                   sizeof(decltype(whole)::memory<double, double>));
 }
@@ -173,8 +173,8 @@ TEST_CASE("any embedding, forces and compensated sums can be damped; a checkpoin
     auto const friction = [](auto const& x, auto const& v) { return -v / 10 + 0 * x; };
     auto const end = [&](auto const& flow) { return positions(flow, T, 1.0, 0.5).back(); };
     auto const damp = [](auto const& L) { return with_fractional_damping(L, 0.3, fraction<1, 2>{}); };
-    double const expected = end(embed(damp(pendulum), midpoint));
-    CHECK(end(embed(damp(pendulum), midpoint, compensated)) == doctest::Approx(expected).epsilon(1e-13));
+    double const expected = end(embed(damp(pendulum), mid_point));
+    CHECK(end(embed(damp(pendulum), mid_point, compensated)) == doctest::Approx(expected).epsilon(1e-13));
     CHECK(end(embed(damp(pendulum), order_one)) == doctest::Approx(expected).epsilon(0.05));
     CHECK(end(embed(damp(pendulum), galerkin<2, gauss>)) == doctest::Approx(expected).epsilon(0.01));
     auto const bob = mechanical(1.0, [](auto const& x) {
@@ -182,15 +182,15 @@ TEST_CASE("any embedding, forces and compensated sums can be damped; a checkpoin
         return -cos(x(0));
     });
     Eigen::VectorXd const one = Eigen::VectorXd::Ones(1);
-    CHECK(positions(embed(damp(bob), midpoint), T, one, Eigen::VectorXd(one / 2)).back()(0) == doctest::Approx(expected).epsilon(1e-12));
-    CHECK(positions(embed(with_fractional_damping(bob, 0.3, 1.0), midpoint), T, one, Eigen::VectorXd(one / 2)).back()(0) ==
-          doctest::Approx(end(embed(with_fractional_damping(pendulum, 0.3, 1.0), midpoint))).epsilon(1e-12));
+    CHECK(positions(embed(damp(bob), mid_point), T, one, Eigen::VectorXd(one / 2)).back()(0) == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(positions(embed(with_fractional_damping(bob, 0.3, 1.0), mid_point), T, one, Eigen::VectorXd(one / 2)).back()(0) ==
+          doctest::Approx(end(embed(with_fractional_damping(pendulum, 0.3, 1.0), mid_point))).epsilon(1e-12));
     // Friction by force and by a damping of order 1 differ by O(h) only.
-    CHECK(std::abs(end(embed(damp(with_force(pendulum, friction)), midpoint)) - expected) > 0.001);
-    CHECK(end(embed(with_force(pendulum, friction), midpoint)) ==
-          doctest::Approx(end(embed(with_fractional_damping(pendulum, 0.1, 1.0), midpoint))).epsilon(0.01));
+    CHECK(std::abs(end(embed(damp(with_force(pendulum, friction)), mid_point)) - expected) > 0.001);
+    CHECK(end(embed(with_force(pendulum, friction), mid_point)) ==
+          doctest::Approx(end(embed(with_fractional_damping(pendulum, 0.1, 1.0), mid_point))).epsilon(0.01));
 
-    auto const path = embed(damp(pendulum), midpoint).along(T, 1.0, 0.5);
+    auto const path = embed(damp(pendulum), mid_point).along(T, 1.0, 0.5);
     auto at = path.begin();
     for (int k = 0; k < 40; ++k) ++at;
     double resumed = 0;
@@ -209,10 +209,10 @@ TEST_CASE("what is no damping is refused in one sentence, and a failed step leav
     CHECK_THROWS_AS((void)with_fractional_damping(kepler, Eigen::Vector2d(0.1, nan), 0.5), error::invalid_parameter);
 
     auto const T = uniform(0.0, 0.1, 10);
-    auto const plane = embed(with_fractional_damping(kepler, Eigen::VectorXd(Eigen::VectorXd::Ones(3)), 0.5), midpoint);
+    auto const plane = embed(with_fractional_damping(kepler, Eigen::VectorXd(Eigen::VectorXd::Ones(3)), 0.5), mid_point);
     CHECK_THROWS_WITH_AS((void)plane.along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)),
                          "a fractional damping has one coefficient for each component, and here are 3 for 2", error::mismatch);
-    auto const flow = embed(with_fractional_damping(pendulum, 0.1, 0.5), midpoint);
+    auto const flow = embed(with_fractional_damping(pendulum, 0.1, 0.5), mid_point);
     CHECK_THROWS_AS((void)flow.along(T, nan, 0.0), error::not_finite);
     decltype(flow)::memory<double, double> memory(flow, 0.1, 1.0);
     state<double, double> x{0, 1, 0};
@@ -220,7 +220,7 @@ TEST_CASE("what is no damping is refused in one sentence, and a failed step leav
                          "fractional damping remembers steps of one length, 0.10000000000000001, and this step has 0.20000000000000001",
                          error::mismatch);
     // h^{1/2} is no rational number, h is.
-    auto const exact = embed(with_fractional_damping(oscillator, Q(1, 3), fraction<1, 2>{}), midpoint);
+    auto const exact = embed(with_fractional_damping(oscillator, Q(1, 3), fraction<1, 2>{}), mid_point);
     auto const walk = [](auto const& path) {
         for (auto const& at : path) (void)at;
     };
@@ -228,7 +228,7 @@ TEST_CASE("what is no damping is refused in one sentence, and a failed step leav
 
     // y - 1 = 5 ((1 + y)/2)^2 has no real solution; the momentum of the last good state has not been damped for the step that failed.
     try {
-        walk(embed(with_fractional_damping(cubic, 0.1, fraction<1>{}), midpoint).along(uniform(0.0, 1.0, 3), 1.0, 0.125));
+        walk(embed(with_fractional_damping(cubic, 0.1, fraction<1>{}), mid_point).along(uniform(0.0, 1.0, 3), 1.0, 0.125));
         FAIL("an equation without a solution must be reported");
     } catch (error::no_convergence const& e) {
         auto const& last = dynamic_cast<interrupted<double, double> const&>(e).last;

@@ -48,7 +48,7 @@ void for_policies(Each const& each) {
 TEST_CASE("a damped pendulum") {
     auto const T = uniform(0.0, 0.05, N);
     auto const run = [&](auto beta, auto policy) {
-        return embed(with_fractional_damping(pendulum, 0.3, beta, policy), midpoint).along(T, 1.0, 0.5);
+        return embed(with_fractional_damping(pendulum, 0.3, beta, policy), mid_point).along(T, 1.0, 0.5);
     };
     auto const half = run(fraction<1, 2>{}, direct{});
     for_policies([&](char const* name, auto policy, double tolerance) {
@@ -65,7 +65,7 @@ TEST_CASE("components of a vector") {
     auto const T = uniform(0.0, 0.02, N);
     auto const run = [&](auto policy) {
         auto const damped = with_fractional_damping(kepler, Eigen::Vector2d(0.0, 0.2), fraction<1, 2>{}, policy);
-        return embed(damped, midpoint).along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1));
+        return embed(damped, mid_point).along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1));
     };
     auto const expected = run(direct{});
     for_policies([&](char const* name, auto policy, double tolerance) {

@@ -46,7 +46,7 @@ std::vector<Eigen::VectorXd> walk(double relaxation_time, double t1, double h, i
 /// u'' + s = f with s + tau^a D^a s = k (u + R tau^a D^a u), both histories kept, by accelerations: from rest, f(0) = 0.
 std::vector<double> stress_form(double k, double R, double scale, std::vector<double> const& f, double h, double alpha) {
     std::size_t const N = f.size();
-    auto const g = first_weights<bdf<2>>(alpha, static_cast<hilger::index>(N));
+    auto const g = first_weights<bdf<2>>(alpha, static_cast<hilger::index_type>(N));
     std::vector<double> u{0}, s{0};
     double v = 0, a = 0;
     for (std::size_t n = 1; n < N; ++n) {

@@ -11,7 +11,7 @@ using namespace hilger::testing;
 
 namespace {
 auto const T = steps_1_2_4();
-auto const p = function(plus(T), std::vector<Q>{1, Q(-3, 2), Q(1, 2)}); // 1 + mu p = 2, -2, 3
+auto const p = function_on(without_last(T), std::vector<Q>{1, Q(-3, 2), Q(1, 2)}); // 1 + mu p = 2, -2, 3
 } // namespace
 
 TEST_CASE("e_p(t, s) is the product of 1 + mu p from s to t, and its inverse backwards") {
@@ -28,7 +28,7 @@ TEST_CASE("e_p(t, s) is the product of 1 + mu p from s to t, and its inverse bac
 
 TEST_CASE("it solves Delta_plus y = p y with y(s) = 1, for every s") {
     for (auto const& s : T) {
-        auto const y = function(T, [&s](Q const& t) { return exponential(p, t, s); });
+        auto const y = function_on(T, [&s](Q const& t) { return exponential(p, t, s); });
         CHECK(y(s) == 1);
         CHECK(values(Delta_plus[y]) == values(p * y));
     }
@@ -45,18 +45,18 @@ TEST_CASE("e_p(t, r) = e_p(t, s) e_p(s, r), and e_p(sigma(t), s) = (1 + mu p) e_
 
 TEST_CASE("on hZ it is (1 + h p)^n, and it tends to the exponential") {
     auto const U = uniform(Q(0), Q(1, 3), 6);
-    auto const two = function(U, [](Q const&) { return Q(2); });
+    auto const two = function_on(U, [](Q const&) { return Q(2); });
     CHECK(exponential(two, Q(2), Q(0)) == Q(15'625, 729)); // (5/3)^6
     CHECK(exponential(two, Q(1), Q(2)) == Q(27, 125));
     auto const V = uniform(interval{0.0, 1.0}, 100'000);
-    CHECK(std::abs(exponential(function(V, [](double) { return -1.0; }), 1.0, 0.0) - std::exp(-1.0)) < 2e-6);
-    CHECK(std::abs(exponential(function(V, [](double) { return -1.0; }), 0.0, 1.0) - std::exp(1.0)) < 2e-5);
+    CHECK(std::abs(exponential(function_on(V, [](double) { return -1.0; }), 1.0, 0.0) - std::exp(-1.0)) < 2e-6);
+    CHECK(std::abs(exponential(function_on(V, [](double) { return -1.0; }), 0.0, 1.0) - std::exp(1.0)) < 2e-5);
     auto const W = powers(Q(2), 0, 3); // on q^Z with q = 2: mu = t
-    CHECK(exponential(function(W, [](Q const& t) { return Q(1 / t); }), Q(8), Q(1)) == 8);
+    CHECK(exponential(function_on(W, [](Q const& t) { return Q(1 / t); }), Q(8), Q(1)) == 8);
 }
 
 TEST_CASE("where 1 + mu p vanishes p is not regressive, and that is said") {
-    auto const bad = function(plus(T), std::vector<Q>{1, Q(-1, 2), 1}); // mu = 2 at t = 1
+    auto const bad = function_on(without_last(T), std::vector<Q>{1, Q(-1, 2), 1}); // mu = 2 at t = 1
     CHECK_THROWS_WITH_AS((void)exponential(bad, 7, 0), "e_p needs a regressive p, and 1 + mu p is zero at 1", error::invalid_parameter);
     CHECK_THROWS_AS((void)exponential(bad, 0, 3), error::invalid_parameter);
     CHECK(exponential(bad, 1, 0) == 2); // only what lies between s and t counts
@@ -66,11 +66,11 @@ TEST_CASE("where 1 + mu p vanishes p is not regressive, and that is said") {
 TEST_CASE("s and t are points of T, and p is needed from one to the other") {
     CHECK_THROWS_WITH_AS((void)exponential(p, 2, 0), "2 is not a point of T = {0, 1, 3, 7} (4 points)", error::outside_domain);
     CHECK_THROWS_AS((void)exponential(p, 0, 9), error::outside_domain);
-    auto const inner = restrict_to(function(T, std::vector<Q>{9, Q(1, 2), Q(1, 4), 9}), interior(T));
+    auto const inner = restrict_to(function_on(T, std::vector<Q>{9, Q(1, 2), Q(1, 4), 9}), interior(T));
     CHECK(exponential(inner, 7, 1) == 4);
     CHECK_THROWS_AS((void)exponential(inner, 7, 0), error::outside_domain);
     auto const U = uniform(0.0, 0.1, 10);
-    auto const one = function(U, [](double) { return 1.0; });
+    auto const one = function_on(U, [](double) { return 1.0; });
     CHECK(std::abs(exponential(one, 0.3, 0.0) - 1.331) < 1e-15);
     CHECK(std::abs(exponential(one, 1, 0.5) - 1.61051) < 1e-15); // an integer bound does not make the other one an integer
 }

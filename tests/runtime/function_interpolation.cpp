@@ -12,8 +12,8 @@ using namespace hilger::testing;
 
 namespace {
 auto const T = steps_1_2_4();
-auto const f = function(T, std::vector<Q>{1, 2, 6, -2});
-auto const g = function(half(T), std::vector<Q>{4, 1, 7});
+auto const f = function_on(T, std::vector<Q>{1, 2, 6, -2});
+auto const g = function_on(half(T), std::vector<Q>{4, 1, 7});
 } // namespace
 
 TEST_CASE("interpolate is linear between neighbouring points") {
@@ -31,7 +31,7 @@ TEST_CASE("interpolate is linear between neighbouring points") {
 
 TEST_CASE("its right derivative is Delta_plus of f, up to the next point") {
     auto const y = interpolate(f);
-    for (auto const& t : plus(T)) CHECK(y.right_derivative(t) == Delta_plus[f](t));
+    for (auto const& t : without_last(T)) CHECK(y.right_derivative(t) == Delta_plus[f](t));
     CHECK(y.right_derivative(Q(1, 2)) == 1);
     CHECK(y.right_derivative(2) == 2);
     CHECK(y.right_derivative(Q(69, 10)) == -2);
@@ -58,10 +58,10 @@ TEST_CASE("outside of [a, b] there is nothing, and NaN is nowhere") {
     CHECK_THROWS_AS((void)y(8), error::outside_domain);
     CHECK_THROWS_AS((void)steps_of(g)(8), error::outside_domain);
     CHECK_THROWS_AS((void)steps_of(g).integral_to(-1), error::outside_domain);
-    auto const x = interpolate(function(uniform(0.0, 0.5, 2), [](double t) { return t; }));
+    auto const x = interpolate(function_on(uniform(0.0, 0.5, 2), [](double t) { return t; }));
     CHECK_THROWS_AS((void)x(std::numeric_limits<double>::quiet_NaN()), error::outside_domain);
     CHECK(x(1) == 1.0); // an integer is a time
-    CHECK(interpolate(function(uniform(0.25, 0.5, 2), [](double t) { return t; }))(1) == 1.0);
+    CHECK(interpolate(function_on(uniform(0.25, 0.5, 2), [](double t) { return t; }))(1) == 1.0);
 }
 
 TEST_CASE("steps_of keeps a value from one point of T up to the next") {
@@ -72,7 +72,7 @@ TEST_CASE("steps_of keeps a value from one point of T up to the next") {
     CHECK(y(Q(5, 2)) == 1);
     CHECK(y(3) == 7);
     CHECK(y(7) == 7); // the last cell holds b
-    auto const z = steps_of(function(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7}));
+    auto const z = steps_of(function_on(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7}));
     CHECK(z(Q(1, 6)) == 4);
     CHECK(z(Q(4)) == 7);
 }
@@ -88,7 +88,7 @@ TEST_CASE("the integral of the steps goes through the antiderivative at the poin
 }
 
 TEST_CASE("curves in the plane") {
-    auto const u = function(uniform(0.0, 0.5, 2), [](double t) { return Eigen::Vector2d(t, t * t); });
+    auto const u = function_on(uniform(0.0, 0.5, 2), [](double t) { return Eigen::Vector2d(t, t * t); });
     CHECK(interpolate(u)(0.25) == Eigen::Vector2d(0.25, 0.125));
     CHECK(interpolate(u).right_derivative(0.75) == Eigen::Vector2d(1.0, 1.5));
     CHECK(steps_of(on_half[extend[u]]).integral_to(0.75) == Eigen::Vector2d(0.3125, 0.21875));

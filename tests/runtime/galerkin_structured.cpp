@@ -8,11 +8,11 @@ using namespace hilger;
 
 namespace {
 
-constexpr auto bond = [](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; };
+constexpr auto bond = [](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; };
 auto const row = mechanical(2.0, chain(bond));
 Eigen::Vector3d const q(0.2, -0.4, 0.9), p(0, 0.3, 0);
 
-auto path(auto const& L, double end, hilger::index steps, auto const& x, auto const& y) {
+auto path(auto const& L, double end, hilger::index_type steps, auto const& x, auto const& y) {
     return embed(L, galerkin<3, gauss>).along(uniform(interval{0.0, end}, steps), x, y);
 }
 

@@ -28,16 +28,16 @@ template <class V>
 V random_value(noise& source) {
     if constexpr (requires { typename V::Scalar; }) {
         V x = V::Zero(3);
-        for (index i = 0; i < x.size(); ++i) x(i) = source.next<typename V::Scalar>();
+        for (index_type i = 0; i < x.size(); ++i) x(i) = source.next<typename V::Scalar>();
         return x;
     } else
         return source.next<V>();
 }
 template <class V>
-std::vector<V> random_values(index count) {
+std::vector<V> random_values(index_type count) {
     noise source;
     std::vector<V> x;
-    for (index i = 0; i < count; ++i) x.push_back(random_value<V>(source));
+    for (index_type i = 0; i < count; ++i) x.push_back(random_value<V>(source));
     return x;
 }
 /// Where sums are made to compare with: no rounding of theirs is seen in S.
@@ -59,10 +59,10 @@ template <class G, class V>
 std::vector<V> sums_as_written(detail::memory::component_t<V> const& alpha, std::vector<V> const& x) {
     using S = detail::memory::component_t<V>;
     using W = typename wider_scalar<S>::type;
-    auto const w = first_weights<G, S>(alpha, static_cast<index>(x.size()) + 1);
+    auto const w = first_weights<G, S>(alpha, static_cast<index_type>(x.size()) + 1);
     std::vector<V> sums(x.size(), x[0]);
     std::vector<W> values(x.size()), weights(w.begin(), w.end());
-    for (index c = 0; c < detail::memory::components(x[0]); ++c) {
+    for (index_type c = 0; c < detail::memory::components(x[0]); ++c) {
         for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::memory::component(x[k], c));
         for (std::size_t m = 1; m <= x.size(); ++m) {
             W sum(0);

@@ -12,7 +12,7 @@ using namespace hilger::testing;
 
 namespace {
 template <class G, class V>
-void right_at_every_point(detail::memory::component_t<V> const& alpha, hilger::index N, double bound) {
+void right_at_every_point(detail::memory::component_t<V> const& alpha, hilger::index_type N, double bound) {
     using S = detail::memory::component_t<V>;
     auto const x = random_values<V>(N);
     auto const expected = sums_as_written<G>(alpha, x); // [m - 1]: for the value m
@@ -28,7 +28,7 @@ void right_at_every_point(detail::memory::component_t<V> const& alpha, hilger::i
 } // namespace
 
 TEST_CASE("every point is right, whatever the length: powers of two, their neighbours, odd and even powers") {
-    for (hilger::index const N : {1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 100, 1023, 1024, 1025, 2049, 5000}) {
+    for (hilger::index_type const N : {1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 100, 1023, 1024, 1025, 2049, 5000}) {
         right_at_every_point<grunwald_letnikov, double>(0.5, N, 10);
         right_at_every_point<bdf<2>, float>(0.3F, N, 15);
     }

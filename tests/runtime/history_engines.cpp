@@ -19,7 +19,7 @@ struct data {
     using S = scalar_t<V>;
     S alpha;
     std::vector<V> x, sums;
-    data(S const& order, hilger::index N) : alpha(order), x(random_values<V>(N)), sums(sums_as_written<G>(alpha, x)) {}
+    data(S const& order, hilger::index_type N) : alpha(order), x(random_values<V>(N)), sums(sums_as_written<G>(alpha, x)) {}
 
     /// The engine of a policy is nowhere further than so many epsilon from the sums, and once more after reset().
     template <class Policy>
@@ -39,7 +39,7 @@ struct data {
             CAPTURE(where);
             CAPTURE(static_cast<double>(alpha));
             CHECK(worst <= bound);
-            CHECK(engine.count() == static_cast<hilger::index>(x.size()));
+            CHECK(engine.count() == static_cast<hilger::index_type>(x.size()));
             engine.reset();
             CHECK(engine.count() == 0);
         }
@@ -48,8 +48,9 @@ struct data {
 
 /// With |x| <= 1 the sums are below sum |w_n| <= 2 (3 for G^alpha); a few roundings of that, and the tolerance times it.
 template <class V>
-void compare_all(hilger::index longest) {
-    for (hilger::index const N : {hilger::index(1), hilger::index(2), hilger::index(3), hilger::index(100), longest})
+void compare_all(hilger::index_type longest) {
+    for (hilger::index_type const N :
+         {hilger::index_type(1), hilger::index_type(2), hilger::index_type(3), hilger::index_type(100), longest})
         for (int const tenths : {1, 5, 9, 10, 14}) {
             scalar_t<V> const alpha = scalar_t<V>(tenths) / scalar_t<V>(10);
             data<grunwald_letnikov, V> const gl(alpha, N);
@@ -70,7 +71,7 @@ TEST_CASE("float") { compare_all<float>(5000); }
 TEST_CASE("vectors of three doubles") { compare_all<Eigen::Vector3d>(3000); }
 TEST_CASE("vectors whose size is known at run time") { compare_all<Eigen::VectorXd>(200); }
 TEST_CASE("float to 50 digits") {
-    for (hilger::index const N : {1, 2, 3, 100, 300}) {
+    for (hilger::index_type const N : {1, 2, 3, 100, 300}) {
         data<bdf<2>, float50> const g_alpha(float50(7) / 10, N);
         g_alpha.compare(direct{}, 30);
         g_alpha.compare(blocks{}, 30);

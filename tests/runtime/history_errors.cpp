@@ -97,21 +97,21 @@ TEST_CASE("automatic says which one it took") {
 TEST_CASE("a window's bound is the sum of the weights that it cuts off") {
     // In exact rationals: the weights up to 400, and what is left beyond by the product formula.
     for (Q const& alpha : {Q(1, 10), Q(1, 2), Q(9, 10), Q(3, 2)})
-        for (hilger::index const length : {0, 1, 2, 5, 50}) {
+        for (hilger::index_type const length : {0, 1, 2, 5, 50}) {
             auto const w = first_weights<GL, Q>(alpha, 401);
             Q sum(0), rest(1);
-            for (hilger::index n = 1; n <= 400; ++n) rest *= 1 - alpha / Q(static_cast<int>(n));
-            for (hilger::index n = length + 1; n <= 400; ++n) sum += magnitude(w[static_cast<std::size_t>(n)]);
+            for (hilger::index_type n = 1; n <= 400; ++n) rest *= 1 - alpha / Q(static_cast<int>(n));
+            for (hilger::index_type n = length + 1; n <= 400; ++n) sum += magnitude(w[static_cast<std::size_t>(n)]);
             auto const engine = make_history<GL>(window{length}, alpha, Q(0));
             CHECK(engine.error_estimate(Q(3)) == 3 * (sum + magnitude(rest)));
         }
     // The constant -1, 1, ... with the signs of the weights is the worst that can come; for G^alpha the bound holds, and is not lax.
     for (double const alpha : {0.2, 0.5, 0.9, 1.5})
-        for (hilger::index const length : {0, 1, 3, 10, 200}) {
-            hilger::index const N = 40'000;
+        for (hilger::index_type const length : {0, 1, 3, 10, 200}) {
+            hilger::index_type const N = 40'000;
             auto const w = first_weights<bdf<2>>(alpha, N + 1);
             double cut_off = 0;
-            for (hilger::index n = N; n > length; --n) cut_off += std::abs(w[static_cast<std::size_t>(n)]);
+            for (hilger::index_type n = N; n > length; --n) cut_off += std::abs(w[static_cast<std::size_t>(n)]);
             double const beyond = std::abs(w.back()) * static_cast<double>(N) / alpha * 1.001; // |w_n| ~ n^{-1-alpha}
             double const bound = make_history<bdf<2>>(window{length}, alpha, 0.0).error_estimate(1);
             CHECK(bound >= cut_off);

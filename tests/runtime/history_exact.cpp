@@ -9,11 +9,11 @@ using namespace hilger::testing;
 
 namespace {
 template <class G, class Policy>
-void equal_at_every_point(Policy const& policy, Q const& alpha, hilger::index N) {
+void equal_at_every_point(Policy const& policy, Q const& alpha, hilger::index_type N) {
     auto const x = random_values<Q>(N);
     auto const expected = sums_as_written<G>(alpha, x);
     auto engine = make_history<G>(policy, alpha, Q(0));
-    for (hilger::index m = 1; m <= N; ++m) {
+    for (hilger::index_type m = 1; m <= N; ++m) {
         engine.push(x[static_cast<std::size_t>(m - 1)]);
         CHECK(engine.past() == expected[static_cast<std::size_t>(m - 1)]);
     }
@@ -22,7 +22,7 @@ void equal_at_every_point(Policy const& policy, Q const& alpha, hilger::index N)
 
 TEST_CASE("direct, blocks, automatic and a window as long as the run") {
     for (Q const& alpha : {Q(1, 2), Q(-1, 3), Q(1), Q(7, 4)})
-        for (hilger::index const N : {1, 2, 3, 70}) {
+        for (hilger::index_type const N : {1, 2, 3, 70}) {
             equal_at_every_point<grunwald_letnikov>(direct{}, alpha, N);
             equal_at_every_point<bdf<2>>(blocks{}, alpha, N);
             equal_at_every_point<trapezoid>(automatic{N}, alpha, N);
@@ -36,7 +36,7 @@ TEST_CASE("vectors of rationals") {
     auto const expected = sums_as_written<bdf<2>>(Q(1, 2), x);
     auto engine = make_history<bdf<2>>(direct{}, Q(1, 2), x[0]);
     auto const all = convolve<bdf<2>>(Q(1, 2), x);
-    for (hilger::index m = 1; m <= 40; ++m) {
+    for (hilger::index_type m = 1; m <= 40; ++m) {
         auto const k = static_cast<std::size_t>(m - 1);
         CHECK(vector(x[k] + engine.past()) == all[k]);
         engine.push(x[k]);

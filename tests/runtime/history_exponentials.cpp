@@ -14,19 +14,19 @@ using namespace hilger::testing;
 namespace {
 /// What an engine has for w_1, w_2, ...: its answers to a single 1.
 template <class Engine, class Compare>
-void answers_to_one(Engine engine, hilger::index count, Compare const& compare) {
-    for (hilger::index n = 1; n <= count; ++n) {
+void answers_to_one(Engine engine, hilger::index_type count, Compare const& compare) {
+    for (hilger::index_type n = 1; n <= count; ++n) {
         engine.push(n == 1 ? 1 : 0);
         compare(n, engine.past());
     }
 }
 /// The largest |w_n - mode sum| / |w_n| for n <= count, in float50.
 template <class G>
-double worst_weight(double alpha, exponentials const& policy, hilger::index count) {
+double worst_weight(double alpha, exponentials const& policy, hilger::index_type count) {
     weight_sequence<G, float50> exact{float50(alpha)};
     exact.next();
     double worst = 0;
-    answers_to_one(make_history<G>(policy, alpha, 0.0), count, [&](hilger::index, double w) {
+    answers_to_one(make_history<G>(policy, alpha, 0.0), count, [&](hilger::index_type, double w) {
         auto const expected = exact.next();
         worst = std::max(worst, std::abs(static_cast<double>((float50(w) - expected) / expected)));
     });

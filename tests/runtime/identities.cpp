@@ -34,7 +34,7 @@ struct lemma_3_as_printed {
         auto const f = trial.function_on(half(trial.T));
         auto const v = trial.function_on(trial.T);
         auto const ends = f[f.last()] * v[v.last()] + f[0] * v[0];
-        auto const inner = weighted_sum<delta>(pi[mean_h_minus[f]] * v);
+        auto const inner = weighted_sum<delta_weight>(pi_half[mean_h_minus[f]] * v);
         trial.equal(integral(f * (on_half * extend)[v], half(trial.T)), inner + trial.T.h() * ends, trial.size_of(f) * trial.size_of(v));
     }
 };
@@ -45,7 +45,7 @@ struct by_parts_as_printed {
     void operator()(Trial& trial) const {
         auto const f = trial.function_on(trial.T);
         auto const g = trial.function_on(trial.T);
-        auto const right = boundary(f * g) - weighted_sum<delta>(Delta_minus[f] * g);
+        auto const right = boundary(f * g) - weighted_sum<delta_weight>(Delta_minus[f] * g);
         trial.equal(integral(f * Delta_plus[g], trial.T), right, trial.size_of(f) * trial.size_of(g));
     }
 };
@@ -87,7 +87,7 @@ TEST_CASE("every point is compared, and the first failure is kept") {
         CAPTURE(wrong);
         auto const found = tried<Q>([wrong](auto& trial) {
             auto const f = trial.function_on(trial.T);
-            trial.equal_everywhere(f, function(trial.T, [wrong](Q t) { return t == Q(wrong) ? Q(0) : Q(t + 1); }), Q(1));
+            trial.equal_everywhere(f, function_on(trial.T, [wrong](Q t) { return t == Q(wrong) ? Q(0) : Q(t + 1); }), Q(1));
             trial.equal(Q(7), Q(8), Q(1));
         });
         CHECK(not found.holds);

@@ -46,7 +46,7 @@ TEST_CASE("fixed and dynamic vectors step alike") {
         CHECK((x.p - y.p).norm() < 1e-12);
         CHECK((x.q - q).norm() > 0.1);
     };
-    check(double_pendulum, midpoint);
+    check(double_pendulum, mid_point);
     check(double_pendulum, galerkin<2, gauss>);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("a Hamiltonian steps as its Lagrangian does") {
         return (a * a + b * b) / 2 + q.dot(q) / 8;
     };
     vector2 const q(1.0, 0.5), p(0.2, -0.1);
-    CHECK(distance(end_of(embed(lagrangian_of(H), midpoint).along(T, q, p)), end_of(embed(charge, midpoint).along(T, q, p))) < 1e-12);
+    CHECK(distance(end_of(embed(lagrangian_of(H), mid_point).along(T, q, p)), end_of(embed(charge, mid_point).along(T, q, p))) < 1e-12);
     // quartic in p: no closed form for the velocity
     auto const steep = [](auto const& r, auto const& x) { return r * r / 2 + r * r * r * r / 4 + x * x / 2; };
     auto const L = lagrangian_of(steep);
@@ -96,7 +96,7 @@ TEST_CASE("a Hamiltonian steps as its Lagrangian does") {
     CHECK(back(3.0, 0.5) == doctest::Approx(steep(3.0, 0.5)).epsilon(1e-13));
     // and it conserves the energy to the order of the method
     double worst = 0;
-    for (auto const& [t, x, r] : embed(L, midpoint).along(uniform(0.0, 0.01, 1000), 1.0, 0.5))
+    for (auto const& [t, x, r] : embed(L, mid_point).along(uniform(0.0, 0.01, 1000), 1.0, 0.5))
         worst = std::max(worst, std::abs(steep(r, x) - steep(0.5, 1.0)));
     CHECK(worst < 1e-4);
 }
@@ -113,8 +113,8 @@ TEST_CASE("time in the Lagrangian or the Hamiltonian: order 2 on a driven oscill
         };
         return static_cast<double>(log(float50(error(n) / error(2 * n))) / log(float50(2)));
     };
-    CHECK(std::abs(order(embed(driven, midpoint), 40) - 2) < 0.02);
-    CHECK(std::abs(order(embed(lagrangian_of(H), midpoint), 40) - 2) < 0.02);
+    CHECK(std::abs(order(embed(driven, mid_point), 40) - 2) < 0.02);
+    CHECK(std::abs(order(embed(lagrangian_of(H), mid_point), 40) - 2) < 0.02);
     CHECK(std::abs(order(embed(driven, galerkin<2, gauss>), 40) - 4) < 0.02);
     CHECK(std::abs(order(embed(driven, order_one), 100) - 1) < 0.02);
 }
@@ -131,7 +131,7 @@ TEST_CASE("Lagrange-d'Alembert: the forced mid-point embedding has order 2 with 
         auto const a = end(how, n), b = end(how, 2 * n);
         return static_cast<double>(log(float50(abs(a.q - reference.q) / abs(b.q - reference.q))) / log(float50(2)));
     };
-    CHECK(std::abs(order(midpoint, 80) - 2) < 0.02);
+    CHECK(std::abs(order(mid_point, 80) - 2) < 0.02);
     CHECK(std::abs(order(order_one, 200) - 1) < 0.02);
     CHECK(std::abs(order(galerkin<2, gauss>, 20) - 4) < 0.02);
     // the reference itself: the damped, driven oscillator in closed form
@@ -148,14 +148,14 @@ TEST_CASE("the discrete Euler-Lagrange equation of a driven, damped system is so
     auto const friction = [](auto const& t, auto const& x, auto const& v) { return -v * x * t / 7; };
     auto const check = [&](auto const& T) {
         auto const EL = variation(integral(lagrangian(driven)(q_o, Delta_o_plus[q_o]), half(T)));
-        auto const steps = make_embedding<hilger::steps>(midpoint.position, midpoint.velocity, "mid-point");
+        auto const steps = make_embedding<hilger::step_weight>(mid_point.position, mid_point.velocity, "mid-point");
         std::vector<double> forced, free;
         for (auto const& x : embed(with_force(driven, friction), steps).along(T, 1.0, 0.5)) forced.push_back(x.q);
         for (auto const& x : embed(driven, steps).along(T, 1.0, 0.5)) free.push_back(x.q);
         // residuals divide values near 1 by h^2
-        for (double const r : EL.residual(function(T, forced), friction)) CHECK(std::abs(r) < 32 * epsilon<double>() / 0.0025);
-        for (double const r : EL.residual(function(T, free))) CHECK(std::abs(r) < 32 * epsilon<double>() / 0.0025);
-        CHECK(std::abs(EL.residual(function(T, forced))[3]) > 1e-3);
+        for (double const r : EL.residual(function_on(T, forced), friction)) CHECK(std::abs(r) < 32 * epsilon<double>() / 0.0025);
+        for (double const r : EL.residual(function_on(T, free))) CHECK(std::abs(r) < 32 * epsilon<double>() / 0.0025);
+        CHECK(std::abs(EL.residual(function_on(T, forced))[3]) > 1e-3);
     };
     check(uniform(0.5, 0.1, 20));
     check(time_scale<double>{0.5, 0.6, 0.65, 0.8, 1.0, 1.3});
@@ -167,7 +167,7 @@ TEST_CASE("forces on vectors: a force that is -grad U is U") {
     auto const trapped = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) / 2; };
     auto const T = uniform(0.0, 0.1, 100);
     vector2 const q(1.0, 0.0), p(0.3, 0.4);
-    CHECK(distance(end_of(embed(with_force(free, spring), midpoint).along(T, q, p)), end_of(embed(trapped, midpoint).along(T, q, p))) <
+    CHECK(distance(end_of(embed(with_force(free, spring), mid_point).along(T, q, p)), end_of(embed(trapped, mid_point).along(T, q, p))) <
           1e-13);
 }
 
@@ -187,14 +187,14 @@ TEST_CASE("the user's own derivatives are used") {
     auto const check = [&](auto const& how) {
         CHECK(distance(end_of(embed(by_hand{}, how).along(T, 1.0, 0.5)), end_of(embed(pendulum, how).along(T, 1.0, 0.5))) < 1e-13);
     };
-    check(midpoint);
+    check(mid_point);
     check(order_one);
     check(galerkin<2, gauss>);
 }
 
 TEST_CASE("a trajectory starts from position and velocity, or from two positions") {
     auto const T = uniform(0.0, 0.05, 10);
-    auto const flow = embed(double_pendulum, midpoint);
+    auto const flow = embed(double_pendulum, mid_point);
     vector2 const q(1.0, 0.5), p(0.2, -0.1);
     auto const whole = flow.along(T, q, p);
     auto second = whole.begin();
@@ -208,7 +208,7 @@ TEST_CASE("a trajectory starts from position and velocity, or from two positions
 TEST_CASE("a Newton iteration that fails says where, and with what it ended") {
     auto const cubic = [](auto const& q, auto const& v) { return v * v / 2 + 10 * q * q * q / 3; };
     try {
-        end_of(embed(cubic, midpoint).along(uniform(0.0, 1.0, 3), 1.0, 0.0));
+        end_of(embed(cubic, mid_point).along(uniform(0.0, 1.0, 3), 1.0, 0.0));
         FAIL("y - 1 = 5 ((1 + y)/2)^2 has no real solution");
     } catch (error::no_convergence const& failure) {
         CHECK(dynamic_cast<interrupted<double, double> const&>(failure).last.q == 1.0);
@@ -244,20 +244,20 @@ TEST_CASE("a failed step of a vector keeps its components apart") {
             }
         }
     };
-    stopped(embed(L, midpoint));
-    stopped(embed(L, midpoint, compensated));
+    stopped(embed(L, mid_point));
+    stopped(embed(L, mid_point, compensated));
     // The same from one step on its own, which knows of no trajectory.
-    CHECK_THROWS_AS((void)embed(L, midpoint).step(state<double, vector2>{2, q, p}, 1.0), newton_failure<vector2>);
+    CHECK_THROWS_AS((void)embed(L, mid_point).step(state<double, vector2>{2, q, p}, 1.0), newton_failure<vector2>);
 }
 
 TEST_CASE("bad states are refused in one sentence") {
     auto const T = uniform(0.0, 0.1, 10);
     Eigen::VectorXd const three = Eigen::VectorXd::Ones(3), two = Eigen::VectorXd::Ones(2);
     auto const free = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q); };
-    CHECK_THROWS_WITH_AS((void)embed(free, midpoint).along(T, three, two),
+    CHECK_THROWS_WITH_AS((void)embed(free, mid_point).along(T, three, two),
                          "the initial position and momentum have one dimension, and these have 3 and 2", error::mismatch);
     // d2L/dv2 = diag(1, 0), and nothing else holds the second component
     auto const lame = [](auto const& q, auto const& v) { return v(0) * v(0) / 2 - q(0) * q(0); };
-    CHECK_THROWS_AS(end_of(embed(lame, midpoint).along(T, vector2(1, 1), vector2(0, 0))), error::singular);
+    CHECK_THROWS_AS(end_of(embed(lame, mid_point).along(T, vector2(1, 1), vector2(0, 0))), error::singular);
     CHECK_THROWS_AS(end_of(embed(lame, order_one).along(T, vector2(1, 1), vector2(0, 0))), error::singular);
 }

@@ -25,7 +25,7 @@ template <class Vector, class A, class Root>
 void check_componentwise(A const& a, Root const& T) {
     INFO(std::string(A::name().view()));
     auto const scale = all_of<typename A::from>(T);
-    auto const u = function(scale, [](double t) {
+    auto const u = function_on(scale, [](double t) {
         Vector x(3);
         for (int j = 0; j < 3; ++j) x[j] = component(t, j);
         return x;
@@ -35,7 +35,7 @@ void check_componentwise(A const& a, Root const& T) {
     auto const At = a[table];
     static_assert(std::same_as<value_of<decltype(Au)>, Vector>, "values are vectors, not expressions");
     for (int j = 0; j < 3; ++j) {
-        auto const expected = a[function(scale, [j](double t) { return component(t, j); })];
+        auto const expected = a[function_on(scale, [j](double t) { return component(t, j); })];
         REQUIRE(Au.size() == expected.size());
         for (auto i = expected.first(); i <= expected.last(); ++i) {
             CHECK(Au[i][j] == doctest::Approx(expected[i]).epsilon(1e-14));
@@ -58,8 +58,8 @@ auto const given = time_scale<double>{0.0, 1.0, 3.0, 7.0, 7.5};
 
 TEST_CASE("the primitives act on each component of a vector") {
     check_each<Eigen::VectorXd>(given, sigma, rho_h, Delta_plus, Delta_h_minus, Delta_o_plus, extend, extend_lambda<1, 4>, on_T, on_half,
-                                pi, pi_inverse, step_mean, antiderivative_h, adjoint(antiderivative_h), adjoint(on_T), identity,
-                                reweight<nodes, delta, nabla>{});
+                                pi_half, pi_inverse, step_mean, antiderivative_h, adjoint(antiderivative_h), adjoint(on_T), identity_T,
+                                reweight<nodes, delta_weight, nabla_weight>{});
 }
 
 TEST_CASE("and so does what is made of them") {
@@ -76,7 +76,7 @@ TEST_CASE("vectors of fixed dimension") {
 TEST_CASE("vectors with exact components") {
     using vector = Eigen::Matrix<Q, 2, 1>;
     auto const T = steps_1_2_4();
-    auto const u = function(T, [](Q const& t) { return vector(t, t * t); });
+    auto const u = function_on(T, [](Q const& t) { return vector(t, t * t); });
     CHECK(Delta_plus[u][1] == vector(Q(1), Q(4)));
     CHECK(Delta_minus[Delta_plus[u]][1] == vector(Q(0), Q(3)));
     CHECK(step_mean[on_half[extend[u]]][1] == vector(Q(3, 2), Q(7, 2)));

@@ -9,20 +9,20 @@ using namespace hilger;
 using namespace hilger::testing;
 
 TEST_CASE("a recording has the states of the walk") {
-    auto const path = embed(pendulum, midpoint).along(uniform(0.0, 0.1, 10), 1.0, 0.0);
+    auto const path = embed(pendulum, mid_point).along(uniform(0.0, 0.1, 10), 1.0, 0.0);
     auto const run = record(path);
     CHECK_FALSE(run.stopped);
     REQUIRE(run.states.size() == 11);
     std::size_t i = 0;
     for (auto const& x : path) {
-        CHECK(x.t == path.scale().point(static_cast<hilger::index>(i))); // steps of 0.1 added up are not 1
+        CHECK(x.t == path.scale().point(static_cast<hilger::index_type>(i))); // steps of 0.1 added up are not 1
         CHECK(x == run.states[i++]);
     }
 }
 
 TEST_CASE("every stride-th state and always the last") {
-    auto const path = embed(pendulum, midpoint).along(uniform(0.0, 0.5, 10), 1.0, 0.0);
-    auto const times = [&](hilger::index stride) {
+    auto const path = embed(pendulum, mid_point).along(uniform(0.0, 0.5, 10), 1.0, 0.0);
+    auto const times = [&](hilger::index_type stride) {
         std::vector<double> result;
         for (auto const& x : record(path, stride).states) result.push_back(x.t);
         return result;
@@ -38,21 +38,21 @@ TEST_CASE("positions are the solution in C(T), momenta satisfy their definition,
     auto const T = uniform(Q(0), Q(1, 5), 6);
     constexpr unknown q;
     auto const EL = variation(integral(oscillator(extend[q], Delta_o_plus[extend[q]]), half(T)));
-    auto const run = record(embed(oscillator, midpoint).along(T, initial_velocity<Q>{Q(1), Q(1, 2)}));
+    auto const run = record(embed(oscillator, mid_point).along(T, initial_velocity<Q>{Q(1), Q(1, 2)}));
     auto const x = solve(EL, T, {.q0 = Q(1), .v0 = Q(1, 2)});
     auto const positions = run.positions(), momenta = run.momenta();
-    for (hilger::index i = 0; i <= 6; ++i) CHECK(positions[i] == x[i]);
+    for (hilger::index_type i = 0; i <= 6; ++i) CHECK(positions[i] == x[i]);
     // p_{i+1} + p_i = 2 dL/dv at the node: Cresson-Safi (82)
-    for (hilger::index i = 0; i < 6; ++i) {
+    for (hilger::index_type i = 0; i < 6; ++i) {
         Q const middle = (x[i] + x[i + 1]) / 2, v = (x[i + 1] - x[i]) * 5;
         CHECK((momenta[i] + momenta[i + 1]) / 2 == v + middle / 3);
     }
-    CHECK_THROWS_WITH_AS((void)record(embed(oscillator, midpoint).along(T, Q(1), Q(0)), 2).positions(),
+    CHECK_THROWS_WITH_AS((void)record(embed(oscillator, mid_point).along(T, Q(1), Q(0)), 2).positions(),
                          "a function on T = {0, 1/5, 2/5, ..., 6/5} (7 points) needs 7 values, and was given 4", error::mismatch);
 }
 
 TEST_CASE("where a step fails the states before it stay") {
-    auto const path = embed(cubic, midpoint).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
+    auto const path = embed(cubic, mid_point).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
     auto const run = record(path);
     REQUIRE(run.stopped);
     CHECK(run.stopped->find("the step from t = ") == 0);
@@ -75,7 +75,7 @@ TEST_CASE("what a Lagrangian throws itself loses no state either") {
         if (x > 2) throw std::domain_error("beyond the fence");
         return v * v / 2 + 0 * x;
     }};
-    auto const run = record(embed(fenced, midpoint).along(uniform(0.0, 0.5, 10), 0.0, 1.0));
+    auto const run = record(embed(fenced, mid_point).along(uniform(0.0, 0.5, 10), 0.0, 1.0));
     REQUIRE(run.stopped);
     CHECK(*run.stopped == "beyond the fence");
     CHECK(run.states.size() == 5); // mid-points 0.25, ..., 1.75 are inside

@@ -58,7 +58,7 @@ TEST_CASE("Stoermer-Verlet: one force, and nothing to solve") {
 
 TEST_CASE("mid-point: as many second derivatives as rounds have use for, and seven velocities") {
     // Broken by one round more than are needed, by an iteration that starts from v alone, by reading derivatives that are known.
-    requirements const r = needs(embed(pendulum, midpoint).along(T, 1.0, 0.5));
+    requirements const r = needs(embed(pendulum, mid_point).along(T, 1.0, 0.5));
     check_constant(r);
     CHECK(r.newton_rounds <= 1.5);
     CHECK(r.forces == r.newton_rounds);
@@ -68,7 +68,7 @@ TEST_CASE("mid-point: as many second derivatives as rounds have use for, and sev
     CHECK(r.state_bytes == 8 * 3);
     CHECK(r.memory_bytes == 8 * (7 + 5)); // velocities; h, the weight, and where the node is
     auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
-    requirements const linear = needs(embed(oscillator, midpoint).along(T, 1.0, 0.5));
+    requirements const linear = needs(embed(oscillator, mid_point).along(T, 1.0, 0.5));
     CHECK(linear.newton_rounds == 1);
     CHECK(linear.second_derivatives == 0);
     CHECK(linear.functions == 0);
@@ -76,17 +76,17 @@ TEST_CASE("mid-point: as many second derivatives as rounds have use for, and sev
 
 TEST_CASE("no value on T_o is kept: ten points and ten thousand take the same") {
     // Broken by a table of positions, of q_o, or of steps.
-    auto const allocated = [](hilger::index steps) {
+    auto const allocated = [](hilger::index_type steps) {
         long const before = allocations_until_now();
-        auto const path = embed(pendulum, midpoint).along(uniform(0.0, 0.05, steps), 1.0, 0.5);
+        auto const path = embed(pendulum, mid_point).along(uniform(0.0, 0.05, steps), 1.0, 0.5);
         double last = 0;
         for (auto const& x : path) last = x.q;
         CHECK(std::abs(last) < 2);
         return allocations_until_now() - before;
     };
     CHECK(allocated(10) == allocated(10'000));
-    requirements const few = requirements_of(embed(pendulum, midpoint).along(T, 1.0, 0.5), 8);
-    requirements const many = requirements_of(embed(pendulum, midpoint).along(T, 1.0, 0.5), 2048);
+    requirements const few = requirements_of(embed(pendulum, mid_point).along(T, 1.0, 0.5), 8);
+    requirements const many = requirements_of(embed(pendulum, mid_point).along(T, 1.0, 0.5), 2048);
     CHECK(few.memory_bytes == many.memory_bytes);
     CHECK(many.growth_in_bytes == 0);
 }

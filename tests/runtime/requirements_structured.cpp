@@ -9,24 +9,24 @@ using namespace hilger;
 
 namespace {
 
-constexpr auto spring = [](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12; };
+constexpr auto spring = [](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; };
 constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr unknown<"q"> q;
 constexpr unknown<"y"> y;
 auto const T = uniform(0.0, 0.05, 200);
 
 template <class Path>
-requirements needs(Path const& path, hilger::index steps = 16) {
+requirements needs(Path const& path, hilger::index_type steps = 16) {
     return requirements_of(path, steps, allocations_until_now);
 }
 template <class E>
-requirements chain_of(hilger::index d, double h, E const& how) {
+requirements chain_of(hilger::index_type d, double h, E const& how) {
     Eigen::VectorXd const x = Eigen::VectorXd::LinSpaced(d, -1, 1), p = Eigen::VectorXd::Zero(d);
     return needs(embed(mechanical(1.0, chain(spring)), how).along(uniform(0.0, h, 40), x, p));
 }
 /// What a path remembers of fractional derivatives after some steps.
 struct remembered {
-    hilger::index histories;
+    hilger::index_type histories;
     std::size_t bytes;
 };
 template <class Path>
@@ -40,8 +40,8 @@ remembered history_of(Path const& path, int steps = 3) {
 
 TEST_CASE("a chain that is not stiff: forces only, whatever its length") {
     // Broken by Newton from the first step on, by a Hessian that is evaluated to see whether it is needed, by a d x d matrix.
-    for (hilger::index const d : {16, 64}) {
-        requirements const r = chain_of(d, 0.05, midpoint);
+    for (hilger::index_type const d : {16, 64}) {
+        requirements const r = chain_of(d, 0.05, mid_point);
         CHECK(r.forces <= 4);
         CHECK(r.newton_rounds == 0);
         CHECK(r.second_derivatives == 0);
@@ -54,8 +54,8 @@ TEST_CASE("a chain that is not stiff: forces only, whatever its length") {
 }
 
 TEST_CASE("a stiff chain: one number a spring for the Hessian, and a tridiagonal factorization a round") {
-    hilger::index const d = 16;
-    requirements const r = chain_of(d, 1.0, midpoint);
+    hilger::index_type const d = 16;
+    requirements const r = chain_of(d, 1.0, mid_point);
     CHECK(r.newton_rounds > 0);
     CHECK(r.factorizations == r.newton_rounds);
     CHECK(r.second_derivatives == (static_cast<double>(d) + 1) * r.newton_rounds);
@@ -119,7 +119,7 @@ TEST_CASE("a hundred degrees of freedom with one fractional damper keep one hist
     exponentials const policy{1e-10, 1000};
     auto const alone = history_of(embed(with_fractional_damping(pendulum, 0.1, fraction<1, 2>{}, policy), order_one).along(T, 1.0, 0.5));
     REQUIRE(alone.histories == 1);
-    hilger::index const d = 100;
+    hilger::index_type const d = 100;
     Eigen::VectorXd const x = Eigen::VectorXd::LinSpaced(d, -1, 1), zero = Eigen::VectorXd::Zero(d);
     Eigen::VectorXd rho = zero;
     auto const damped = [&] { return with_fractional_damping(mechanical(1.0, chain(spring)), rho, fraction<1, 2>{}, policy); };
@@ -162,7 +162,7 @@ TEST_CASE("a structure's step by Newmark's scheme: its force twice and one solve
     fractional_structure const one_damper{Eigen::Matrix3d(Eigen::Matrix3d::Identity()), C, K, 1.0, 0.5};
     zener_structure const everywhere{Eigen::Matrix3d(Eigen::Matrix3d::Identity()), K, 1.0, 2.0, 0.1, fraction<1, 2>{}};
     Eigen::Vector3d const x(1, 0, -1);
-    auto const check = [&](auto const& structure, hilger::index histories) {
+    auto const check = [&](auto const& structure, hilger::index_type histories) {
         requirements const r = needs(newmark<bdf<2>>(structure, load, average_acceleration, exponentials{1e-10, 1000}).along(T, x, x));
         CHECK(r.forces == 2);
         CHECK(r.solves == 1);

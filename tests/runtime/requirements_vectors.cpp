@@ -42,7 +42,7 @@ TEST_CASE("a mass for each component is divided by, and not factorized") {
 TEST_CASE("mid-point in the plane: the symmetric second derivatives once, one root for all of them") {
     // Broken by derivatives that are made from the start again for each component, by a round that is not needed.
     auto const kepler = [](auto const& q, auto const& v) { return v.dot(v) / 2 + 1 / q.norm(); };
-    requirements const plane = requirements_of(embed(kepler, midpoint).along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)));
+    requirements const plane = requirements_of(embed(kepler, mid_point).along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)));
     CHECK(plane.growth_in_bytes == 0);
     CHECK(plane.forces == plane.newton_rounds);
     CHECK(plane.newton_rounds <= 1.5);

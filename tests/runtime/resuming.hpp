@@ -13,10 +13,10 @@ namespace hilger::testing {
 
 /// The number of states that differ between one run and the same stopped after `first` steps.
 template <class Path>
-int differences(Path const& path, hilger::index first) {
+int differences(Path const& path, hilger::index_type first) {
     auto at = path.begin();
     std::stringstream text;
-    for (hilger::index i = 0; i < first; ++i) ++at;
+    for (hilger::index_type i = 0; i < first; ++i) ++at;
     auto const kept = at.checkpoint();
     write_checkpoint(text, path, kept);
     auto const read = read_checkpoint(text, path);
@@ -29,7 +29,7 @@ int differences(Path const& path, hilger::index first) {
     return count;
 }
 template <class S>
-auto pendulum_path(auto const& flow, hilger::index steps) {
+auto pendulum_path(auto const& flow, hilger::index_type steps) {
     return flow.along(uniform(S(0), S(1) / S(10), steps), S(1), S(1) / S(3));
 }
 

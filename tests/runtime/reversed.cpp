@@ -35,7 +35,7 @@ TEST_CASE("the adjoint of order one is order one from the left, of theta 1 - the
     CHECK(steps_as(adjoint(embed(oscillator, order_one_left)), embed(oscillator, order_one)));
     CHECK(steps_as(adjoint(embed(driven, order_one)), embed(driven, order_one_left)));
     CHECK(steps_as(adjoint(embed(driven, theta<1, 3>)), embed(driven, theta<2, 3>)));
-    CHECK(steps_as(adjoint(embed(driven, midpoint)), embed(driven, midpoint)));
+    CHECK(steps_as(adjoint(embed(driven, mid_point)), embed(driven, mid_point)));
     CHECK(steps_as(adjoint(embed(damped, order_one)), embed(damped, order_one_left)));
 }
 

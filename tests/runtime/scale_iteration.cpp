@@ -49,12 +49,12 @@ TEST_CASE("scales and functions are walked in both directions and by jumps") {
     check_iteration(T, std::vector<Q>{0, 1, 3, 7});
     check_iteration(half(T), std::vector<Q>{Q(1, 2), 2, 5});
     check_iteration(circ(T), std::vector<Q>{0, Q(1, 2), 1, 2, 3, 5, 7});
-    check_iteration(plus(T), std::vector<Q>{0, 1, 3});
-    check_iteration(minus(T), std::vector<Q>{1, 3, 7});
+    check_iteration(without_last(T), std::vector<Q>{0, 1, 3});
+    check_iteration(without_first(T), std::vector<Q>{1, 3, 7});
     check_iteration(interior(T), std::vector<Q>{1, 3});
     check_iteration(uniform<2>(0.0, 0.5), std::vector<double>{0.0, 0.5, 1.0});
     check_iteration(at_lambda(T, Q(1, 4)), std::vector<Q>{Q(1, 4), Q(3, 2), 4});
-    auto const f = function(T, std::vector<Q>{1, 2, 6, -2});
+    auto const f = function_on(T, std::vector<Q>{1, 2, 6, -2});
     check_iteration(f, std::vector<Q>{1, 2, 6, -2});
     check_iteration(Delta_minus[f], std::vector<Q>{1, 2, -2});
     check_iteration(extend[f], std::vector<Q>{1, Q(3, 2), 2, 4, 6, 2, -2});
@@ -80,7 +80,7 @@ TEST_CASE("the standard algorithms take them") {
     auto const U = steps_1_2_4();
     CHECK(std::accumulate(U.begin(), U.end(), Q(0)) == 11);
     CHECK(std::ranges::distance(circ(U)) == 7);
-    auto const f = function(U, std::vector<Q>{1, 2, 6, -2});
+    auto const f = function_on(U, std::vector<Q>{1, 2, 6, -2});
     CHECK(*std::ranges::max_element(f) == 6);
     CHECK(std::ranges::count_if(f, [](Q const& x) { return x > 0; }) == 3);
 }
@@ -90,8 +90,8 @@ TEST_CASE("a scale equals another when their points are the same, however they a
     CHECK(T == time_scale<Q>{Q(0), Q(1), Q(3), Q(7)});
     CHECK(T != time_scale<Q>{Q(0), Q(1), Q(3), Q(8)});
     CHECK(T != time_scale<Q>{Q(0), Q(1), Q(3)});
-    CHECK(plus(T) == time_scale<Q>{Q(0), Q(1), Q(3)});
-    CHECK(plus(T) != minus(T));
+    CHECK(without_last(T) == time_scale<Q>{Q(0), Q(1), Q(3)});
+    CHECK(without_last(T) != without_first(T));
     CHECK(circ(uniform(Q(0), Q(1), 3)) == uniform(Q(0), Q(1, 2), 6));
     CHECK(uniform(Q(0), Q(1), 3) == time_scale<Q>{Q(0), Q(1), Q(2), Q(3)});
     CHECK(half(T) == at_lambda(T, Q(1, 2)));
@@ -123,12 +123,12 @@ TEST_CASE("a scale prints its name, its first points, its last one and their num
     CHECK(printed(uniform(0.0, 0.5, 4)) == "T = {0, 0.5, 1, ..., 2} (5 points)");
     CHECK(printed(uniform<1>(0.0, 0.5)) == "T = {0, 0.5} (2 points)");
     CHECK(printed(T) == "T = {0, 1, 3, 7} (4 points)");
-    CHECK(printed(plus(T)) == "T^{+} = {0, 1, 3} (3 points)");
+    CHECK(printed(without_last(T)) == "T^{+} = {0, 1, 3} (3 points)");
     CHECK(printed(interior(uniform(0.0, 0.5, 2))) == "T^{+-} = {0.5} (1 point)");
-    CHECK(printed(minus(minus(T))) == "T^{--} = {3, 7} (2 points)");
+    CHECK(printed(without_first(without_first(T))) == "T^{--} = {3, 7} (2 points)");
     CHECK(printed(half(T)) == "T_half = {1/2, 2, 5} (3 points)");
     CHECK(printed(circ(T)) == "T_o = {0, 1/2, 1, ..., 7} (7 points)");
-    CHECK(printed(plus(circ(T))) == "T_o^{+} = {0, 1/2, 1, ..., 5} (6 points)");
+    CHECK(printed(without_last(circ(T))) == "T_o^{+} = {0, 1/2, 1, ..., 5} (6 points)");
     CHECK(printed(at_lambda<1, 3>(T)) == "T_1/3 = {1/3, 5/3, 13/3} (3 points)");
     CHECK(printed(circ(T, Q(1, 4))) == "T_{o,lambda} = {0, 1/4, 1, ..., 7} (7 points)");
 }

@@ -19,8 +19,8 @@ TEST_CASE("points are members, numbers between and outside are not") {
     CHECK_FALSE(half(T).contains(Q(1)));
     CHECK(circ(T).contains(Q(2)));
     CHECK(circ(T).contains(Q(1)));
-    CHECK_FALSE(plus(T).contains(Q(7)));
-    CHECK_FALSE(minus(T).contains(Q(0)));
+    CHECK_FALSE(without_last(T).contains(Q(7)));
+    CHECK_FALSE(without_first(T).contains(Q(0)));
     CHECK_FALSE(interior(T).contains(Q(0)));
     CHECK(interior(T).contains(Q(3)));
     CHECK_FALSE(interior(uniform(0.0, 1.0, 1)).contains(0.0)); // the empty scale has no members
@@ -28,13 +28,13 @@ TEST_CASE("points are members, numbers between and outside are not") {
 
 TEST_CASE("number_of is the inverse of point, on long scales too") {
     auto const T = uniform(Q(-3), Q(1, 7), 100'000);
-    for (hilger::index i : {0, 1, 2, 49'999, 50'000, 99'999, 100'000}) CHECK(T.number_of(T.point(i)) == i);
+    for (hilger::index_type i : {0, 1, 2, 49'999, 50'000, 99'999, 100'000}) CHECK(T.number_of(T.point(i)) == i);
     auto const U = uniform(-3.0, 0.1, 1'000'000);
-    hilger::index wrong = 0;
-    for (hilger::index i = 0; i < U.size(); i += 7) wrong += U.number_of(U.point(i)) != i;
+    hilger::index_type wrong = 0;
+    for (hilger::index_type i = 0; i < U.size(); i += 7) wrong += U.number_of(U.point(i)) != i;
     CHECK(wrong == 0);
     auto const V = circ(U);
-    for (hilger::index i = 0; i < V.size(); i += 7) wrong += V.number_of(V.point(i)) != i;
+    for (hilger::index_type i = 0; i < V.size(); i += 7) wrong += V.number_of(V.point(i)) != i;
     CHECK(wrong == 0);
     CHECK_THROWS_WITH_AS((void)T.number_of(Q(1, 2)), "1/2 is not a point of T = {-3, -20/7, -19/7, ..., 99979/7} (100001 points)",
                          error::outside_domain);
@@ -58,8 +58,8 @@ TEST_CASE("a floating point may be written with the rounding of a + ih, and no m
 
 TEST_CASE("the finest scale that a floating scalar allows still knows its points") {
     double const h = 4 * std::numeric_limits<double>::epsilon();
-    auto const T = uniform(interval{0.5, 1.0}, static_cast<hilger::index>(0.5 / h));
-    for (hilger::index i : {0, 1, 2, 1000}) {
+    auto const T = uniform(interval{0.5, 1.0}, static_cast<hilger::index_type>(0.5 / h));
+    for (hilger::index_type i : {0, 1, 2, 1000}) {
         double const t = T.point(i);
         CHECK(T.number_of(t) == i);
         CHECK(circ(T).number_of(circ(T).point(2 * i + 1)) == 2 * i + 1);
@@ -70,7 +70,7 @@ TEST_CASE("the finest scale that a floating scalar allows still knows its points
 TEST_CASE("points of very different sizes are told apart") {
     auto const T = powers(2.0, -60, 0); // its small points are closer to each other than the rounding of its largest
     CHECK(T.size() == 61);
-    for (hilger::index i = 0; i < T.size(); ++i) CHECK(T.number_of(T.point(i)) == i);
+    for (hilger::index_type i = 0; i < T.size(); ++i) CHECK(T.number_of(T.point(i)) == i);
     CHECK_FALSE(T.contains(3e-18));
     CHECK_FALSE(T.contains(3.4e-18));
     CHECK_FALSE(T.contains(0.0));
@@ -89,7 +89,7 @@ TEST_CASE("NaN and the infinities are no points") {
             CHECK_FALSE(T.contains(t));
             CHECK_THROWS_AS((void)T.number_of(t), error::outside_domain);
             CHECK_THROWS_AS((void)T.sigma(t), error::outside_domain);
-            CHECK_THROWS_AS((void)function(T, [](double s) { return s; })(t), error::outside_domain);
+            CHECK_THROWS_AS((void)function_on(T, [](double s) { return s; })(t), error::outside_domain);
         }
     };
     one(uniform(0.0, 0.1, 10));
@@ -102,7 +102,7 @@ TEST_CASE("the point with a number that is not one is an error") {
     auto const T = steps_1_2_4();
     CHECK_THROWS_WITH_AS((void)T.point(4), "point number 4 is outside T = {0, 1, 3, 7} (4 points), whose points are numbered 0 to 3",
                          error::outside_domain);
-    CHECK_THROWS_WITH_AS((void)minus(T).point(0),
+    CHECK_THROWS_WITH_AS((void)without_first(T).point(0),
                          "point number 0 is outside T^{-} = {1, 3, 7} (3 points), whose points are numbered 1 to 3", error::outside_domain);
     CHECK_THROWS_AS((void)T.point(-1), error::outside_domain);
     CHECK_THROWS_AS((void)uniform(0.0, 0.1, 10).point(11), error::outside_domain);

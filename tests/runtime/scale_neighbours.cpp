@@ -34,11 +34,11 @@ void check_neighbours(Scale const& scale) {
 
 template <class Scale>
 void check_neighbours_on_all_that_comes_from(Scale const& T) {
-    check_neighbours(T), check_neighbours(plus(T)), check_neighbours(minus(T)), check_neighbours(interior(T));
-    check_neighbours(half(T)), check_neighbours(plus(half(T))), check_neighbours(minus(half(T)));
+    check_neighbours(T), check_neighbours(without_last(T)), check_neighbours(without_first(T)), check_neighbours(interior(T));
+    check_neighbours(half(T)), check_neighbours(without_last(half(T))), check_neighbours(without_first(half(T)));
     check_neighbours(circ(T)), check_neighbours(interior(circ(T)));
     check_neighbours(at_lambda<1, 3>(T)), check_neighbours(at_lambda<0, 1>(T)), check_neighbours(circ<3, 4>(T));
-    check_neighbours(at_lambda(T, Q(2, 7))), check_neighbours(circ(T, Q(2, 7))), check_neighbours(minus(circ(T, Q(2, 7))));
+    check_neighbours(at_lambda(T, Q(2, 7))), check_neighbours(circ(T, Q(2, 7))), check_neighbours(without_first(circ(T, Q(2, 7))));
 }
 
 } // namespace
@@ -79,11 +79,11 @@ TEST_CASE("the tables of a scale with the steps 1, 2, 4") {
 
 TEST_CASE("a part of a scale has the neighbours that lie in it") {
     auto const T = steps_1_2_4();
-    CHECK(plus(T).sigma(Q(1)) == 3);
-    CHECK_THROWS_AS((void)plus(T).sigma(Q(3)), error::outside_domain);
-    CHECK_THROWS_AS((void)plus(T).sigma(Q(7)), error::outside_domain);
-    CHECK_THROWS_AS((void)minus(T).rho(Q(1)), error::outside_domain);
-    CHECK(minus(T).rho(Q(3)) == 1);
+    CHECK(without_last(T).sigma(Q(1)) == 3);
+    CHECK_THROWS_AS((void)without_last(T).sigma(Q(3)), error::outside_domain);
+    CHECK_THROWS_AS((void)without_last(T).sigma(Q(7)), error::outside_domain);
+    CHECK_THROWS_AS((void)without_first(T).rho(Q(1)), error::outside_domain);
+    CHECK(without_first(T).rho(Q(3)) == 1);
 }
 
 TEST_CASE("in floating scalars the neighbour of a point is the scale's own point, not the argument moved by h") {
@@ -110,6 +110,6 @@ TEST_CASE("what has no next or previous point says so in one sentence") {
     CHECK_THROWS_WITH_AS((void)circ(T).nu(Q(0)), "nu(0) does not exist: 0 is the first point of T_o = {0, 1/2, 1, ..., 7} (7 points)",
                          error::outside_domain);
     CHECK_THROWS_WITH_AS((void)T.sigma(Q(2)), "2 is not a point of T = {0, 1, 3, 7} (4 points)", error::outside_domain);
-    CHECK_THROWS_WITH_AS((void)plus(T).sigma(Q(3)), "sigma(3) does not exist: 3 is the last point of T^{+} = {0, 1, 3} (3 points)",
+    CHECK_THROWS_WITH_AS((void)without_last(T).sigma(Q(3)), "sigma(3) does not exist: 3 is the last point of T^{+} = {0, 1, 3} (3 points)",
                          error::outside_domain);
 }

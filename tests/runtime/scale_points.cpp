@@ -10,12 +10,12 @@ using namespace hilger;
 using namespace hilger::testing;
 
 TEST_CASE("the points of a uniform scale are a + ih, also where adding h up would differ") {
-    hilger::index const N = 1'000'000;
+    hilger::index_type const N = 1'000'000;
     auto const T = uniform(0.0, 0.1, N);
     REQUIRE(T.size() == N + 1);
     double sum = 0, worst = 0;
-    hilger::index wrong = 0;
-    for (hilger::index i = 0; i <= N; ++i, sum += 0.1) {
+    hilger::index_type wrong = 0;
+    for (hilger::index_type i = 0; i <= N; ++i, sum += 0.1) {
         if (T.point(i) != static_cast<double>(i) * 0.1) ++wrong;
         worst = std::max(worst, std::abs(sum - T.point(i)));
     }
@@ -26,7 +26,7 @@ TEST_CASE("the points of a uniform scale are a + ih, also where adding h up woul
 
 TEST_CASE("an interval ends at b exactly") {
     CHECK(49 * (1.0 / 49) != 1.0); // one of the many N for which a + Nh misses b
-    for (hilger::index N : {1, 2, 3, 7, 10, 49, 98, 103, 1000, 999'999}) {
+    for (hilger::index_type N : {1, 2, 3, 7, 10, 49, 98, 103, 1000, 999'999}) {
         auto const T = uniform(interval{0.0, 1.0}, N);
         CHECK(T.min() == 0.0);
         CHECK(T.max() == 1.0);
@@ -65,12 +65,12 @@ TEST_CASE_TEMPLATE("a scale of any scalar has the same shape", S, float, double,
 TEST_CASE("T_half, T_o and T_lambda lie between the points of a uniform scale") {
     auto const T = uniform(Q(1), Q(1, 2), 3);
     CHECK(points(T) == "T: 1, 3/2, 2, 5/2");
-    CHECK(points(plus(T)) == "T^{+}: 1, 3/2, 2");
-    CHECK(points(minus(T)) == "T^{-}: 3/2, 2, 5/2");
+    CHECK(points(without_last(T)) == "T^{+}: 1, 3/2, 2");
+    CHECK(points(without_first(T)) == "T^{-}: 3/2, 2, 5/2");
     CHECK(points(interior(T)) == "T^{+-}: 3/2, 2");
     CHECK(points(half(T)) == "T_half: 5/4, 7/4, 9/4");
     CHECK(points(circ(T)) == "T_o: 1, 5/4, 3/2, 7/4, 2, 9/4, 5/2");
-    CHECK(points(plus(half(T))) == "T_half^{+}: 5/4, 7/4");
+    CHECK(points(without_last(half(T))) == "T_half^{+}: 5/4, 7/4");
     CHECK(points(interior(circ(T))) == "T_o^{+-}: 5/4, 3/2, 7/4, 2, 9/4");
     CHECK(points(at_lambda<1, 3>(T)) == "T_1/3: 7/6, 5/3, 13/6");
     CHECK(points(circ<1, 3>(T)) == "T_{o,1/3}: 1, 7/6, 3/2, 5/3, 2, 13/6, 5/2");
@@ -109,13 +109,13 @@ TEST_CASE("q^Z and the harmonic numbers") {
 
 TEST_CASE("points keep the numbers they have in the whole family") {
     auto const T = steps_1_2_4();
-    CHECK(minus(T).first() == 1);
-    CHECK(minus(T).point(1) == Q(1));
-    CHECK(minus(T).last() == 3);
-    CHECK(plus(T).last() == 2);
+    CHECK(without_first(T).first() == 1);
+    CHECK(without_first(T).point(1) == Q(1));
+    CHECK(without_first(T).last() == 3);
+    CHECK(without_last(T).last() == 2);
     CHECK(interior(circ(T)).first() == 1);
     CHECK(interior(circ(T)).last() == 5);
-    CHECK(minus(T).number_of(Q(3)) == 2);
+    CHECK(without_first(T).number_of(Q(3)) == 2);
     CHECK(circ(T).number_of(Q(3)) == 4);
     CHECK(half(T).number_of(Q(5)) == 2);
 }
@@ -125,10 +125,10 @@ TEST_CASE("one step makes the smallest scale") {
     CHECK(points(T) == "T: 0, 1");
     CHECK(points(half(T)) == "T_half: 1/2");
     CHECK(points(circ(T)) == "T_o: 0, 1/2, 1");
-    CHECK(points(plus(T)) == "T^{+}: 0");
+    CHECK(points(without_last(T)) == "T^{+}: 0");
     CHECK(interior(T).empty());
     CHECK(interior(T).size() == 0);
     CHECK(interior(T).begin() == interior(T).begin());
-    CHECK(plus(plus(plus(T))).size() == 0);
+    CHECK(without_last(without_last(without_last(T))).size() == 0);
     CHECK(interior(half(T)).size() == 0);
 }

@@ -39,8 +39,8 @@ template <class Scale>
 auto any_function(Scale const& scale) {
     using S = typename Scale::scalar_type;
     std::vector<S> values;
-    for (hilger::index i = 0; i < scale.size(); ++i) values.push_back(S(*rc::gen::inRange(-100, 100)) / S(*rc::gen::inRange(1, 10)));
-    return function(scale, std::move(values));
+    for (hilger::index_type i = 0; i < scale.size(); ++i) values.push_back(S(*rc::gen::inRange(-100, 100)) / S(*rc::gen::inRange(1, 10)));
+    return function_on(scale, std::move(values));
 }
 
 } // namespace
@@ -48,13 +48,13 @@ auto any_function(Scale const& scale) {
 TEST_CASE("rho undoes sigma, mu is the distance to the next point, and sizes add up") {
     CHECK(rc::check([] {
         auto const T = any_scale();
-        for (auto const& t : plus(T)) {
+        for (auto const& t : without_last(T)) {
             RC_ASSERT(T.rho(T.sigma(t)) == t);
             RC_ASSERT(t < T.sigma(t));
             RC_ASSERT(t + T.mu(t) == T.sigma(t));
         }
         RC_ASSERT(circ(T).size() == T.size() + half(T).size());
-        RC_ASSERT(half(T).size() == plus(T).size());
+        RC_ASSERT(half(T).size() == without_last(T).size());
         RC_ASSERT(std::ranges::is_sorted(circ(T).begin(), circ(T).end()));
         for (auto const& t : T) RC_ASSERT(circ(T).contains(t));
         for (auto const& t : half(T)) RC_ASSERT(circ(T).contains(t) and not T.contains(t));
@@ -79,7 +79,7 @@ TEST_CASE("integration undoes differentiation and the other way round") {
         auto const f = any_function(T);
         RC_ASSERT(integral(Delta_plus[f], T) == boundary(f));
         RC_ASSERT(nabla_integral(Delta_minus[f], T) == boundary(f));
-        RC_ASSERT(values(Delta_plus[antiderivative[f]]) == values(restrict_to(f, plus(T))));
+        RC_ASSERT(values(Delta_plus[antiderivative[f]]) == values(restrict_to(f, without_last(T))));
         for (auto const& s : T)
             for (auto const& t : T) {
                 RC_ASSERT(integral(f, s, t) == -integral(f, t, s));
@@ -95,7 +95,7 @@ TEST_CASE("what does not need a uniform scale does not use one: a uniform scale 
         RC_ASSERT(U == T);
         RC_ASSERT(circ(U) == circ(T));
         auto const f = any_function(U);
-        auto const g = function(T, std::vector<Q>(f.begin(), f.end()));
+        auto const g = function_on(T, std::vector<Q>(f.begin(), f.end()));
         RC_ASSERT(values(Delta_plus[f]) == values(Delta_plus[g]));
         RC_ASSERT(values(Delta_o_minus[extend[f]]) == values(Delta_o_minus[extend[g]]));
         RC_ASSERT(values(mean_h_minus[on_half[extend[f]]]) == values(mean_h_minus[on_half[extend[g]]]));

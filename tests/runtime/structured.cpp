@@ -13,8 +13,8 @@ using namespace hilger;
 
 namespace {
 
-constexpr auto spring = [](hilger::index, auto const& r) { return r * r / 2 + r * r * r / 12 + r * r * r * r / 7; };
-constexpr auto gravity = [](hilger::index k, auto const& r) { return -(1 + static_cast<double>(k) / 8) / r.norm(); };
+constexpr auto spring = [](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12 + r * r * r * r / 7; };
+constexpr auto gravity = [](hilger::index_type k, auto const& r) { return -(1 + static_cast<double>(k) / 8) / r.norm(); };
 
 /// How far a trajectory is from p_i = -d_1 L_h, p_{i+1} = d_2 L_h with one node at q_i + lambda (q_{i+1} - q_i), by derivatives of the
 /// whole L.
@@ -48,7 +48,7 @@ TEST_CASE("chain, pairs and mass matrices solve their equations, by iteration an
     m << 1, 2, 3, 1, 2, 3;
     auto const check = [&](auto const& l, double h) {
         auto const T = uniform(0.0, h, 20);
-        CHECK(defect(l, embed(l, midpoint).along(T, q, p), h, 0.5) < 64 * epsilon<double>() * 10 / h);
+        CHECK(defect(l, embed(l, mid_point).along(T, q, p), h, 0.5) < 64 * epsilon<double>() * 10 / h);
     };
     // h = 1 is beyond where iterating with the mass alone converges
     for (double const h : {0.05, 1.0}) {
@@ -59,7 +59,7 @@ TEST_CASE("chain, pairs and mass matrices solve their equations, by iteration an
     }
     check(mechanical(m, pairs<3>({{0, 1}, {1, -1}}, gravity)), 0.01);
     check(mechanical(m, pairs<3>({{0, 1}, {-1, 1}}, gravity)), 0.01); // the wall first: r = -q
-    CHECK(mechanical(m, pairs<1>({{-1, 2}}, [](hilger::index, auto const& r) { return r; })).potential()(q) == -q(2));
+    CHECK(mechanical(m, pairs<1>({{-1, 2}}, [](hilger::index_type, auto const& r) { return r; })).potential()(q) == -q(2));
     auto const T = uniform(0.0, 0.05, 20);
     auto const l = mechanical(m, chain(spring));
     CHECK(defect(l, embed(l, order_one).along(T, q, p), 0.05, 0.0) < 64 * epsilon<double>() * 10 / 0.05);
@@ -67,24 +67,24 @@ TEST_CASE("chain, pairs and mass matrices solve their equations, by iteration an
 }
 
 TEST_CASE("a hundred bodies on a line, far apart in the list: the Hessian is sparse") {
-    hilger::index const d = 100;
-    std::vector<std::pair<hilger::index, hilger::index>> list;
-    for (hilger::index k = 0; k < d; ++k) list.emplace_back(k, (k * 37 + 1) % d == k ? -1 : (k * 37 + 1) % d);
+    hilger::index_type const d = 100;
+    std::vector<std::pair<hilger::index_type, hilger::index_type>> list;
+    for (hilger::index_type k = 0; k < d; ++k) list.emplace_back(k, (k * 37 + 1) % d == k ? -1 : (k * 37 + 1) % d);
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(d, -1, 1), p = Eigen::VectorXd::LinSpaced(d, 0.5, 0);
     auto const sparse = mechanical(1.0, pairs<1>(list, spring));
     REQUIRE(sparse.potential().pattern(d) == hessian_pattern::sparse);
-    CHECK(defect(sparse, embed(sparse, midpoint).along(uniform(0.0, 0.8, 5), q, p), 0.8, 0.5) < 1e-12);
+    CHECK(defect(sparse, embed(sparse, mid_point).along(uniform(0.0, 0.8, 5), q, p), 0.8, 0.5) < 1e-12);
 }
 
 TEST_CASE("every two of n bodies, with and without a list") {
-    std::vector<std::pair<hilger::index, hilger::index>> const list{{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}};
+    std::vector<std::pair<hilger::index_type, hilger::index_type>> const list{{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}};
     REQUIRE(std::ranges::equal(all_pairs(4), list));
     CHECK(std::ranges::empty(all_pairs(1)));
     CHECK(std::ranges::empty(all_pairs(0)));
     using vector = Eigen::Matrix<double, 12, 1>;
     vector q, p;
     for (int k = 0; k < 12; ++k) q(k) = std::sin(3.0 * k) * (k + 1), p(k) = std::cos(2.0 * k);
-    auto const energy = [](hilger::index k, auto const& r) { return -(2 + static_cast<double>(k)) / r.norm() + r(0) * r(0) * r(1); };
+    auto const energy = [](hilger::index_type k, auto const& r) { return -(2 + static_cast<double>(k)) / r.norm() + r(0) * r(0) * r(1); };
     auto const listed = mechanical(2.0, pairs<3>(list, energy));
     auto const every = mechanical(2.0, pairs<3>(all_pairs(4), energy));
     CHECK(listed.potential()(q) == every.potential()(q));
@@ -95,7 +95,7 @@ TEST_CASE("every two of n bodies, with and without a list") {
     CHECK((g - h).norm() <= 8 * epsilon<double>() * g.norm());
     CHECK((g + gradient_first(every, q, p)).norm() <= 64 * epsilon<double>() * g.norm());
     auto const T = uniform(0.0, 0.01, 20);
-    CHECK(defect(every, embed(every, midpoint).along(T, q, p), 0.01, 0.5) < 64 * epsilon<double>() * 1000);
+    CHECK(defect(every, embed(every, mid_point).along(T, q, p), 0.01, 0.5) < 64 * epsilon<double>() * 1000);
 }
 
 TEST_CASE("structured steps in 50 digits: the energy of an FPU chain, order 2") {
@@ -104,7 +104,7 @@ TEST_CASE("structured steps in 50 digits: the energy of an FPU chain, order 2") 
     vector const q(1, float50(1) / 2, 0, 0), p(0, 0, 1, 0);
     auto const drift = [&](int n) {
         float50 worst(0), E0 = p.dot(p) / 2 + l.potential()(q);
-        for (auto const& x : embed(l, midpoint).along(uniform(interval<float50>{0, 1}, n), q, p))
+        for (auto const& x : embed(l, mid_point).along(uniform(interval<float50>{0, 1}, n), q, p))
             worst = std::max(worst, float50(abs(float50(x.p.dot(x.p) / 2 + l.potential()(x.q) - E0))));
         return worst;
     };
@@ -126,7 +126,7 @@ TEST_CASE("what a structured system needs is said") {
     Eigen::VectorXd const q = Eigen::VectorXd::Ones(6);
     auto const T = uniform(0.0, 0.1, 3);
     auto const walk = [&](auto const& l) {
-        for (auto const& x : embed(l, midpoint).along(T, q, q)) (void)x;
+        for (auto const& x : embed(l, mid_point).along(T, q, q)) (void)x;
     };
     CHECK_THROWS_WITH_AS(mechanical(-1.0, chain(spring)), "a mass is positive, and one of these is not", error::singular);
     CHECK_THROWS_WITH_AS(walk(mechanical(Eigen::VectorXd(Eigen::VectorXd::Ones(5)), chain(spring))),

@@ -170,5 +170,5 @@ TEST_CASE("an embedding's operators run on symbols: the tableau as formulas in h
     CHECK(quarter.a(0, 1) == 0.25);
     CHECK(quarter.b(0, 1).same_as(1 / h));
     CHECK(tableau_of(order_one_left, h).a(0, 0) == 0);
-    CHECK(printed(tableau_of(midpoint, h).b(0, 0)) == "−1/h");
+    CHECK(printed(tableau_of(mid_point, h).b(0, 0)) == "−1/h");
 }

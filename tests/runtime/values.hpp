@@ -16,7 +16,7 @@ std::string values(F const& f) {
     std::ostringstream out;
     out << F::domain_type::name().view() << ':';
     char const* separator = " ";
-    for (index i = f.first(); i <= f.last(); ++i) {
+    for (index_type i = f.first(); i <= f.last(); ++i) {
         out << separator << f[i];
         separator = ", ";
     }
@@ -26,7 +26,7 @@ std::string values(F const& f) {
 /// The same for the points of a scale.
 template <time_scale_like Scale>
 std::string points(Scale const& scale) {
-    return values(function(scale, [](auto const& t) { return t; }));
+    return values(function_on(scale, [](auto const& t) { return t; }));
 }
 
 /// The scale of the tables computed by hand: its steps 1, 2, 4 are all different, and so are the sums of any of them.

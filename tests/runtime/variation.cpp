@@ -25,11 +25,12 @@ V some_value(int i, int component) {
 
 /// d/de S(x + e e_k), exactly, for scalar values.
 template <class Action>
-Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index k) {
+Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index_type k) {
     std::vector<D> moved;
-    for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(static_cast<hilger::index>(i) == k ? D::variable(x[i], 0, {1, 0}) : D(x[i]));
+    for (std::size_t i = 0; i < x.size(); ++i)
+        moved.push_back(static_cast<hilger::index_type>(i) == k ? D::variable(x[i], 0, {1, 0}) : D(x[i]));
     auto const T = derived_scale(S.T, domain<nodes>{});
-    auto const f = function(S.T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
+    auto const f = function_on(S.T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
     return D(S(f)).by<0>();
 }
 
@@ -38,11 +39,11 @@ template <class Weight, class Action>
 void is_the_derivative_of(Action const& S) {
     std::vector<Q> x;
     for (int i = 0; i <= S.T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
-    auto const f = function(S.T, x);
+    auto const f = function_on(S.T, x);
     auto const residual = variation(S).residual(f);
     REQUIRE(residual.first() == 1);
     REQUIRE(residual.last() == S.T.steps() - 1);
-    for (hilger::index k = 1; k < S.T.steps(); ++k) {
+    for (hilger::index_type k = 1; k < S.T.steps(); ++k) {
         CAPTURE(k);
         CHECK(residual[k] * weight_at<Weight>(f, k) == along_variation(S, x, k));
     }
@@ -64,7 +65,7 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
             return time_scale<Q>{Q(0), Q(1, 3), Q(1), Q(7, 5), Q(2), Q(9, 4), Q(3)};
     }();
     constexpr lagrangian L{scalar_L};
-    SUBCASE("order one") { is_the_derivative_of<delta>(integral(L(q, Delta_plus[q]), T)); }
+    SUBCASE("order one") { is_the_derivative_of<delta_weight>(integral(L(q, Delta_plus[q]), T)); }
     SUBCASE("mid-point") { is_the_derivative_of<trapezoid_rule>(integral(L(q_o, Delta_o_plus[q_o]), half(T))); }
     SUBCASE("lambda = 1/3") {
         is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(on_lambda<1, 3>[q_third], velocity_third), at_lambda<1, 3>(T)));
@@ -77,12 +78,12 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
         Q const lambda(2, 7);
         auto const q_lambda = extend_at(lambda)[q];
         auto const v = Delta_plus_on<joined<run_time<Q>>>[q_lambda];
-        is_the_derivative_of<delta>(integral(L(q_lambda, v), at_lambda(T, lambda))); // the Delta sum: see natural_weight
+        is_the_derivative_of<delta_weight>(integral(L(q_lambda, v), at_lambda(T, lambda))); // the Delta sum: see natural_weight
     }
     SUBCASE("an integrand on T_o is read on T_half") {
         auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T));
         auto const same = integral(L(on_half[q_o], (pi_inverse * Delta_plus)[q]), half(T));
-        auto const f = function(T, [](Q t) { return Q(t * t - t); });
+        auto const f = function_on(T, [](Q t) { return Q(t * t - t); });
         CHECK(S(f) == same(f));
         CHECK(S(f) != 0);
     }
@@ -94,14 +95,14 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
     auto const S = integral(lagrangian{plane_L}(q_o, Delta_o_plus[q_o]), half(T));
     std::vector<V> x;
     for (int i = 0; i <= T.steps(); ++i) x.push_back(V(some_value<Q>(i, 0), some_value<Q>(i, 2)));
-    auto const f = function(T, x);
+    auto const f = function_on(T, x);
     auto const residual = variation(S).residual(f);
-    for (hilger::index k = 1; k < T.steps(); ++k)
+    for (hilger::index_type k = 1; k < T.steps(); ++k)
         for (int c = 0; c < 2; ++c) {
             std::vector<Eigen::Matrix<D, 2, 1>> moved;
             for (std::size_t i = 0; i < x.size(); ++i) moved.push_back(x[i].cast<D>());
             moved[static_cast<std::size_t>(k)](c) = D::variable(x[static_cast<std::size_t>(k)](c), 0, {1, 0});
-            auto const g = function(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
+            auto const g = function_on(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
             CHECK(residual[k](c) * weight_at<trapezoid_rule>(f, k) == D(S(g)).by<0>());
         }
 }
@@ -110,13 +111,13 @@ TEST_CASE("the operators of the equation are those of the papers, by type") {
     constexpr lagrangian L{scalar_L};
     constexpr auto T = uniform(0.0, 0.1, 10);
     constexpr auto order_one_EL = variation(integral(L(q, Delta_plus[q]), T));
-    static_assert(order_one_EL.force() == identity and order_one_EL.momentum() == -Delta_minus); // S (14)
+    static_assert(order_one_EL.force() == identity_T and order_one_EL.momentum() == -Delta_minus); // S (14)
     constexpr auto midpoint_EL = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
     static_assert(midpoint_EL.force() == mean_h_minus and midpoint_EL.momentum() == -Delta_h_minus); // S (56)
     static_assert(not(midpoint_EL.force() == mean_h_plus) and not(midpoint_EL.momentum() == Delta_h_minus));
     static_assert(not(order_one_EL.force() == rho) and not(order_one_EL.momentum() == -Delta_plus));
-    static_assert(midpoint.position == theta<1, 2>.position and midpoint.velocity == theta<1, 2>.velocity);
-    static_assert(midpoint.velocity == on_half * Delta_o_plus * extend);
+    static_assert(mid_point.position == theta<1, 2>.position and mid_point.velocity == theta<1, 2>.velocity);
+    static_assert(mid_point.velocity == on_half * Delta_o_plus * extend);
     CHECK(midpoint_EL.action().T.steps() == 10);
 }
 
@@ -125,8 +126,8 @@ TEST_CASE("the mid-point equation is Wendlandt and Marsden's, S (64)") {
     auto const EL = variation(integral(lagrangian{scalar_L}(q_o, Delta_o_plus[q_o]), half(T)));
     Q const h = T.h();
     auto const L_h = [&](auto const& x, auto const& y) { return scalar_L((x + y) / 2, (y - x) / h) * h; };
-    auto const f = function(T, [](Q t) { return Q(1 + t - 2 * t * t); });
-    for (hilger::index i = 1; i < 4; ++i)
+    auto const f = function_on(T, [](Q t) { return Q(1 + t - 2 * t * t); });
+    for (hilger::index_type i = 1; i < 4; ++i)
         CHECK(h * EL.residual(f)[i] == gradient_first(L_h, f[i], f[i + 1]) + gradient_second(L_h, f[i - 1], f[i]));
 }
 

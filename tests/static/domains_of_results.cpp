@@ -8,11 +8,11 @@ namespace {
 
 constexpr auto T = uniform(0.0, 0.1, 10);
 constexpr auto formula = [](double t) { return t; };
-constexpr auto f = function(T, formula);
-constexpr auto f_h = function(half(T), formula);
-constexpr auto f_o = function(circ(T), formula);
-constexpr auto f_plus = function(plus(T), formula);
-constexpr auto f_minus = function(minus(T), formula);
+constexpr auto f = function_on(T, formula);
+constexpr auto f_h = function_on(half(T), formula);
+constexpr auto f_o = function_on(circ(T), formula);
+constexpr auto f_plus = function_on(without_last(T), formula);
+constexpr auto f_minus = function_on(without_first(T), formula);
 
 /// True when f lives on the family Base without its first Front and last Back points.
 template <class Base, int Front, int Back, class F>
@@ -45,7 +45,7 @@ static_assert(lives_on<T_half, 0, 0>(on_half[f_o]) and lives_on<T_half, 0, 0>(on
 static_assert(lives_on<T_half, 0, 0>(on_half[Delta_o_minus[Delta_o_plus[f_o]]]));
 static_assert(lives_on<nodes, 0, 0>(on_T[f_o]) and lives_on<nodes, 0, 1>(on_T[Delta_o_plus[f_o]]) and lives_on<nodes, 1, 1>(mean_o[f_o]));
 static_assert(lives_on<T_half, 0, 1>(on_half[extend[f_plus]]) and lives_on<nodes, 0, 1>(on_T[extend[f_plus]]));
-static_assert(lives_on<nodes, 0, 1>(pi[f_h]) and lives_on<T_half, 0, 0>(pi_inverse[f]) and lives_on<T_half, 0, 0>(pi_inverse[f_plus]));
+static_assert(lives_on<nodes, 0, 1>(pi_half[f_h]) and lives_on<T_half, 0, 0>(pi_inverse[f]) and lives_on<T_half, 0, 0>(pi_inverse[f_plus]));
 static_assert(lives_on<T_half, 1, 0>(pi_inverse[f_minus]) and lives_on<T_half, 0, 1>(pi_inverse[Delta_plus[f_plus]]));
 static_assert(lives_on<T_half, 1, 0>(mean_h_minus[f_h]) and lives_on<T_half, 0, 1>(mean_h_plus[f_h]));
 static_assert(lives_on<nodes, 1, 1>(step_mean[f_h]) and lives_on<nodes, 2, 1>(step_mean[mean_h_minus[f_h]]));
@@ -59,9 +59,9 @@ static_assert(lives_on<nodes, 0, 1>(Delta_plus[f] * f) and lives_on<nodes, 0, 2>
 static_assert(lives_on<T_o, 0, 1>(Delta_o_plus[f_o] * f_o) and lives_on<nodes, 1, 1>(f_plus / f_minus) and
               lives_on<nodes, 0, 1>(2 * f_plus));
 static_assert(lives_on<nodes, 1, 1>(dot(f_plus, f_minus)) and
-              lives_on<nodes, 1, 2>(apply([](auto x, auto, auto) { return x; }, f_minus, sigma[f], Delta_plus[Delta_plus[f]])));
+              lives_on<nodes, 1, 2>(apply_pointwise([](auto x, auto, auto) { return x; }, f_minus, sigma[f], Delta_plus[Delta_plus[f]])));
 static_assert(lives_on<nodes, 1, 1>(restrict_to(f, interior(T))) and
-              lives_on<nodes, 0, 1>(tabulate(Delta_plus[function(uniform<3>(0.0, 1.0), formula)])));
+              lives_on<nodes, 0, 1>(tabulate(Delta_plus[function_on(uniform<3>(0.0, 1.0), formula)])));
 
 // Any lambda has families of its own; one that is known at run time is a value.
 static_assert(lives_on<joined<fraction<1, 3>>, 0, 0>(extend_lambda<1, 3>[f]) and

@@ -14,7 +14,7 @@ constexpr bool the_lambda_family_is_sound() {
     constexpr auto Delta_l_plus = Delta_plus_on<joined<l>>;
     constexpr auto Delta_l_minus = Delta_minus_on<joined<l>>;
     constexpr auto rho_l = rho_on<between<l>>;
-    constexpr auto identity_l = identity_on<between<l>, steps>{};
+    constexpr auto identity_l = identity_on<between<l>, step_weight>{};
     constexpr auto on_T_l = restriction_to<l, true>{};
     constexpr auto extend_l = extend_lambda<P, Q>;
     constexpr auto on_l = on_lambda<P, Q>;
@@ -23,15 +23,16 @@ constexpr bool the_lambda_family_is_sound() {
     constexpr auto integral_l = antiderivative_lambda<P, Q>;
 
     // the extension, at both kinds of points
-    static_assert(on_T_l * extend_l == identity and on_l * extend_l == pi_l_inverse * (rest{} * identity + l{} * sigma));
-    static_assert(on_l * extend_l != pi_l_inverse * (l{} * identity + rest{} * sigma) or P * 2 == Q);
+    static_assert(on_T_l * extend_l == identity_T and on_l * extend_l == pi_l_inverse * (rest{} * identity_T + l{} * sigma));
+    static_assert(on_l * extend_l != pi_l_inverse * (l{} * identity_T + rest{} * sigma) or P * 2 == Q);
     // lemma 1, from either side
     static_assert(on_l * Delta_l_plus * extend_l == pi_l_inverse * Delta_plus and on_T_l * Delta_l_plus * extend_l == Delta_plus);
     static_assert(on_l * Delta_l_minus * extend_l == pi_l_inverse * Delta_plus and on_T_l * Delta_l_minus * extend_l == Delta_minus);
     // the adjoint of the average, on every scale and on uniform ones (J (11) has gamma = 1 - lambda)
     static_assert(adjoint(on_l * extend_l) == step_mean_at<l>{} and adjoint(step_mean_at<l>{}) == on_l * extend_l);
     using W = mean_weight<l>;
-    static_assert(step_mean_at<l>{} == rest{} * (reweight<nodes, delta, W>{} * pi_l) + l{} * (reweight<nodes, nabla, W>{} * rho * pi_l));
+    static_assert(step_mean_at<l>{} ==
+                  rest{} * (reweight<nodes, delta_weight, W>{} * pi_l) + l{} * (reweight<nodes, nabla_weight, W>{} * rho * pi_l));
     static_assert(uniformly(step_mean_at<l>{}) == pi_l * (rest{} * identity_l + l{} * rho_l));
     static_assert(step_mean_at<l>{} != pi_l * (rest{} * identity_l + l{} * rho_l));
     static_assert(adjoint(extend_l) == fraction<1, 2>{} * (on_T_l + step_mean_at<l>{} * on_l) and adjoint(adjoint(extend_l)) == extend_l);
@@ -47,7 +48,7 @@ static_assert(the_lambda_family_is_sound<1, 2>() and the_lambda_family_is_sound<
 static_assert(the_lambda_family_is_sound<1, 10>() and the_lambda_family_is_sound<99, 100>() and the_lambda_family_is_sound<12, 35>());
 
 // lambda = 0: T_0 is T^+ in all but name, and its integral is the Delta integral.
-static_assert(pi_lambda_inverse<0, 1> * Delta_plus * antiderivative_lambda<0, 1> == identity_on<between<fraction<0>>, steps>{});
+static_assert(pi_lambda_inverse<0, 1> * Delta_plus * antiderivative_lambda<0, 1> == identity_on<between<fraction<0>>, step_weight>{});
 static_assert(antiderivative_lambda<0, 1> * pi_lambda_inverse<0, 1> == antiderivative);
 // Lambda says where the values are taken, not their weights.
 static_assert(antiderivative_lambda<1, 3> * pi_lambda_inverse<1, 3> == antiderivative);

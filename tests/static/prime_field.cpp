@@ -64,7 +64,7 @@ static_assert(is_a_field());
 // The random elements the normal forms are made of are different from each other: steps, values, and steps from values.
 constexpr bool all_different() {
     F seen[64];
-    for (index i = 0; i < 32; ++i) {
+    for (index_type i = 0; i < 32; ++i) {
         seen[2 * i] = detail::generic_scale<false, 40>::step(i);
         seen[2 * i + 1] = detail::generic_function<false, 40, nodes>::get(i);
     }

@@ -47,9 +47,10 @@ static_assert(run_time<double>{0.3}.as<double>() == 0.3 and run_time<double>{0.3
 static_assert(std::same_as<value_on<int, double>, double> and std::same_as<value_on<bool const&, float>, float>);
 static_assert(std::same_as<value_on<float, double>, float> and std::same_as<value_on<std::complex<double>, double>, std::complex<double>>);
 constexpr auto T = uniform(0.0, 0.1, 10);
-static_assert(std::same_as<value_of<std::remove_const_t<decltype(function(T, [](double) { return 1; }))>>, double>);
-static_assert(std::same_as<value_of<decltype(function(T, std::vector<int>(11)))>, double>);
-static_assert(std::same_as<value_of<decltype(apply([](double x) { return x > 0; }, function(T, std::vector<float>(11))))>, double>);
+static_assert(std::same_as<value_of<std::remove_const_t<decltype(function_on(T, [](double) { return 1; }))>>, double>);
+static_assert(std::same_as<value_of<decltype(function_on(T, std::vector<int>(11)))>, double>);
+static_assert(
+    std::same_as<value_of<decltype(apply_pointwise([](double x) { return x > 0; }, function_on(T, std::vector<float>(11))))>, double>);
 
 // finite, absolute value, product, zero
 static_assert(is_finite(1.0) and is_finite(std::numeric_limits<double>::max()) and is_finite(prime_field(3)));

@@ -19,10 +19,11 @@ constexpr bool a_scale_and_all_that_come_from_it(Scale const& T) {
         using S = std::remove_cvref_t<decltype(scale)>;
         static_assert(sized_and_random<S> and time_scale_like<S> and std::regular<std::ranges::iterator_t<S>>);
         static_assert(std::same_as<std::ranges::range_value_t<S>, typename Scale::scalar_type>);
-        using F = decltype(function(scale, [](auto const& t) { return t; }));
+        using F = decltype(function_on(scale, [](auto const& t) { return t; }));
         static_assert(sized_and_random<F> and discrete_function<F> and not time_scale_like<F>);
     };
-    one(T), one(plus(T)), one(minus(T)), one(interior(T)), one(half(T)), one(circ(T)), one(plus(circ(T))), one(minus(half(T)));
+    one(T), one(without_last(T)), one(without_first(T)), one(interior(T)), one(half(T)), one(circ(T)), one(without_last(circ(T))),
+        one(without_first(half(T)));
     one(at_lambda<1, 3>(T)), one(circ<1, 3>(T)), one(at_lambda<0, 1>(T));
     one(at_lambda(T, typename Scale::scalar_type(1) / 3)), one(circ(T, typename Scale::scalar_type(1) / 3));
     return true;
@@ -35,8 +36,8 @@ template bool a_scale_and_all_that_come_from_it(time_scale<double> const&);
 
 // A scale whose size is in its type can be walked by the compiler.
 constexpr auto T = uniform<4>(1.0, 0.25);
-static_assert(T.size() == 5 and plus(T).size() == 4 and interior(T).size() == 3 and half(T).size() == 4 and circ(T).size() == 9);
-static_assert(interior(half(T)).size() == 2 and plus(plus(T)).size() == 3 and minus(circ(T)).size() == 8);
+static_assert(T.size() == 5 and without_last(T).size() == 4 and interior(T).size() == 3 and half(T).size() == 4 and circ(T).size() == 9);
+static_assert(interior(half(T)).size() == 2 and without_last(without_last(T)).size() == 3 and without_first(circ(T)).size() == 8);
 static_assert(std::ranges::equal(T, std::array{1.0, 1.25, 1.5, 1.75, 2.0}));
 static_assert(std::ranges::equal(half(T), std::array{1.125, 1.375, 1.625, 1.875}));
 static_assert(std::ranges::equal(circ(T), std::array{1.0, 1.125, 1.25, 1.375, 1.5, 1.625, 1.75, 1.875, 2.0}));
@@ -46,9 +47,10 @@ constexpr auto T_o = circ(T);
 static_assert(*std::ranges::lower_bound(T_o, 1.4) == 1.5);
 static_assert(T.sigma(1.25) == 1.5 and T.rho(1.25) == 1.0 and T.mu(1.0) == 0.25 and T.nu(2.0) == 0.25);
 static_assert(half(T).sigma(1.125) == 1.375 and circ(T).sigma(1.0) == 1.125 and circ(T).mu(1.0) == 0.125);
-static_assert(T.contains(1.75) and not T.contains(1.8) and not T.contains(2.25) and not plus(T).contains(2.0));
+static_assert(T.contains(1.75) and not T.contains(1.8) and not T.contains(2.25) and not without_last(T).contains(2.0));
 static_assert(T == uniform(1.0, 0.25, 4) and T == uniform(interval{1.0, 2.0}, 4) and not(T == uniform(1.0, 0.25, 5)));
-static_assert(plus(T) == uniform(1.0, 0.25, 3) and minus(T) == uniform(1.25, 0.25, 3) and half(T) == uniform(1.125, 0.25, 3));
+static_assert(without_last(T) == uniform(1.0, 0.25, 3) and without_first(T) == uniform(1.25, 0.25, 3) and
+              half(T) == uniform(1.125, 0.25, 3));
 static_assert(circ(T) == uniform(1.0, 0.125, 8) and not(circ(T) == T));
 
 // Fractions in lowest terms: there is one T_half.

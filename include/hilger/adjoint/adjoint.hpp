@@ -35,11 +35,11 @@ struct indicator : discrete_function_tag {
     using domain_type = typename F::domain_type;
     using root_type = typename F::root_type;
     F const* f;
-    index j;
-    constexpr indicator(F const& g, index at) : f(&g), j(at) {}
+    index_type j;
+    constexpr indicator(F const& g, index_type at) : f(&g), j(at) {}
     constexpr decltype(auto) root() const { return f->root(); }
     constexpr auto domain() const { return f->domain(); }
-    constexpr auto get(index i) const { return typename root_type::scalar_type(i == j ? 1 : 0); }
+    constexpr auto get(index_type i) const { return typename root_type::scalar_type(i == j ? 1 : 0); }
 };
 
 /// sum of W f.g over the points of f o g that are not points of `inner`.
@@ -48,7 +48,7 @@ constexpr auto sum_outside(F const& f, G const& g, Domain const& inner) {
     auto const both = intersect(f.domain(), g.domain());
     using S = typename F::root_type::scalar_type;
     S total(0);
-    for (index j = both.first(f.root()); j <= both.last(f.root()); ++j)
+    for (index_type j = both.first(f.root()); j <= both.last(f.root()); ++j)
         if (j < inner.first(f.root()) or j > inner.last(f.root())) total = total + weight_at<W>(f, j) * dot_product(f.get(j), g.get(j));
     return total;
 }
@@ -67,10 +67,10 @@ constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
         auto const& T = f.root();
         auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());
         S total(0);
-        for (index j = f.domain().first(T); j <= f.domain().last(T); ++j) {
+        for (index_type j = f.domain().first(T); j <= f.domain().last(T); ++j) {
             if (inner.first(T) <= j and j <= inner.last(T)) continue;
             indicator<F> const e(f, j);
-            for (index i = g.domain().first(T); i <= g.domain().last(T); ++i) {
+            for (index_type i = g.domain().first(T); i <= g.domain().last(T); ++i) {
                 S const entry = a.evaluate(e, i);
                 if (not(entry == S(0))) total = total + weight_at<typename A::to_weight>(g, i) * entry * dot_product(f.get(j), g.get(i));
             }
@@ -120,7 +120,7 @@ constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g
 }
 
 template <linear_map A, linear_map B, discrete_function F, discrete_function G>
-constexpr auto boundary_form(sum<A, B> const& ab, F const& f, G const& g) {
+constexpr auto boundary_form(operator_sum<A, B> const& ab, F const& f, G const& g) {
     // The two adjoints are defined on different points; the sum keeps the common ones, and the rest joins the end terms.
     auto const common = ab.adjoint()[g].domain();
     auto const one = [&](auto const& op, auto const& h) {
@@ -147,9 +147,9 @@ constexpr auto boundary_form(fractional_difference<G, Order, Side> const& a, F c
     auto const& T = f.root();
     auto const inner = intersect(b.image(g.domain()), f.domain());
     S total(0);
-    for (index j : {f.domain().first(T), f.domain().last(T)}) {
+    for (index_type j : {f.domain().first(T), f.domain().last(T)}) {
         detail::indicator<F> const e(f, j);
-        for (index i = g.domain().first(T); i <= g.domain().last(T); ++i)
+        for (index_type i = g.domain().first(T); i <= g.domain().last(T); ++i)
             total = total + weight_at<typename A::to_weight>(g, i) * S(a.evaluate(e, i)) * dot_product(f.get(j), g.get(i));
         if (inner.first(T) <= j and j <= inner.last(T))
             total = total - weight_at<typename A::from_weight>(f, j) * dot_product(f.get(j), b.evaluate(g, j));
@@ -161,8 +161,8 @@ template <discrete_function F, discrete_function G>
 constexpr auto boundary_form(from_start const&, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;
     S total(0);
-    for (index i = g.domain().first(g.root()); i <= g.domain().last(g.root()); ++i)
-        total = total - weight_at<delta>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
+    for (index_type i = g.domain().first(g.root()); i <= g.domain().last(g.root()); ++i)
+        total = total - weight_at<delta_weight>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
     return total;
 }
 

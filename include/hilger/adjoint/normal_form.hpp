@@ -25,13 +25,13 @@ constexpr prime_field random_element(std::uint64_t n) { // splitmix64
 }
 
 /// A scale without order whose steps are independent variables, or one variable when it is uniform.
-template <bool Uniform, index Steps>
+template <bool Uniform, index_type Steps>
 struct generic_scale {
     using scalar_type = prime_field;
     static constexpr bool is_uniform = Uniform;
-    static constexpr index extent = Steps;
-    static constexpr index steps() { return Steps; }
-    static constexpr prime_field step(index i) {
+    static constexpr index_type extent = Steps;
+    static constexpr index_type steps() { return Steps; }
+    static constexpr prime_field step(index_type i) {
         return Uniform ? power(root_of_step, whole) : random_element(2 * static_cast<std::uint64_t>(i) + 3);
     }
     /// omega(0)^alpha h^-alpha. The step h of the uniform scale is a power of another element, so that it has roots; roots of omega(0) are
@@ -58,37 +58,37 @@ private:
     }
 };
 
-template <bool Uniform, index Steps, class Base>
+template <bool Uniform, index_type Steps, class Base>
 struct generic_function : discrete_function_tag {
     using root_type = generic_scale<Uniform, Steps>;
     using domain_type = hilger::domain<Base>;
     Base base{};
     static constexpr root_type root() { return {}; }
     constexpr domain_type domain() const { return {base}; }
-    static constexpr prime_field get(index i) { return random_element(2 * static_cast<std::uint64_t>(i) + 1'000'002); }
+    static constexpr prime_field get(index_type i) { return random_element(2 * static_cast<std::uint64_t>(i) + 1'000'002); }
 };
 
 /// Enough steps for both operators to have inner points and both ends.
 template <class A>
-consteval index steps_for() {
+consteval index_type steps_for() {
     using image = decltype(std::declval<A const&>().image(std::declval<domain<typename A::from>>()));
     return image::front + image::back + 5;
 }
 
-template <class A, bool Uniform, index Steps>
+template <class A, bool Uniform, index_type Steps>
 constexpr auto normal_form(A const& a) {
     constexpr generic_function<Uniform, Steps, typename A::from> f{};
     using image = decltype(a.image(f.domain()));
     constexpr auto size = static_cast<std::size_t>(image::size(f.root()));
     std::array<prime_field, size> values{};
-    for (std::size_t k = 0; k < size; ++k) values[k] = a.evaluate(f, static_cast<index>(k) + image::front);
+    for (std::size_t k = 0; k < size; ++k) values[k] = a.evaluate(f, static_cast<index_type>(k) + image::front);
     return values;
 }
 
 template <bool Uniform, class A, class B>
 constexpr bool equal(A const& a, B const& b) {
     if constexpr (std::same_as<typename A::from, typename B::from> and std::same_as<typename A::to, typename B::to>) {
-        constexpr index n = std::max(steps_for<A>(), steps_for<B>());
+        constexpr index_type n = std::max(steps_for<A>(), steps_for<B>());
         using image_a = decltype(a.image(domain<typename A::from>{}));
         using image_b = decltype(b.image(domain<typename B::from>{}));
         constexpr bool uniform = Uniform or A::needs_uniform or B::needs_uniform;

@@ -4,7 +4,7 @@
 //   order_one        q, Delta_plus[q], the Delta integral          (Cresson-Safi (10))
 //   order_one_left   q, Delta_minus[q], the nabla integral
 //   theta<P, Q>      q_{o,lambda}, Delta_plus[q], the lambda-integral, lambda = P/Q
-//   midpoint         q_o, Delta_o_plus[q_o], the 1/2-integral      (Cresson-Safi (43)), which is theta<1, 2>
+//   mid_point         q_o, Delta_o_plus[q_o], the 1/2-integral      (Cresson-Safi (43)), which is theta<1, 2>
 #pragma once
 
 #include "hilger/operator/integral.hpp"
@@ -26,21 +26,22 @@ constexpr auto make_embedding(Position position, Velocity velocity, char const* 
     return embedding<Position, Velocity, Weight>{position, velocity, name};
 }
 
-inline constexpr auto order_one = make_embedding<delta>(identity, Delta_plus, "order one");
-inline constexpr auto order_one_left = make_embedding<nabla>(identity_on<nodes, nabla>{}, Delta_minus, "order one, left");
+inline constexpr auto order_one = make_embedding<delta_weight>(identity_T, Delta_plus, "order one");
+inline constexpr auto order_one_left = make_embedding<nabla_weight>(identity_on<nodes, nabla_weight>{}, Delta_minus, "order one, left");
 
 /// 0 < P/Q < 1; lambda = 0 is order_one. The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one
 /// difference.
 template <int P, int Q>
     requires detail::lambda_inside<fraction<P, Q>>
-inline constexpr auto theta = make_embedding<steps>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
+inline constexpr auto theta =
+    make_embedding<step_weight>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
 /// The same for a lambda known at run time only. @throws error::invalid_parameter outside 0 < lambda < 1.
 template <class S>
 constexpr auto theta_at(S const& lambda) {
     using at = run_time<S>;
-    return make_embedding<steps>(restriction_to<at, false>{{}, at{lambda}} * extend_at(lambda),
-                                 projection<at, true>{{}, at{lambda}} * Delta_plus, "theta");
+    return make_embedding<step_weight>(restriction_to<at, false>{{}, at{lambda}} * extend_at(lambda),
+                                       projection<at, true>{{}, at{lambda}} * Delta_plus, "theta");
 }
-inline constexpr auto midpoint = make_embedding<steps>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
+inline constexpr auto mid_point = make_embedding<step_weight>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
 
 } // namespace hilger

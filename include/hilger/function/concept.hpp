@@ -27,7 +27,7 @@ concept discrete_function = function_expression<F> and requires(F const& f) {
     typename F::root_type;
     f.root();
     f.domain();
-    f.get(index{});
+    f.get(index_type{});
 };
 
 template <class F>
@@ -71,13 +71,13 @@ public:
     using function_type = void;
 
     /// The value at the point with number i: f[i] is f(t_i), or f(t_{i+1/2}) on T_half. @throws error::outside_domain
-    [[nodiscard]] constexpr auto operator[](index i) const {
+    [[nodiscard]] constexpr auto operator[](index_type i) const {
         scale().require(i);
         return element(i);
     }
     template <std::floating_point S>
     constexpr auto operator[](S) const {
-        return does_not_compile<text("f[i] takes the number i of a point of ") + Derived::domain_type::name() +
+        return does_not_compile<fixed_text("f[i] takes the number i of a point of ") + Derived::domain_type::name() +
                                 "; the value at t is f(t)">{};
     }
     /// The value at t. @throws error::outside_domain when t is not a point of the function's scale.
@@ -87,10 +87,10 @@ public:
     }
     /// The scale the function lives on, as a view.
     [[nodiscard]] constexpr auto scale() const { return derived_scale(self().root(), self().domain()); }
-    [[nodiscard]] constexpr auto element(index i) const { return plain_t<decltype(self().get(i))>(self().get(i)); }
-    [[nodiscard]] constexpr index first() const { return self().domain().first(self().root()); }
-    [[nodiscard]] constexpr index last() const { return self().domain().last(self().root()); }
-    [[nodiscard]] constexpr index size() const { return self().domain().size(self().root()); }
+    [[nodiscard]] constexpr auto element(index_type i) const { return plain_t<decltype(self().get(i))>(self().get(i)); }
+    [[nodiscard]] constexpr index_type first() const { return self().domain().first(self().root()); }
+    [[nodiscard]] constexpr index_type last() const { return self().domain().last(self().root()); }
+    [[nodiscard]] constexpr index_type size() const { return self().domain().size(self().root()); }
     [[nodiscard]] constexpr auto begin() const { return element_iterator<Derived>(self(), first()); }
     [[nodiscard]] constexpr auto end() const { return element_iterator<Derived>(self(), first() + size()); }
 
@@ -108,7 +108,7 @@ struct borrowed : discrete_function_tag {
     constexpr explicit borrowed(F const& g) : f(&g) {}
     constexpr decltype(auto) root() const { return f->root(); }
     constexpr auto domain() const { return f->domain(); }
-    constexpr auto get(index i) const { return f->get(i); }
+    constexpr auto get(index_type i) const { return f->get(i); }
 };
 } // namespace detail
 

@@ -12,9 +12,9 @@ namespace hilger {
 template <discrete_function P>
 constexpr auto exponential(P const& p, typename P::root_type::scalar_type const& t, typename P::root_type::scalar_type const& s) {
     auto const T = derived_scale(p.root(), domain<base_of<P>>{p.domain().base});
-    index const from = T.number_of(s), to = T.number_of(t);
+    index_type const from = T.number_of(s), to = T.number_of(t);
     value_of<P> product(1);
-    for (index i = std::min(from, to); i < std::max(from, to); ++i) {
+    for (index_type i = std::min(from, to); i < std::max(from, to); ++i) {
         value_of<P> const factor = value_of<P>(1) + T.domain().base.step(T.root(), i) * p[i];
         if (factor == value_of<P>(0))
             error::raise<error::invalid_parameter>("e_p needs a regressive p, and 1 + mu p is zero at ", T.element(i));

@@ -20,7 +20,7 @@ template <class Formula>
 struct by_formula {
     [[no_unique_address]] Formula formula;
     template <class Root, class Domain>
-    constexpr auto get(Root const& root, Domain const& domain, index i) const {
+    constexpr auto get(Root const& root, Domain const& domain, index_type i) const {
         using value = value_on<decltype(formula(domain.base.point(root, i))), typename Root::scalar_type>;
         return value(formula(domain.base.point(root, i)));
     }
@@ -31,7 +31,7 @@ template <class Value>
 struct by_table {
     std::shared_ptr<std::vector<Value> const> values;
     template <class Root, class Domain>
-    Value const& get(Root const& root, Domain const& domain, index i) const {
+    Value const& get(Root const& root, Domain const& domain, index_type i) const {
         return (*values)[static_cast<std::size_t>(i - domain.first(root))];
     }
 };
@@ -41,7 +41,7 @@ template <class Value, std::size_t Size>
 struct by_array {
     std::array<Value, Size> values;
     template <class Root, class Domain>
-    constexpr Value const& get(Root const& root, Domain const& domain, index i) const {
+    constexpr Value const& get(Root const& root, Domain const& domain, index_type i) const {
         return values[static_cast<std::size_t>(i - domain.first(root))];
     }
 };
@@ -49,49 +49,50 @@ struct by_array {
 namespace detail {
 template <class Domain>
 struct no_formula {
-    does_not_compile<text("a function on ") + Domain::name() +
+    does_not_compile<fixed_text("a function on ") + Domain::name() +
                      " is made from a formula that takes its points, or from a std::vector of its values">
         wrong;
     template <class Root>
-    constexpr auto get(Root const&, Domain const&, index) const {
+    constexpr auto get(Root const&, Domain const&, index_type) const {
         return typename Root::scalar_type(0);
     }
 };
 } // namespace detail
 
 template <class Root, class Domain, class Rule>
-class function : public function_interface<function<Root, Domain, Rule>> {
+class function_on : public function_interface<function_on<Root, Domain, Rule>> {
 public:
     using root_type = Root;
     using domain_type = Domain;
 
-    constexpr function(Root root, Domain domain, Rule rule) : root_(std::move(root)), domain_(std::move(domain)), rule_(std::move(rule)) {}
+    constexpr function_on(Root root, Domain domain, Rule rule)
+        : root_(std::move(root)), domain_(std::move(domain)), rule_(std::move(rule)) {}
 
     /// f(t) for t in the scale. The formula is evaluated at each access; tabulate() keeps its values.
     template <time_scale_like Scale, formula_on<Scale> Formula>
-    constexpr function(Scale const& scale, Formula formula) : function(scale.root(), scale.domain(), Rule{std::move(formula)}) {}
+    constexpr function_on(Scale const& scale, Formula formula) : function_on(scale.root(), scale.domain(), Rule{std::move(formula)}) {}
 
     /// One value per point. @throws error::mismatch when their number is not the scale's, error::not_finite on NaN or infinity.
     template <time_scale_like Scale, class Value>
-    function(Scale const& scale, std::vector<Value> values)
-        : function(scale.root(), scale.domain(), Rule{share<value_on<Value, typename Root::scalar_type>>(std::move(values))}) {
-        if (static_cast<index>(rule_.values->size()) != scale.size())
+    function_on(Scale const& scale, std::vector<Value> values)
+        : function_on(scale.root(), scale.domain(), Rule{share<value_on<Value, typename Root::scalar_type>>(std::move(values))}) {
+        if (static_cast<index_type>(rule_.values->size()) != scale.size())
             error::raise<error::mismatch>("a function on ", scale, " needs ", scale.size(), " values, and was given ",
                                           rule_.values->size());
         for (std::size_t i = 0; i < rule_.values->size(); ++i)
             if (not is_finite((*rule_.values)[i]))
-                error::raise<error::not_finite>("the value at ", scale.element(scale.first() + static_cast<index>(i)),
+                error::raise<error::not_finite>("the value at ", scale.element(scale.first() + static_cast<index_type>(i)),
                                                 " is NaN or infinite; a function on ", scale, " has finite values");
     }
 
     /// Anything else is refused in one sentence.
     template <time_scale_like Scale, class Other>
         requires(not formula_on<Other, Scale>)
-    constexpr function(Scale const& scale, Other const&) : function(scale.root(), scale.domain(), Rule{}) {}
+    constexpr function_on(Scale const& scale, Other const&) : function_on(scale.root(), scale.domain(), Rule{}) {}
 
     [[nodiscard]] constexpr Root const& root() const { return root_; }
     [[nodiscard]] constexpr Domain const& domain() const { return domain_; }
-    [[nodiscard]] constexpr decltype(auto) get(index i) const { return rule_.get(root_, domain_, i); }
+    [[nodiscard]] constexpr decltype(auto) get(index_type i) const { return rule_.get(root_, domain_, i); }
 
 private:
     template <class Stored, class Value>
@@ -107,33 +108,33 @@ private:
 };
 
 template <time_scale_like Scale, formula_on<Scale> Formula>
-function(Scale const&, Formula) -> function<typename Scale::root_type, typename Scale::domain_type, by_formula<Formula>>;
+function_on(Scale const&, Formula) -> function_on<typename Scale::root_type, typename Scale::domain_type, by_formula<Formula>>;
 
 template <time_scale_like Scale, class Other>
     requires(not formula_on<Other, Scale>)
-function(Scale const&, Other const&)
-->function<typename Scale::root_type, typename Scale::domain_type, detail::no_formula<typename Scale::domain_type>>;
+function_on(Scale const&, Other const&)
+->function_on<typename Scale::root_type, typename Scale::domain_type, detail::no_formula<typename Scale::domain_type>>;
 
 template <time_scale_like Scale, class Value>
-function(Scale const&, std::vector<Value>)
-    -> function<typename Scale::root_type, typename Scale::domain_type, by_table<value_on<Value, typename Scale::root_type::scalar_type>>>;
+function_on(Scale const&, std::vector<Value>) -> function_on<typename Scale::root_type, typename Scale::domain_type,
+                                                             by_table<value_on<Value, typename Scale::root_type::scalar_type>>>;
 
 /// The same function with its values computed once and kept.
 template <discrete_function F>
 constexpr auto tabulate(F const& f) {
     using R = typename F::root_type;
     using D = typename F::domain_type;
-    constexpr index size = static_size<D, R>;
+    constexpr index_type size = static_size<D, R>;
     if constexpr (size >= 0) {
         by_array<value_of<F>, static_cast<std::size_t>(size)> rule{};
-        for (index i = f.first(); i <= f.last(); ++i) rule.values[static_cast<std::size_t>(i - f.first())] = f.get(i);
-        return function<R, D, decltype(rule)>(f.root(), f.domain(), std::move(rule));
+        for (index_type i = f.first(); i <= f.last(); ++i) rule.values[static_cast<std::size_t>(i - f.first())] = f.get(i);
+        return function_on<R, D, decltype(rule)>(f.root(), f.domain(), std::move(rule));
     } else {
         std::vector<value_of<F>> values;
         values.reserve(static_cast<std::size_t>(f.size()));
-        for (index i = f.first(); i <= f.last(); ++i) values.push_back(f.get(i));
-        return function<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
-                                                     {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
+        for (index_type i = f.first(); i <= f.last(); ++i) values.push_back(f.get(i));
+        return function_on<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
+                                                        {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
     }
 }
 

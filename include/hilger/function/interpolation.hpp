@@ -11,12 +11,12 @@ namespace hilger {
 namespace detail {
 /// The number i of the cell [t_i, t_{i+1}[ of T that holds t; the last cell holds b too. @throws error::outside_domain
 template <class Scale, class S>
-constexpr index cell_of(Scale const& T, S const& t) {
+constexpr index_type cell_of(Scale const& T, S const& t) {
     if (not(T.element(T.first()) <= t) or not(t <= T.element(T.last()))) // NaN is outside too
         error::raise<error::outside_domain>(t, " is outside the interval [", T.element(T.first()), ", ", T.element(T.last()), "]");
-    index low = T.first(), high = T.last();
+    index_type low = T.first(), high = T.last();
     while (high - low > 1) {
-        index const middle = low + (high - low) / 2;
+        index_type const middle = low + (high - low) / 2;
         (t < T.element(middle) ? high : low) = middle;
     }
     return low;
@@ -33,7 +33,7 @@ public:
     /// @throws error::outside_domain when t is outside [a, b].
     constexpr auto operator()(S const& t) const {
         auto const T = f_.scale();
-        index const i = detail::cell_of(T, t);
+        index_type const i = detail::cell_of(T, t);
         return value_of<F>(f_.get(i) + slope(i) * S(t - T.element(i)));
     }
     /// The right derivative d^+/dt at t in [a, b[. @throws error::outside_domain
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    constexpr auto slope(index i) const { return value_of<F>((f_.get(i + 1) - f_.get(i)) / f_.domain().base.step(f_.root(), i)); }
+    constexpr auto slope(index_type i) const { return value_of<F>((f_.get(i + 1) - f_.get(i)) / f_.domain().base.step(f_.root(), i)); }
     F f_;
 };
 
@@ -60,9 +60,9 @@ public:
     /// int_a^t ds, the continuous integral of the step function.
     constexpr auto integral_to(S const& t) const {
         auto const scale = T();
-        index const i = detail::cell_of(scale, t);
+        index_type const i = detail::cell_of(scale, t);
         auto total = value_of<F>(f_.get(i) * S(t - scale.element(i)));
-        for (index k = 0; k < i; ++k) total = total + f_.get(k) * S(scale.element(k + 1) - scale.element(k));
+        for (index_type k = 0; k < i; ++k) total = total + f_.get(k) * S(scale.element(k + 1) - scale.element(k));
         return total;
     }
 

@@ -18,7 +18,7 @@ inline constexpr bool same_family =
     std::conjunction_v<std::is_same<base_of<F>, base_of<G>>, std::is_same<typename F::root_type, typename G::root_type>>;
 
 /// The error for operands that do not meet, as one sentence.
-template <text What, class F, class G>
+template <fixed_text What, class F, class G>
 constexpr auto apart() {
     if constexpr (not std::same_as<base_of<F>, base_of<G>>)
         return does_not_compile<What + " needs both functions on one scale, and they live on " + F::domain_type::name() + " and on " +
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] constexpr auto domain() const {
         return std::apply([](auto const&... fs) { return common(fs.domain()...); }, operands_);
     }
-    [[nodiscard]] constexpr auto get(index i) const {
+    [[nodiscard]] constexpr auto get(index_type i) const {
         return std::apply(
             [&](auto const&... fs) {
                 using value = value_on<decltype(map_(fs.get(i)...)), typename root_type::scalar_type>;
@@ -75,7 +75,7 @@ public:
 };
 
 namespace detail {
-template <text What, class F, class G, class... Gs>
+template <fixed_text What, class F, class G, class... Gs>
 constexpr auto first_apart() {
     if constexpr (not same_family<F, G>)
         return apart<What, F, G>();
@@ -91,13 +91,13 @@ struct apply_to_values {
         if constexpr ((same_family<F, Gs> and ...))
             return pointwise<Map, F, Gs...>(std::move(map), std::move(f), std::move(gs)...);
         else
-            return first_apart<"apply", F, Gs...>();
+            return first_apart<"apply_pointwise", F, Gs...>();
     }
 };
 } // namespace detail
 
 /// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
-inline constexpr detail::apply_to_values apply{};
+inline constexpr detail::apply_to_values apply_pointwise{};
 
 template <discrete_function F, discrete_function G>
 constexpr auto operator+(F f, G g) {
@@ -135,7 +135,7 @@ constexpr auto operator-(F f) {
 template <discrete_function F, discrete_function G>
 constexpr auto dot(F f, G g) {
     if constexpr (detail::same_family<F, G>)
-        return apply([](auto const& x, auto const& y) { return dot_product(x, y); }, std::move(f), std::move(g));
+        return apply_pointwise([](auto const& x, auto const& y) { return dot_product(x, y); }, std::move(f), std::move(g));
     else
         return detail::apart<"a Euclidean product", F, G>();
 }
@@ -158,15 +158,15 @@ concept factor = not function_expression<C> and not requires {
 
 template <factor C, discrete_function F>
 constexpr auto operator*(C const& c, F f) {
-    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return k * x; }, std::move(f));
+    return apply_pointwise([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return k * x; }, std::move(f));
 }
 template <discrete_function F, factor C>
 constexpr auto operator*(F f, C const& c) {
-    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x * k; }, std::move(f));
+    return apply_pointwise([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x * k; }, std::move(f));
 }
 template <discrete_function F, factor C>
 constexpr auto operator/(F f, C const& c) {
-    return apply([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x / k; }, std::move(f));
+    return apply_pointwise([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return x / k; }, std::move(f));
 }
 
 } // namespace hilger

@@ -3,12 +3,12 @@
 // an operator applied to q, that is later applied to functions that have values.
 #pragma once
 
+#include "hilger/fixed_text.hpp"
 #include "hilger/function/concept.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger {
 
-template <text Name = text("q")>
+template <fixed_text Name = fixed_text("q")>
 struct unknown : discrete_function_tag {
     using domain_type = hilger::domain<nodes>;
     static constexpr auto name() { return Name; }

@@ -12,9 +12,9 @@ namespace hilger {
 /// `steps` values; without a tolerance as accurate as the direct sum. Exact scalars and few steps: direct. Many steps: exponentials where
 /// there are some for the generating function, the order and the tolerance, else blocks.
 struct automatic {
-    index steps;
+    index_type steps;
     double tolerance = 0;
-    static constexpr index few = 128; ///< up to here the direct sum is the fastest
+    static constexpr index_type few = 128; ///< up to here the direct sum is the fastest
 };
 
 /// One of three engines; name() says which.
@@ -33,7 +33,7 @@ public:
     void push(V const& x) {
         std::visit([&](auto& e) { e.push(x); }, engine_);
     }
-    index count() const {
+    index_type count() const {
         return std::visit([](auto const& e) { return e.count(); }, engine_);
     }
     void reset() {

@@ -42,12 +42,12 @@ public:
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto& values = parts_[c].values;
             if (m == values.size()) values.resize(std::max(shortest, 2 * m), S(0));
-            values[m] = detail::memory::component(x, static_cast<index>(c));
+            values[m] = detail::memory::component(x, static_cast<index_type>(c));
         }
         ++count_;
         ready_ = false;
     }
-    index count() const { return count_; }
+    index_type count() const { return count_; }
     void reset() {
         for (auto& part : parts_) part = {};
         past_ = detail::memory::zero_of_size(past_);
@@ -79,7 +79,7 @@ private:
             // Behind w_1 the table is zero: whole packs are summed.
             S const sum = sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside),
                                             detail::memory::padded<S>(inside));
-            detail::memory::component(past_, static_cast<index>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
+            detail::memory::component(past_, static_cast<index_type>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
         }
         ready_ = true;
     }
@@ -100,7 +100,7 @@ private:
             transform_.forward(weights, length);
         }
         for (auto& p : parts_) {
-            work_.re.assign(p.values.begin() + static_cast<index>(m - length), p.values.begin() + static_cast<index>(m));
+            work_.re.assign(p.values.begin() + static_cast<index_type>(m - length), p.values.begin() + static_cast<index_type>(m));
             work_.im.assign(length, S(0));
             transform_.forward(work_, length);
             transform_.multiply(work_, weights, length);
@@ -114,7 +114,7 @@ private:
     }
 
     S alpha_;
-    index size_, count_ = 0;
+    index_type size_, count_ = 0;
     weight_sequence<G, S> sequence_;
     std::vector<S> weights_;
     detail::memory::line_vector<S> reversed_;

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "hilger/error.hpp"
+#include "hilger/fixed_text.hpp"
 #include "hilger/history/simd.hpp"
 #include "hilger/scalar.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger::detail::memory {
 
@@ -26,21 +26,21 @@ template <class V>
 inline constexpr bool is_vector = not std::is_same_v<V, component_t<V>>;
 
 template <class V>
-index components(V const& x) {
+index_type components(V const& x) {
     if constexpr (is_vector<V>)
-        return static_cast<index>(x.size());
+        return static_cast<index_type>(x.size());
     else
         return 1;
 }
 template <class V>
-component_t<V> const& component(V const& x, index i) {
+component_t<V> const& component(V const& x, index_type i) {
     if constexpr (is_vector<V>)
         return x.data()[i];
     else
         return x;
 }
 template <class V>
-component_t<V>& component(V& x, index i) {
+component_t<V>& component(V& x, index_type i) {
     if constexpr (is_vector<V>)
         return x.data()[i];
     else
@@ -58,7 +58,7 @@ V zero_of_size(V const& x) {
 
 /// @throws error::mismatch, error::not_finite with the number of the value, from 0 on.
 template <class V>
-void check_value(V const& x, index size, index number) {
+void check_value(V const& x, index_type size, index_type number) {
     if (components(x) != size)
         error::raise<error::mismatch>("value ", number, " of a history has ", components(x), " components, the history was made for ",
                                       size);
@@ -68,10 +68,10 @@ void check_value(V const& x, index size, index number) {
 /// What make_history returns for an order and values that differ in their scalar.
 template <class S, class V>
 inline constexpr bool same_scalar = std::is_same_v<S, component_t<plain_t<V>>>;
-template <class S, text Sentence>
+template <class S, fixed_text Sentence>
 auto refused() { // depends on S: instantiated where it is reached only
     return does_not_compile<Sentence>{};
 }
-inline constexpr text scalars_differ{"the order of a fractional difference and the values of its history have the same scalar"};
+inline constexpr fixed_text scalars_differ{"the order of a fractional difference and the values of its history have the same scalar"};
 
 } // namespace hilger::detail::memory

@@ -38,7 +38,7 @@ public:
                 transform_.forward(z, length_);
                 transform_.multiply(z, transformed_, length_);
                 transform_.backward(z, length_);
-                return {z.re.begin(), z.re.begin() + static_cast<index>(x.size())};
+                return {z.re.begin(), z.re.begin() + static_cast<index_type>(x.size())};
             }
         std::vector<S> y(x.size(), S(0));
         for (std::size_t k = 0; k < x.size(); ++k)
@@ -71,12 +71,12 @@ std::vector<V> convolve(S const& alpha, std::vector<V> const& x) {
     static_assert(std::is_same_v<S, detail::memory::component_t<V>>,
                   "the order of a fractional difference and the values have the same scalar");
     if (x.empty()) return {};
-    index const size = detail::memory::components(x[0]);
-    for (std::size_t k = 0; k < x.size(); ++k) detail::memory::check_value(x[k], size, static_cast<index>(k));
-    toeplitz_triangle<S> const weights(first_weights<G, S>(alpha, static_cast<index>(x.size())));
+    index_type const size = detail::memory::components(x[0]);
+    for (std::size_t k = 0; k < x.size(); ++k) detail::memory::check_value(x[k], size, static_cast<index_type>(k));
+    toeplitz_triangle<S> const weights(first_weights<G, S>(alpha, static_cast<index_type>(x.size())));
     std::vector<V> y(x.size(), detail::memory::zero_of_size(x[0]));
     std::vector<S> row(x.size(), S(0));
-    for (index c = 0; c < size; ++c) {
+    for (index_type c = 0; c < size; ++c) {
         for (std::size_t k = 0; k < x.size(); ++k) row[k] = detail::memory::component(x[k], c);
         auto const sums = weights(row);
         for (std::size_t k = 0; k < x.size(); ++k) detail::memory::component(y[k], c) = sums[k];

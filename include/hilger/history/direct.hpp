@@ -21,8 +21,8 @@ inline std::function<void(std::string const&)>& history_warning() {
 
 /// The sum over everything. `steps`, if the number of values is known beforehand, lets a run that would take minutes say so.
 struct direct {
-    index steps = 0;
-    static constexpr index many = 100'000; ///< from here on the warning is due
+    index_type steps = 0;
+    static constexpr index_type many = 100'000; ///< from here on the warning is due
 };
 
 template <class G, class V>
@@ -44,7 +44,7 @@ public:
         auto const m = static_cast<std::size_t>(count_) + 1;
         if (m > reversed_.size()) grow();
         reversed_[reversed_.size() - m] = weights_.next();
-        for (index c = 0; c < size_; ++c) {
+        for (index_type c = 0; c < size_; ++c) {
             auto& values = values_[static_cast<std::size_t>(c)];
             values[m - 1] = detail::memory::component(x, c);
             // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
@@ -52,7 +52,7 @@ public:
         }
         ++count_;
     }
-    index count() const { return count_; }
+    index_type count() const { return count_; }
     void reset() { *this = direct_history(alpha_, past_); }
     std::size_t bytes() const { return (values_.size() + 1) * reversed_.size() * sizeof(S); }
     static std::string name() { return "direct"; }
@@ -61,12 +61,12 @@ private:
     void grow() {
         std::size_t const old = reversed_.size(), now = old == 0 ? 64 : 2 * old;
         detail::memory::line_vector<S> longer(now, S(0));
-        std::copy(reversed_.begin(), reversed_.end(), longer.end() - static_cast<index>(old));
+        std::copy(reversed_.begin(), reversed_.end(), longer.end() - static_cast<index_type>(old));
         reversed_ = std::move(longer);
         for (auto& values : values_) values.resize(now, S(0));
     }
     S alpha_;
-    index size_, count_ = 0;
+    index_type size_, count_ = 0;
     weight_sequence<G, S> weights_;
     detail::memory::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
     std::vector<detail::memory::line_vector<S>> values_; // x_0, x_1, ... of each component

@@ -15,7 +15,7 @@ namespace hilger {
 /// scalar). This is checked when the history is made.
 struct exponentials {
     double tolerance = 0;
-    index steps = 1'000'000'000;
+    index_type steps = 1'000'000'000;
 };
 
 namespace detail::memory {
@@ -41,17 +41,17 @@ public:
         if (not has(alpha))
             error::raise<error::invalid_parameter>("exponentials represent the history of orders from -9/10 to 2, not ", alpha);
         if (policy.steps < 1) error::raise<error::invalid_parameter>("exponentials are made for one step or more, not for ", policy.steps);
-        index const degree = static_cast<index>(G::template numerator<S>().size()) - 1;
+        index_type const degree = static_cast<index_type>(G::template numerator<S>().size()) - 1;
         if (alpha == floor(alpha)) { // the weights end
             auto const all = first_weights<G, S>(alpha, 2 * degree + 1);
-            for (index n = 1; S(static_cast<int>(n)) <= alpha * S(static_cast<int>(degree)); ++n)
+            for (index_type n = 1; S(static_cast<int>(n)) <= alpha * S(static_cast<int>(degree)); ++n)
                 first.push_back(all[static_cast<std::size_t>(n)]);
             return;
         }
-        index const taps = recent_values<S>::room(direct_terms(static_cast<double>(tolerance)));
+        index_type const taps = recent_values<S>::room(direct_terms(static_cast<double>(tolerance)));
         auto const all = first_weights<G, S>(alpha, taps + 1);
         first.assign(all.begin() + 1, all.end());
-        index const last = std::max(policy.steps, taps + 1);
+        index_type const last = std::max(policy.steps, taps + 1);
         cut_integral<G, W> const integral(W(alpha), taps + 1, last, tolerance);
         auto const rule = integral.rule();
         // A state is a sum of 1/rate terms, and rounding in it grows like a random walk: 3/2 epsilon sqrt(1/rate) at most.
@@ -75,12 +75,12 @@ public:
 
 private:
     /// The parasitic roots' share of w_n, rho^n against n^{-1-alpha}, is below the tolerance from here on.
-    static index direct_terms(double tolerance) {
+    static index_type direct_terms(double tolerance) {
         double const rho = parasitic_root<G>::modulus;
-        return rho > 0 ? static_cast<index>((12 - std::log(tolerance)) / -std::log(rho)) : 8;
+        return rho > 0 ? static_cast<index_type>((12 - std::log(tolerance)) / -std::log(rho)) : 8;
     }
     /// Against the recurrence for the first hundred n, then against a finer rule at powers of four.
-    void check(S const& alpha, index n, index last, W const& tolerance) const {
+    void check(S const& alpha, index_type n, index_type last, W const& tolerance) const {
         using std::exp, std::log1p;
         using wide = typename wider<W>::type;
         std::vector<wide> decay, term;
@@ -89,8 +89,8 @@ private:
             term.push_back(wide(W(coefficient[j])));
         }
         weight_sequence<G, W> sequence{W(alpha)};
-        for (index i = 0; i < n; ++i) sequence.next();
-        for (index i = n; i < n + 100 and i <= last; ++i) {
+        for (index_type i = 0; i < n; ++i) sequence.next();
+        for (index_type i = n; i < n + 100 and i <= last; ++i) {
             wide sum(static_cast<int>(0));
             for (std::size_t j = 0; j < term.size(); ++j) {
                 sum = sum + term[j];
@@ -100,7 +100,7 @@ private:
         }
         cut_integral<G, W> const integral(W(alpha), n, last, W(tolerance / W(1000)));
         auto const finer = integral.trapezoidal_rule(2);
-        for (index distance = 64; n + distance <= last; distance *= 4) {
+        for (index_type distance = 64; n + distance <= last; distance *= 4) {
             W const d(static_cast<double>(distance));
             W modes(0), weight(0);
             for (std::size_t j = 0; j < rate.size(); ++j)
@@ -110,7 +110,7 @@ private:
             compare(modes, W(integral.factor() * weight), n + distance, tolerance);
         }
     }
-    static void compare(W const& modes, W const& weight, index n, W const& tolerance) {
+    static void compare(W const& modes, W const& weight, index_type n, W const& tolerance) {
         using std::abs;
         if (not(abs(W(modes - weight)) <= tolerance * abs(weight)))
             error::raise<error::invalid_parameter>("exponentials do not reach the tolerance ", tolerance, " in this scalar: weight ", n,
@@ -134,7 +134,7 @@ public:
     void push(V const& x) {
         detail::memory::check_value(x, size_, count_);
         if (count_ > steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps");
-        for (index c = 0; c < size_; ++c) {
+        for (index_type c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
             S const& value = detail::memory::component(x, c);
             detail::memory::component(past_, c) = recent_.first() * value + ahead_[i];
@@ -147,7 +147,7 @@ public:
         recent_.advance();
         ++count_;
     }
-    index count() const { return count_; }
+    index_type count() const { return count_; }
     void reset() {
         recent_.reset();
         state_.assign(state_.size(), S(0));
@@ -156,17 +156,17 @@ public:
         count_ = 0;
     }
     /// Terms of the sum of exponentials, a multiple of the width of the loops.
-    index modes() const { return static_cast<index>(rate_.size()); }
+    index_type modes() const { return static_cast<index_type>(rate_.size()); }
     std::size_t bytes() const { return (rate_.size() + coefficient_.size() + state_.size() + ahead_.size()) * sizeof(S) + recent_.bytes(); }
     static std::string name() { return "exponentials"; }
 
 private:
-    exponentials_history(detail::memory::exponential_weights<G, S> w, index steps, V const& like)
+    exponentials_history(detail::memory::exponential_weights<G, S> w, index_type steps, V const& like)
         : size_(detail::memory::components(like)), steps_(steps), recent_(w.first, size_), brief_(w.brief), rate_(std::move(w.rate)),
           coefficient_(std::move(w.coefficient)), state_((2 * rate_.size() - brief_) * static_cast<std::size_t>(size_), S(0)),
           ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
 
-    index size_, steps_, count_ = 0;
+    index_type size_, steps_, count_ = 0;
     detail::memory::recent_values<S> recent_;
     std::size_t brief_;
     detail::memory::line_vector<S> rate_, coefficient_;

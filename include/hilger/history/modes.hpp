@@ -55,7 +55,7 @@ S sine_of_pi_times(S const& alpha) { // accurate next to whole numbers
 template <class G, class W>
 class cut_integral {
 public:
-    cut_integral(W const& alpha, index first, index last, W const& tolerance) : alpha_(alpha), first_(first), last_(last) {
+    cut_integral(W const& alpha, index_type first, index_type last, W const& tolerance) : alpha_(alpha), first_(first), last_(last) {
         using std::atan, std::log;
         auto const p = G::template numerator<W>();
         W sum(0);
@@ -130,7 +130,7 @@ private:
         return exp(W(-s * (W(static_cast<double>(first_)) - alpha_))) * pow(W(-expm1(W(-s)) * q), alpha_);
     }
     W alpha_, digits_, factor_;
-    index first_, last_;
+    index_type first_, last_;
     std::vector<W> q_;
 };
 

@@ -15,8 +15,9 @@ template <class S>
 class recent_values {
 public:
     /// `weights` are w_1, w_2, ...
-    recent_values(std::vector<S> const& weights, index components)
-        : length_(static_cast<std::size_t>(room(static_cast<index>(weights.size()))) - 1), first_(weights.empty() ? S(0) : weights[0]) {
+    recent_values(std::vector<S> const& weights, index_type components)
+        : length_(static_cast<std::size_t>(room(static_cast<index_type>(weights.size()))) - 1),
+          first_(weights.empty() ? S(0) : weights[0]) {
         reversed_.assign(length_, S(0));
         for (std::size_t n = 1; n < weights.size(); ++n) reversed_[length_ - n] = weights[n];
         values_.assign(2 * length_ * static_cast<std::size_t>(components), S(0));
@@ -24,14 +25,14 @@ public:
     /// w_1
     S const& first() const { return first_; }
     /// How many weights there is room for, where so many are asked for.
-    static index room(index weights) {
-        index const near = static_cast<index>(one_by_one) + 1;
-        return near + (weights <= near ? 0 : static_cast<index>(padded<S>(static_cast<std::size_t>(weights - near))));
+    static index_type room(index_type weights) {
+        index_type const near = static_cast<index_type>(one_by_one) + 1;
+        return near + (weights <= near ? 0 : static_cast<index_type>(padded<S>(static_cast<std::size_t>(weights - near))));
     }
     /// The oldest value, which the next one replaces.
-    S const& oldest(index component) { return begin(component)[newest_]; }
+    S const& oldest(index_type component) { return begin(component)[newest_]; }
     /// Makes x_m the newest value of a component and returns sum_{n=2..} w_n x_{m+2-n}. All components are pushed before advance().
-    S push(S const& x, index component, sums<S> const& loops) {
+    S push(S const& x, index_type component, sums<S> const& loops) {
         S* const values = begin(component);
         values[newest_] = x;
         values[newest_ + length_] = x;
@@ -53,7 +54,7 @@ public:
     std::size_t bytes() const { return (reversed_.size() + values_.size()) * sizeof(S); }
 
 private:
-    S* begin(index component) { return values_.data() + 2 * length_ * static_cast<std::size_t>(component); }
+    S* begin(index_type component) { return values_.data() + 2 * length_ * static_cast<std::size_t>(component); }
     static constexpr std::size_t one_by_one = 8;
     std::size_t length_, newest_ = 0;
     S first_;

@@ -13,7 +13,7 @@ namespace hilger {
 
 /// The last `length` values.
 struct window {
-    index length;
+    index_type length;
 };
 
 template <class G, class V>
@@ -29,7 +29,7 @@ public:
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
         detail::memory::check_value(x, size_, count_);
-        for (index c = 0; c < size_; ++c) {
+        for (index_type c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
             detail::memory::component(past_, c) = recent_.first() * detail::memory::component(x, c) + ahead_[i];
             ahead_[i] = recent_.push(detail::memory::component(x, c), c, sums_);
@@ -37,7 +37,7 @@ public:
         recent_.advance();
         ++count_;
     }
-    index count() const { return count_; }
+    index_type count() const { return count_; }
     void reset() {
         recent_.reset();
         ahead_.assign(ahead_.size(), S(0));
@@ -52,7 +52,7 @@ public:
         auto const absolute = [](S const& x) { return x < S(0) ? S(-x) : x; };
         S bound(0);
         if constexpr (parasitic_root<G>::modulus == 0) { // w_0 + ... + w_n is the n-th weight of the order alpha - 1
-            index n = 1;
+            index_type n = 1;
             S sum = S(1);
             for (; n <= length_ or S(static_cast<int>(n)) < alpha_; ++n) {
                 S const before = sum;
@@ -61,10 +61,10 @@ public:
             }
             bound = bound + absolute(sum);
         } else { // all weights sum up to omega(1)^alpha = 0; from `settled` on they have one sign
-            auto const settled = std::max(length_, static_cast<index>(40 / -std::log(parasitic_root<G>::modulus)));
+            auto const settled = std::max(length_, static_cast<index_type>(40 / -std::log(parasitic_root<G>::modulus)));
             auto const w = first_weights<G, S>(alpha_, settled + 1);
             S sum(0);
-            for (index n = 0; n <= settled; ++n) {
+            for (index_type n = 0; n <= settled; ++n) {
                 sum = sum + w[static_cast<std::size_t>(n)];
                 if (n > length_) bound = bound + absolute(w[static_cast<std::size_t>(n)]);
             }
@@ -76,18 +76,18 @@ public:
     static std::string name() { return "window"; }
 
 private:
-    static std::vector<S> weights(S const& alpha, index length) {
+    static std::vector<S> weights(S const& alpha, index_type length) {
         if (length < 0) error::raise<error::invalid_parameter>("a window has a length of 0 or more, not ", length);
         auto w = first_weights<G, S>(alpha, length + 1);
         w.erase(w.begin());
         return w;
     }
-    window_history(S const& alpha, index length, std::vector<S> const& w, V const& like)
+    window_history(S const& alpha, index_type length, std::vector<S> const& w, V const& like)
         : alpha_(alpha), length_(length), size_(detail::memory::components(like)), recent_(w, size_),
           ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
 
     S alpha_;
-    index length_, size_, count_ = 0;
+    index_type length_, size_, count_ = 0;
     detail::memory::recent_values<S> recent_;
     std::vector<S> ahead_;
     V past_;

@@ -20,8 +20,8 @@ struct by_parts_order_one {
         auto const f = trial.function_on(scale);
         auto const g = trial.function_on(scale);
         if (scale.size() < 2) return;
-        auto const left = weighted_sum<delta>(dot(f, derivative<Base, side::plus>{}[g]));
-        auto const right = boundary(dot(f, g)) - weighted_sum<nabla>(dot(derivative<Base, side::minus>{}[f], g));
+        auto const left = weighted_sum<delta_weight>(dot(f, derivative<Base, side::plus>{}[g]));
+        auto const right = boundary(dot(f, g)) - weighted_sum<nabla_weight>(dot(derivative<Base, side::minus>{}[f], g));
         trial.equal(left, right, trial.size_of(f) * trial.size_of(g) * trial.count() * 16);
     }
 };
@@ -53,7 +53,7 @@ struct lemma_2 {
         auto const f_half = on_half[f];
         auto const left = integral(dot(f, Delta_o_plus[extend[v]]), half(trial.T));
         auto const right = dot_product(f_half[f_half.last()], v[v.last()]) - dot_product(f_half[f_half.first()], v[v.first()]) -
-                           inner_sum(dot(pi[Delta_h_minus[f_half]], v));
+                           inner_sum(dot(pi_half[Delta_h_minus[f_half]], v));
         trial.equal(left, evaluated(right), trial.size_of(f) * trial.size_of(v) * trial.count() * 8 * 3);
     }
     /// Sum over T^+- with weights (mu + nu)/2.
@@ -80,8 +80,8 @@ struct lemma_3 {
         S const size = trial.size_of(f) * trial.size_of(v) * trial.length() * 8 * 3;
         // (40) takes a function on T_o; its values on T do not matter.
         auto const f_circ = insertion<fraction<1, 2>, false>{}[f] + insertion<fraction<1, 2>, true>{}[v];
-        trial.equal(left, S(weighted_sum<delta>(dot(mean_o[f_circ], v)) + h / S(2) * ends), size);
-        trial.equal(left, S(weighted_sum<delta>(dot(pi[mean_h_minus[f]], v)) + h / S(2) * ends), size);
+        trial.equal(left, S(weighted_sum<delta_weight>(dot(mean_o[f_circ], v)) + h / S(2) * ends), size);
+        trial.equal(left, S(weighted_sum<delta_weight>(dot(pi_half[mean_h_minus[f]], v)) + h / S(2) * ends), size);
     }
 };
 
@@ -99,8 +99,8 @@ struct step_mean_is_adjoint {
         auto const scale = derived_scale(trial.T.root(), domain<between<Lambda>>{});
         auto const f = trial.function_on(scale);
         auto const v = trial.function_on(trial.T);
-        index const N = trial.T.root().steps();
-        auto const left = weighted_sum<steps>(dot(f, (restriction_to<Lambda, false>{} * extension<Lambda>{})[v]));
+        index_type const N = trial.T.root().steps();
+        auto const left = weighted_sum<step_weight>(dot(f, (restriction_to<Lambda, false>{} * extension<Lambda>{})[v]));
         S const first = trial.T.root().step(0) * (S(1) - as()) * dot_product(f[0], v[0]);
         S const last = trial.T.root().step(N - 1) * as() * dot_product(f[N - 1], v[N]);
         auto const inner = weighted_sum<natural_weight_t<Lambda>>(dot(step_mean_at<Lambda>{}[f], v));
@@ -143,7 +143,7 @@ struct adjoint_is_involution {
         auto const twice = adjoint(adjoint(a))[f];
         auto const once = a[f];
         auto const steep = trial.steepness() + typename Trial::scalar(1);
-        for (index i = std::max(twice.first(), once.first()); i <= std::min(twice.last(), once.last()); ++i)
+        for (index_type i = std::max(twice.first(), once.first()); i <= std::min(twice.last(), once.last()); ++i)
             trial.equal(twice[i], once[i], trial.size_of(f) * trial.count() * steep * steep * (trial.length() + typename Trial::scalar(1)));
     }
 };
@@ -157,16 +157,16 @@ struct lemma_4 {
     template <class Trial>
     void operator()(Trial& trial) const {
         using S = typename Trial::scalar;
-        index const N = trial.T.root().steps();
+        index_type const N = trial.T.root().steps();
         // The matrix <e_j, v> for random v_1..v_{N-1} that vanish at the ends, by elimination with full pivoting.
         std::vector<std::vector<S>> rows;
-        for (index r = 0; r < N - 1; ++r) {
+        for (index_type r = 0; r < N - 1; ++r) {
             auto const raw = trial.scalar_function_on(trial.T);
             std::vector<S> row;
-            for (index j = 0; j <= N; ++j) {
+            for (index_type j = 0; j <= N; ++j) {
                 bool const end = j == 0 or j == N;
                 S const v = end ? S(0) : j == r + 1 ? S(raw[j] + S(200)) : raw[j] / S(200); // dominant diagonal: a basis
-                row.push_back(S(v * weight_at<delta>(raw, j)));
+                row.push_back(S(v * weight_at<delta_weight>(raw, j)));
             }
             rows.push_back(std::move(row));
         }
@@ -176,10 +176,10 @@ struct lemma_4 {
 
 private:
     template <class S>
-    static index rank(std::vector<std::vector<S>> m) {
-        index found = 0;
+    static index_type rank(std::vector<std::vector<S>> m) {
+        index_type found = 0;
         std::size_t const columns = m.empty() ? 0 : m.front().size();
-        for (std::size_t c = 0; c < columns and found < static_cast<index>(m.size()); ++c) {
+        for (std::size_t c = 0; c < columns and found < static_cast<index_type>(m.size()); ++c) {
             std::size_t best = static_cast<std::size_t>(found);
             for (std::size_t r = best; r < m.size(); ++r)
                 if (magnitude(m[best][c]) < magnitude(m[r][c])) best = r;

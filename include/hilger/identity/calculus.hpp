@@ -21,12 +21,12 @@ struct fundamental_theorem {
         auto const forward = derivative<Base, side::plus>{}[f];
         auto const backward = derivative<Base, side::minus>{}[f];
         auto const size = trial.size_of(f) * trial.count() * 2;
-        for (index i = 0; i <= f.last(); ++i)
-            for (index j = 0; j <= f.last(); ++j) {
+        for (index_type i = 0; i <= f.last(); ++i)
+            for (index_type j = 0; j <= f.last(); ++j) {
                 auto const change = evaluated(f.get(j) - f.get(i));
                 if (f.size() < 2) continue;
-                trial.equal(detail::sum_between<delta>(forward, i, j), change, size);
-                trial.equal(detail::sum_between<nabla>(backward, i, j), change, size);
+                trial.equal(detail::sum_between<delta_weight>(forward, i, j), change, size);
+                trial.equal(detail::sum_between<nabla_weight>(backward, i, j), change, size);
             }
     }
 };
@@ -38,8 +38,8 @@ struct derivative_of_integral {
     static constexpr bool uniform_only = false;
     template <class Trial>
     void operator()(Trial& trial) const {
-        auto const f = trial.function_on(plus(trial.T));
-        auto const g = trial.function_on(minus(trial.T));
+        auto const f = trial.function_on(without_last(trial.T));
+        auto const g = trial.function_on(without_first(trial.T));
         auto const size = trial.size_of(f) * trial.length() * trial.steepness() * trial.count();
         trial.equal_everywhere(Delta_plus[antiderivative[f]], f, size);
         trial.equal_everywhere(Delta_minus[antiderivative_nabla[g]], g,
@@ -108,7 +108,7 @@ struct shift_and_graininess {
         auto const f = trial.function_on(scale);
         auto const up = derivative<Base, side::plus>{}[f];
         auto const down = derivative<Base, side::minus>{}[f];
-        for (index i = f.first(); i < f.last(); ++i) {
+        for (index_type i = f.first(); i < f.last(); ++i) {
             auto const t = scale.element(i), s = scale.element(i + 1);
             trial.equal(shift<Base, side::plus>{}[f](t), evaluated(f(t) + up(t) * scale.mu(t)), trial.size_of(f) * 2);
             trial.equal(shift<Base, side::minus>{}[f](s), evaluated(f(s) - down(s) * scale.nu(s)), trial.size_of(f) * 2);
@@ -126,8 +126,8 @@ struct shifts_are_inverse {
     template <class Trial>
     void operator()(Trial& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
-        auto const f = trial.function_on(minus(scale));
-        auto const g = trial.function_on(plus(scale));
+        auto const f = trial.function_on(without_first(scale));
+        auto const g = trial.function_on(without_last(scale));
         constexpr shift<Base, side::plus> up{};
         constexpr shift<Base, side::minus> down{};
         trial.equal_everywhere(down[up[f]], f, trial.size_of(f));
@@ -149,7 +149,8 @@ struct t_kappa {
         auto const f = trial.function_on(scale);
         auto const up = derivative<Base, side::plus>{}[f];
         auto const down = derivative<Base, side::minus>{}[f];
-        trial.require(up.scale() == plus(scale) and down.scale() == minus(scale), "Delta_plus lives on T^+ and Delta_minus on T^-");
+        trial.require(up.scale() == without_last(scale) and down.scale() == without_first(scale),
+                      "Delta_plus lives on T^+ and Delta_minus on T^-");
         trial.require(refuses([&] { return up(scale.element(scale.last())); }), "Delta_plus has no value at the last point");
         trial.require(refuses([&] { return down(scale.element(scale.first())); }), "Delta_minus has no value at the first point");
     }

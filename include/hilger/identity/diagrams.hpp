@@ -21,7 +21,7 @@ struct derivative_diagram {
         auto const f = trial.function_on(scale);
         auto const D = derivative<Base, side::plus>{}[f];
         auto const curve = interpolate(f);
-        for (index i = D.first(); i <= D.last(); ++i) {
+        for (index_type i = D.first(); i <= D.last(); ++i) {
             auto const t = scale.element(i);
             trial.equal(D(t), curve.right_derivative(t), trial.size_of(f) * trial.steepness() * 4);
         }
@@ -40,7 +40,7 @@ struct integral_diagram {
         auto const F = antiderivative_at<Lambda>{}[f];
         auto const staircase = steps_of(f);
         auto const size = trial.size_of(f) * trial.length() * trial.count();
-        for (index i = 0; i <= F.last(); ++i) {
+        for (index_type i = 0; i <= F.last(); ++i) {
             auto const t = F.scale().element(i);
             trial.equal(F(t), staircase.integral_to(t), size);
             trial.equal(F(t), integral(f, trial.T.element(0), t), size);
@@ -62,7 +62,7 @@ struct extension_is_interpolation {
         auto const scale = f_o.scale();
         // Rounding of the points themselves is magnified by the slope.
         auto const size = trial.size_of(f) * (trial.steepness() * trial.length() + typename Trial::scalar(1)) * 4;
-        for (index j = 0; j <= f_o.last(); ++j) trial.equal(f_o[j], curve(scale.element(j)), size);
+        for (index_type j = 0; j <= f_o.last(); ++j) trial.equal(f_o[j], curve(scale.element(j)), size);
     }
 };
 
@@ -76,7 +76,7 @@ struct midpoint_quadrature {
         using S = typename Trial::scalar;
         auto const f = trial.function_on(trial.T);
         auto total = trial.zero();
-        for (index i = 0; i < f.last(); ++i)
+        for (index_type i = 0; i < f.last(); ++i)
             total = total + evaluated((f[i] + f[i + 1]) / S(2)) * S(trial.T.element(i + 1) - trial.T.element(i));
         trial.equal(integral(extend[f], half(trial.T)), total, trial.size_of(f) * trial.length() * trial.count());
         trial.equal(weighted_sum<mean_weight<fraction<1, 2>>>(f), total, trial.size_of(f) * trial.length() * trial.count());

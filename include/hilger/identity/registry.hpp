@@ -43,8 +43,8 @@ inline constexpr auto formulae = boost::hana::make_tuple(
 /// Operators, primitive and composed, whose adjoint laws are tried.
 inline constexpr auto operators =
     boost::hana::make_tuple(sigma, rho_o, Delta_plus, Delta_minus, Delta_h_minus, Delta_o_plus, extend, extend_lambda<1, 3>, on_T, on_half,
-                            pi, pi_inverse, step_mean, mean_h_minus, mean_o, antiderivative, antiderivative_h, antiderivative_nabla,
-                            Delta_plus* Delta_minus, Delta_plus* Delta_plus, on_half* extend, on_half* Delta_o_plus* extend, identity + rho,
-                            fraction<3, 2>{} * Delta_minus - sigma, Delta_minus* antiderivative_h);
+                            pi_half, pi_inverse, step_mean, mean_h_minus, mean_o, antiderivative, antiderivative_h, antiderivative_nabla,
+                            Delta_plus* Delta_minus, Delta_plus* Delta_plus, on_half* extend, on_half* Delta_o_plus* extend,
+                            identity_T + rho, fraction<3, 2>{} * Delta_minus - sigma, Delta_minus* antiderivative_h);
 
 } // namespace hilger::identities

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] Value random_value() {
         if constexpr (requires { zero_.size(); }) {
             Value v = zero_;
-            for (index k = 0; k < v.size(); ++k) v(k) = number();
+            for (index_type k = 0; k < v.size(); ++k) v(k) = number();
             return v;
         } else
             return number();
@@ -67,14 +67,14 @@ public:
     template <class S>
     [[nodiscard]] auto function_on(S const& scale) {
         std::vector<Value> values;
-        for (index i = 0; i < scale.size(); ++i) values.push_back(random_value());
-        return function(scale, std::move(values));
+        for (index_type i = 0; i < scale.size(); ++i) values.push_back(random_value());
+        return hilger::function_on(scale, std::move(values));
     }
     template <class S>
     [[nodiscard]] auto scalar_function_on(S const& scale) {
         std::vector<scalar> values;
-        for (index i = 0; i < scale.size(); ++i) values.push_back(number());
-        return function(scale, std::move(values));
+        for (index_type i = 0; i < scale.size(); ++i) values.push_back(number());
+        return hilger::function_on(scale, std::move(values));
     }
     [[nodiscard]] Value zero() const { return zero_; }
 
@@ -88,7 +88,7 @@ public:
     /// 1 / (shortest step): what a difference quotient multiplies values by.
     [[nodiscard]] scalar steepness() const {
         scalar least = T.root().step(0);
-        for (index i = 1; i < T.root().steps(); ++i) least = std::min(least, scalar(T.root().step(i)));
+        for (index_type i = 1; i < T.root().steps(); ++i) least = std::min(least, scalar(T.root().step(i)));
         return scalar(1) / least;
     }
     /// b - a, plus the size of the points: what an integral multiplies values by.
@@ -121,7 +121,7 @@ public:
     template <discrete_function F, discrete_function G>
     void equal_everywhere(F const& f, G const& g, scalar const& size) {
         static_assert(std::same_as<typename F::domain_type, typename G::domain_type>, "the two sides of an identity live on one domain");
-        for (index i = f.first(); i <= f.last(); ++i) equal(f.element(i), g.element(i), size);
+        for (index_type i = f.first(); i <= f.last(); ++i) equal(f.element(i), g.element(i), size);
     }
     void require(bool condition, char const* what) {
         ++result.comparisons;

@@ -18,19 +18,19 @@ struct accuracy {
 /// A solution on the scale of its last run, and how good it is.
 template <class S, class V, class Function>
 struct accurate_solution {
-    Function q;            ///< positions, a function on T
-    state<S, V> end;       ///< at the end of the interval
-    index steps;           ///< of T
-    char const* method;    ///< the embedding that was chosen
-    S error;               ///< its distance from the run with half as many steps: more than its own error
-    index evaluated_steps; ///< of all runs together
+    Function q;                 ///< positions, a function on T
+    state<S, V> end;            ///< at the end of the interval
+    index_type steps;           ///< of T
+    char const* method;         ///< the embedding that was chosen
+    S error;                    ///< its distance from the run with half as many steps: more than its own error
+    index_type evaluated_steps; ///< of all runs together
 };
 
 /// From which accuracy on an embedding is cheaper than the ones of lower order. `hilger trade` measures where they cross. The last is for
 /// scalars of more digits than the processor has.
-enum class cheapest { midpoint, gauss_4, gauss_8, gauss_16 };
+enum class cheapest { mid_point, gauss_4, gauss_8, gauss_16 };
 constexpr cheapest cheapest_for(double wanted) {
-    if (wanted > 1e-2) return cheapest::midpoint;
+    if (wanted > 1e-2) return cheapest::mid_point;
     if (wanted > 1e-5) return cheapest::gauss_4;
     if (wanted > 1e-18) return cheapest::gauss_8;
     return cheapest::gauss_16;
@@ -41,14 +41,14 @@ namespace detail {
 /// Doubles the steps of one flow from `steps` on until two runs agree.
 template <class Flow, class S, class V>
 auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& I, V const& q0, V const& p0, accuracy const& goal) {
-    using solution_function = decltype(function(uniform(I, index{1}), std::vector<V>{}));
+    using solution_function = decltype(function_on(uniform(I, index_type{1}), std::vector<V>{}));
     using result = accurate_solution<S, V, solution_function>;
-    constexpr index most = index{1} << 24;
+    constexpr index_type most = index_type{1} << 24;
     S const wanted = S(goal.wanted);
     std::vector<V> coarse, fine;
     S error(-1);
-    index walked = 0;
-    for (index steps = 8; steps <= most; steps *= 2) {
+    index_type walked = 0;
+    for (index_type steps = 8; steps <= most; steps *= 2) {
         fine.clear();
         fine.reserve(static_cast<std::size_t>(steps) + 1);
         auto const T = uniform(I, steps);
@@ -69,7 +69,7 @@ auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& 
             S const before = error;
             error = S(0);
             for (std::size_t i = 0; i < coarse.size(); ++i) error = std::max(error, S(magnitude(V(coarse[i] - fine[2 * i]))));
-            if (error <= wanted) return result{function(T, std::move(fine)), end, steps, method, error, walked};
+            if (error <= wanted) return result{function_on(T, std::move(fine)), end, steps, method, error, walked};
             // Rounding grows with the number of steps: from there on nothing gets better.
             S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end.q));
             if (before > S(0) and not(error < before) and error < floor)
@@ -100,7 +100,7 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<V> const& from, ac
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
     if constexpr (std::is_floating_point_v<S>) {
-        if (best == cheapest::midpoint) return run(midpoint, "mid-point");
+        if (best == cheapest::mid_point) return run(mid_point, "mid-point");
         if (best == cheapest::gauss_4) return run(galerkin<4, gauss>, "Galerkin, 4 Gauss nodes");
     } else {
         if (best == cheapest::gauss_16) return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes");

@@ -14,7 +14,7 @@ namespace hilger {
 /// @throws error::invalid_parameter when alpha is not in ]0, 1] or h^alpha is no number of an exact scalar; error::mismatch when the
 ///         boundary values have different lengths; error::not_finite; error::singular where d^2 L / dv dv is;
 ///         newton_failure<std::vector<V>>, an error::no_convergence with the last iterate and its residual.
-template <class F, class Order, ordered_scalar S, index Steps, class First, class Last>
+template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
 auto solve_boundary(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
                     boundary_options const& options = {}) {
     using V = typename detail::boundary_value<First, S>::type;
@@ -28,7 +28,7 @@ auto solve_boundary(fractional_problem<F, Order> const& problem, uniform_scale<S
 template <class F, class Order, time_scale_like Scale, class First, class Last>
     requires(not Scale::root_type::is_uniform)
 auto solve_boundary(fractional_problem<F, Order> const&, Scale const&, First const&, Last const&, boundary_options const& = {}) {
-    return does_not_compile<text("a fractional boundary value problem is solved on a uniform scale T, and this one is ") +
+    return does_not_compile<fixed_text("a fractional boundary value problem is solved on a uniform scale T, and this one is ") +
                             Scale::root_type::kind()>{};
 }
 

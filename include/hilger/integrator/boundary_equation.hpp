@@ -87,7 +87,7 @@ public:
         bool forced = false, finite = true;
         at.coupled = false;
         for (std::size_t i = 0; i < count_; ++i) {
-            S const t = T_.element(static_cast<index>(i) + 1);
+            S const t = T_.element(static_cast<index_type>(i) + 1);
             at.at.push_back(expand(at_time{problem_.lagrangian(), t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
             force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g: lambda takes it up

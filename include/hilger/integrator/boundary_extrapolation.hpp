@@ -34,7 +34,7 @@ std::vector<S> error_exponents(S const& alpha, int count) {
 
 template <class Root, class V>
 struct extrapolated_solution {
-    decltype(function(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
+    decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
     scalar_of<V>
         change; ///< what the last level has changed, in the largest component: of the size of the error where the exponents are right
 };
@@ -42,7 +42,7 @@ struct extrapolated_solution {
 /// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error.
 /// @throws error::invalid_parameter when alpha < 1 and `first` is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
 ///         square integrable Riemann-Liouville derivative begins at 0, so that x - first is what to solve for; and as solve_boundary
-template <class F, class Order, ordered_scalar S, index Steps, class First, class Last>
+template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
 auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
                   std::vector<S> const& exponents, boundary_options const& options = {}) {
     using V = typename detail::boundary_value<First, S>::type;
@@ -52,12 +52,12 @@ auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, 
                                                "extrapolate the problem for x - x(t_0)");
     // Neville's table, one row at a time: entry j has lost the first j exponents.
     std::vector<std::vector<V>> row;
-    index refinement = 1;
+    index_type refinement = 1;
     for (std::size_t level = 0; level <= exponents.size(); ++level, refinement *= 2) {
         uniform_scale<S> const fine(T.min(), S(T.h() / S(static_cast<long long>(refinement))), T.max(), T.steps() * refinement);
         auto const solution = solve_boundary(problem, fine, first, last, options);
         std::vector<V> next;
-        for (index k = 0; k <= T.steps(); ++k) next.push_back(solution.q.get(k * refinement));
+        for (index_type k = 0; k <= T.steps(); ++k) next.push_back(solution.q.get(k * refinement));
         for (std::size_t j = 0; j < level; ++j) {
             using std::pow;
             S const gain = S(pow(S(2), exponents[j])) - S(1);
@@ -72,10 +72,10 @@ auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, 
     if (row.size() > 1)
         for (std::size_t k = 0; k < row.back().size(); ++k)
             change = std::max(change, S(magnitude(V(row.back()[k] - row[row.size() - 2][k]))));
-    return extrapolated_solution<uniform_scale<S, Steps>, V>{function(T, std::move(row.back())), change};
+    return extrapolated_solution<uniform_scale<S, Steps>, V>{function_on(T, std::move(row.back())), change};
 }
 /// With the exponents of L = v^2 / 2, so many levels beyond T.
-template <class F, class Order, ordered_scalar S, index Steps, class First, class Last>
+template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
 auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
                   int levels, boundary_options const& options = {}) {
     return extrapolated(problem, T, first, last, error_exponents(problem.template order<S>(), levels), options);

@@ -19,7 +19,7 @@ struct boundary_options {
 /// derivative was applied in them.
 template <class Root, class V>
 struct boundary_solution {
-    decltype(function(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
+    decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
     scalar_of<V> residual; ///< largest component of the left-hand side of (EL_h^alpha) at q
     int iterations;
     int applications;
@@ -71,7 +71,7 @@ public:
         }
         values all = equation_.whole(at);
         if (not equation::all_finite(all)) error::raise<error::not_finite>("the solution of a boundary value problem is NaN or infinite");
-        auto q = function(T_, std::move(all));
+        auto q = function_on(T_, std::move(all));
         S largest(0);
         for (auto const& rest : problem_.residual(q)) largest = std::max(largest, S(magnitude(rest)));
         return {std::move(q), largest, iteration, applications_};
@@ -163,7 +163,7 @@ private:
     [[noreturn]] void fail(point const& at, S const& size, int iterations) const {
         values all = equation_.whole(at);
         values rest;
-        for (auto const& r : problem_.residual(function(T_, all))) rest.push_back(r);
+        for (auto const& r : problem_.residual(function_on(T_, all))) rest.push_back(r);
         std::ostringstream message;
         message << "a boundary value problem did not converge: after " << iterations << " Newton iterations the last correction was "
                 << size

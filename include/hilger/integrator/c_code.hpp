@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Stand-alone C99 of an embedded Lagrangian, from the same types that run: the Lagrangian is run on symbols, the embedding's operators are
 // run on a symbolic h, and what follows from both is differentiated and written out.
-//   std::cout << c_code(embed(L, midpoint), "pendulum");
-//   std::cout << c_code<Eigen::Vector2d>(embed(L, midpoint), "kepler");
+//   std::cout << c_code(embed(L, mid_point), "pendulum");
+//   std::cout << c_code<Eigen::Vector2d>(embed(L, mid_point), "kepler");
 #pragma once
 
 #include "hilger/integrator/c_step.hpp"

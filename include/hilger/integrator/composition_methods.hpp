@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Parts c_1, ..., c_s of a step over which a symmetric flow of order 2 becomes one of order 4, 6 or 8: compose(kahan_li<8>, embed(L,
-// midpoint)), compose(suzuki_umeno<8>, stoermer_verlet(L)). All are symmetric, c_k = c_{s+1-k}.
+// mid_point)), compose(suzuki_umeno<8>, stoermer_verlet(L)). All are symmetric, c_k = c_{s+1-k}.
 //   triple_jump<p>    3 parts   Creutz-Gocksch 1989, Forest 1989, Suzuki 1990, Yoshida 1990   short, with large parts
 //   suzuki<p>         5 parts   Suzuki 1990                                                   smaller error for the same work
 //   yoshida<6>        7 parts   Yoshida 1990, solution A

@@ -18,7 +18,7 @@ namespace hilger {
 
 /// How a quantity e(t) that should stay what it was at the start does not.
 template <class S>
-struct drift {
+struct drift_statistics {
     S largest{0};                                  ///< max |e(t) - e(start)|
     S time_square{0}, error_square{0}, product{0}; ///< sums of squares and products of the deviations from the means
     /// Least-squares slope of the error against time.
@@ -34,7 +34,7 @@ struct drift {
 template <class Path, class Quantity>
 auto drift_along(Path const& path, Quantity const& quantity) {
     using S = std::remove_cvref_t<decltype((*path.begin()).t)>;
-    drift<S> result;
+    drift_statistics<S> result;
     S start(0), mean_t(0), mean_e(0);
     long long count = 0;
     for (auto const& x : path) {

@@ -77,7 +77,7 @@ public:
     public:
         using iterator_concept = std::input_iterator_tag;
         using value_type = typename search::state_type;
-        using difference_type = index;
+        using difference_type = index_type;
         explicit iterator(event_range const& range) : search_(range.path_, range.g_, range.which_), at_(search_.state()) {
             if constexpr (not Until) advance();
         }

@@ -2,7 +2,7 @@
 // The flow (q_i, p_i) -> (q_{i+1}, p_{i+1}) of an embedded Lagrangian, in position-momentum form: p_i = -d_1 L_h(q_i, q_{i+1}) is
 // solved for q_{i+1}, and p_{i+1} = d_2 L_h(q_i, q_{i+1}) follows (Cresson-Safi (95), (96) for mid-point, definition 12 for p). The same
 // p serves every embedding; for order one it is the p^sigma of Cresson-Safi (15): p_{i+1} = dL/dv(q_i, Delta_plus[q]_i).
-//   auto flow = embed(L, midpoint);
+//   auto flow = embed(L, mid_point);
 //   for (auto [t, q, p] : flow.along(T, q0, p0)) ...        one state at a time, nothing stored
 #pragma once
 
@@ -127,7 +127,7 @@ private:
     [[no_unique_address]] E embedding_;
 };
 
-/// The flow of L under an embedding: embed(L, midpoint), or embed(L, midpoint, compensated).
+/// The flow of L under an embedding: embed(L, mid_point), or embed(L, mid_point, compensated).
 template <class F, class E>
     requires(not function_expression<F>)
 constexpr auto embed(F const& L, E const& how) { return flow<F, no_force, E, sums::plain>(L, {}, how); }

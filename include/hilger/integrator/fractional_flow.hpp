@@ -8,7 +8,7 @@
 // momentum is changed. So they are explicit where that flow is, whatever the embedding. Against the continuous equation the first two have
 // order one, and the third has order two with mid-point and the weights of bdf<2>. With Riemann and Liouville's history and x_0 != 0 the
 // impulse of the jump at t_0 belongs to the start: at the end it is in no step, and the order is 1 - beta.
-//   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), midpoint);
+//   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), mid_point);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
 #pragma once
 
@@ -79,7 +79,7 @@ public:
             shape<kept>::component(weight_, k) = impulse * coefficient(d, damped_[static_cast<std::size_t>(k)]);
     }
     [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
-    [[nodiscard]] index values_kept() const { return count() == 0 ? 0 : memory_.kept(); }
+    [[nodiscard]] index_type values_kept() const { return count() == 0 ? 0 : memory_.kept(); }
     [[nodiscard]] auto const& history() const { return memory_; }
     [[nodiscard]] bool needs_velocity() const { return count() > 0 and memory_.needs_velocity(); }
     void begin(V const& q0, V const& v0) {
@@ -163,10 +163,10 @@ public:
             saying_where(x, h_, [&] { move(f, x); });
         }
         /// The number of values that each damped component keeps, and of such components.
-        [[nodiscard]] index values_kept() const { return impulse_.values_kept(); }
-        [[nodiscard]] index damped_components() const { return impulse_.count(); }
+        [[nodiscard]] index_type values_kept() const { return impulse_.values_kept(); }
+        [[nodiscard]] index_type damped_components() const { return impulse_.count(); }
         /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
-        [[nodiscard]] index histories() const { return impulse_.history().histories(); }
+        [[nodiscard]] index_type histories() const { return impulse_.history().histories(); }
         [[nodiscard]] std::size_t history_bytes() const { return impulse_.history().bytes(); }
 
     private:

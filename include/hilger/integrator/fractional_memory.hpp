@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
+#include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/mechanics/shape.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger {
 
@@ -62,9 +62,9 @@ S power(S const& h, S const& beta) {
 
 /// Why there is no trajectory on steps of different lengths, and no single step. They depend on a type, so that only a use of them fails.
 template <class>
-inline constexpr auto uneven_steps = text("fractional damping lives on a uniform T, and this one has steps of different lengths");
+inline constexpr auto uneven_steps = fixed_text("fractional damping lives on a uniform T, and this one has steps of different lengths");
 template <class>
-inline constexpr auto no_single_step = text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
+inline constexpr auto no_single_step = fixed_text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
 
 /// @throws error::invalid_parameter
 template <class S>
@@ -89,7 +89,7 @@ public:
         x_[0] = x;
         ++count_;
     }
-    [[nodiscard]] index count() const { return count_; }
+    [[nodiscard]] index_type count() const { return count_; }
     void reset() {
         for (V& x : x_) x = zero_;
         count_ = 0;
@@ -99,7 +99,7 @@ private:
     std::vector<S> w_;
     V zero_, sum_;
     std::vector<V> x_;
-    index count_ = 0;
+    index_type count_ = 0;
 };
 
 /// Does not exist: where the order is 1 by its type, there is no engine.
@@ -140,13 +140,13 @@ public:
     /// h^-beta omega(0)^beta, the weight of the present value.
     [[nodiscard]] S const& present_weight() const { return scale_; }
     /// The number of values that are kept.
-    [[nodiscard]] index kept() const {
+    [[nodiscard]] index_type kept() const {
         if (local_) return terms;
         if constexpr (not always_local) return engine_->count();
         return 0;
     }
     /// The number of components with a history: none where the order is whole.
-    [[nodiscard]] index histories() const { return local_ ? 0 : shape<V>::dimension(x0_); }
+    [[nodiscard]] index_type histories() const { return local_ ? 0 : shape<V>::dimension(x0_); }
     /// What their engine takes. The local values of a whole order are not counted.
     [[nodiscard]] std::size_t bytes() const {
         if constexpr (not always_local)

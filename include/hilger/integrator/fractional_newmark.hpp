@@ -63,9 +63,9 @@ public:
         /// The total force M u'' at the point reached last.
         [[nodiscard]] V const& total_force() const { return r_; }
         /// The number of components that keep a history.
-        [[nodiscard]] index damped_components() const { return response_.damped_components(); }
+        [[nodiscard]] index_type damped_components() const { return response_.damped_components(); }
         /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
-        [[nodiscard]] index histories() const { return response_.history().histories(); }
+        [[nodiscard]] index_type histories() const { return response_.history().histories(); }
         [[nodiscard]] std::size_t history_bytes() const { return response_.history().bytes(); }
 
     private:
@@ -111,7 +111,7 @@ public:
         if constexpr (not(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>))
             return does_not_compile<detail::uneven_steps<Scale>>{};
         else {
-            index const d = detail::rows_of(structure_.mass);
+            index_type const d = detail::rows_of(structure_.mass);
             if (detail::shape<V>::dimension(q0) != d)
                 error::raise<error::mismatch>("a structure of ", d, " degrees of freedom starts from as many, and not from ",
                                               detail::shape<V>::dimension(q0));

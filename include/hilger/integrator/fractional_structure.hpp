@@ -64,7 +64,7 @@ private:
 
 /// The number of rows of a square matrix, -1 for others; a number has one.
 template <class B>
-index rows_of(B const& b) {
+index_type rows_of(B const& b) {
     if constexpr (requires { b.rows(); })
         return b.rows() == b.cols() ? b.rows() : -1;
     else
@@ -83,7 +83,7 @@ auto number_in(X const& x) {
 /// @throws error::mismatch, error::not_finite
 template <class B, class... More>
 void require_matrices(B const& mass, More const&... others) {
-    index const d = rows_of(mass);
+    index_type const d = rows_of(mass);
     if (d < 1 or ((rows_of(others) != d) or ...)) error::raise<error::mismatch>("the matrices of a structure are square and of one size");
     if (not is_finite(mass) or (not is_finite(others) or ...))
         error::raise<error::not_finite>("the matrices of a structure are finite, and these contain NaN or infinity");
@@ -157,7 +157,7 @@ struct fractional_structure {
                 k = k + C_ * history_.present_weight();
             else
                 for (std::size_t j = 0; j < damped_.size(); ++j)
-                    k.col(damped_[j]) += C_.col(static_cast<index>(j)) * history_.present_weight();
+                    k.col(damped_[j]) += C_.col(static_cast<index_type>(j)) * history_.present_weight();
             return k;
         }
         /// d less the internal force at the next point if the displacement there is u; `taken` says that it is.
@@ -168,7 +168,7 @@ struct fractional_structure {
             m::add_product(d, C_, taken ? history_.arrive(x_) : history_.at_next(x_), S(-1));
         }
         /// The number of components that keep a history.
-        [[nodiscard]] index damped_components() const { return static_cast<index>(damped_.size()); }
+        [[nodiscard]] index_type damped_components() const { return static_cast<index_type>(damped_.size()); }
         [[nodiscard]] auto const& history() const { return history_; }
 
     private:
@@ -191,8 +191,8 @@ struct fractional_structure {
             if constexpr (s::is_scalar)
                 return on.damping * scale;
             else {
-                typename m::columns c(detail::rows_of(on.damping), static_cast<index>(damped_.size()));
-                for (std::size_t k = 0; k < damped_.size(); ++k) c.col(static_cast<index>(k)) = on.damping.col(damped_[k]) * scale;
+                typename m::columns c(detail::rows_of(on.damping), static_cast<index_type>(damped_.size()));
+                for (std::size_t k = 0; k < damped_.size(); ++k) c.col(static_cast<index_type>(k)) = on.damping.col(damped_[k]) * scale;
                 return c;
             }
         }

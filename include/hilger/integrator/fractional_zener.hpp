@@ -77,7 +77,7 @@ struct zener_structure {
             m::add_product(d, on.stiffness, difference_, S(-ratio_));
             if (taken) history_.arrive(anelastic_);
         }
-        [[nodiscard]] index damped_components() const { return detail::shape<V>::dimension(zero_); }
+        [[nodiscard]] index_type damped_components() const { return detail::shape<V>::dimension(zero_); }
         [[nodiscard]] auto const& history() const { return history_; }
         /// q_a at the point reached last.
         [[nodiscard]] V const& anelastic() const { return anelastic_; }

@@ -30,10 +30,9 @@ constexpr auto flow_of(restricted_euler_lagrange<action<F, A, B, W, Root>, fract
 /// The function on T with x(a) and x(b) given that solves the fractional Euler-Lagrange equation (Bourdin et al. (EL_h^alpha)).
 /// Throws as solve_boundary(fractional_problem, ...) does.
 template <class F, class Order, class Root, class First, class Last>
-auto solve_boundary(
-    euler_lagrange<action<F, identity_on<nodes, delta>, fractional_difference<grunwald_letnikov, Order, side::minus>, nabla, Root>> const&
-        equation,
-    First const& first, Last const& last, boundary_options const& options = {}) {
+auto solve_boundary(euler_lagrange<action<F, identity_on<nodes, delta_weight>, fractional_difference<grunwald_letnikov, Order, side::minus>,
+                                          nabla_weight, Root>> const& equation,
+                    First const& first, Last const& last, boundary_options const& options = {}) {
     auto const& S = equation.action();
     return solve_boundary(fractional_problem(S.function, S.velocity.order), S.T, first, last, options);
 }

@@ -30,14 +30,14 @@ private:
         std::vector<V> values;
         values.reserve(states.size());
         for (auto const& x : states) values.push_back(x.*part);
-        return function(scale, std::move(values));
+        return function_on(scale, std::move(values));
     }
 };
 
 /// Walks a trajectory, or what is left of one, and keeps the first state, every stride-th one after it, and the last. Where a step fails
 /// the states that were reached stay, and `stopped` says why. @throws error::invalid_parameter when stride < 1
 template <class Path>
-auto record(Path const& path, index stride = 1) {
+auto record(Path const& path, index_type stride = 1) {
     using state_type = std::remove_cvref_t<decltype(*path.begin())>;
     using S = decltype(state_type::t);
     using V = decltype(state_type::q);
@@ -45,7 +45,7 @@ auto record(Path const& path, index stride = 1) {
     if (stride < 1) error::raise<error::invalid_parameter>("a recording keeps every stride-th state, and its stride was given as ", stride);
     recording<S, V, Scale> result{{}, {}, path.scale()};
     auto at = path.begin();
-    index walked = 0;
+    index_type walked = 0;
     bool kept = false; // is the state that `at` stands on
     state_type last = *at;
     try {

@@ -2,7 +2,7 @@
 // What a step of a method needs for one scene: how often it evaluates forces and which second derivatives it reads, what it iterates,
 // solves and factorizes, how many operations are left when nothing superfluous is made, and how many numbers are kept from step to step.
 // The trajectory is walked with numbers that count (hilger/integrator/counted.hpp), so that nothing is estimated.
-//   write_heading(std::cout) << requirements_row{"mid-point", requirements_of(embed(L, midpoint).along(T, q0, p0))};
+//   write_heading(std::cout) << requirements_row{"mid-point", requirements_of(embed(L, mid_point).along(T, q0, p0))};
 #pragma once
 
 #include <iomanip>
@@ -22,12 +22,13 @@ struct requirements {
     double newton_rounds = 0;      ///< none where the equation of a step says what it is solved by
     double solves = 0;             ///< linear systems, of any size but with constant coefficients
     double factorizations = 0;
-    double arithmetic = 0;   ///< + - * / on which the states depend, each once
-    double functions = 0;    ///< sqrt, sin, ... likewise
-    index state_bytes = 0;   ///< t, q, p
-    index memory_bytes = 0;  ///< every number that the method keeps beside them: first guesses, coefficients, room for vectors, histories
-    index histories = 0;     ///< components with a history
-    index history_bytes = 0; ///< of memory_bytes, in engines of histories
+    double arithmetic = 0;      ///< + - * / on which the states depend, each once
+    double functions = 0;       ///< sqrt, sin, ... likewise
+    index_type state_bytes = 0; ///< t, q, p
+    index_type memory_bytes =
+        0;                    ///< every number that the method keeps beside them: first guesses, coefficients, room for vectors, histories
+    index_type histories = 0; ///< components with a history
+    index_type history_bytes = 0;      ///< of memory_bytes, in engines of histories
     double growth_in_bytes = 0;        ///< of memory_bytes
     std::optional<double> allocations; ///< where somebody counts them
 };
@@ -36,7 +37,7 @@ namespace detail {
 
 /// As many steps as are wanted, from the beginning of T, in numbers made by `made`.
 template <class To, class Scale, class Made>
-auto scale_in(Scale const& T, index steps, Made const& made) {
+auto scale_in(Scale const& T, index_type steps, Made const& made) {
     if constexpr (Scale::root_type::is_uniform and has_equal_steps<typename Scale::domain_type::base_type>) {
         auto const h = T.domain().base.step(T.root(), T.first());
         return uniform(To(made(T.min())), To(made(h)), steps);
@@ -59,7 +60,7 @@ auto state_in(V const& x, Made const& made) {
 }
 /// The same method from the same state, in other numbers.
 template <class To, class Path, class Made>
-auto path_in(Path const& path, index steps, Made const& made) {
+auto path_in(Path const& path, index_type steps, Made const& made) {
     auto const start = *path.begin();
     auto const walk = [&](auto const& method) {
         return method.along(scale_in<To>(path.scale(), steps, made), state_in<To>(start.q, made), state_in<To>(start.p, made));
@@ -70,8 +71,8 @@ auto path_in(Path const& path, index steps, Made const& made) {
         return walk(path.method());
 }
 
-inline constexpr index steps_before_counting = 12; ///< until first guesses are made from as many steps as they ever are
-inline constexpr index steps_after_counting = 10;  ///< until what is remembered of the counted steps has been used
+inline constexpr index_type steps_before_counting = 12; ///< until first guesses are made from as many steps as they ever are
+inline constexpr index_type steps_after_counting = 10;  ///< until what is remembered of the counted steps has been used
 
 } // namespace detail
 
@@ -81,7 +82,7 @@ inline constexpr index steps_after_counting = 10;  ///< until what is remembered
 /// often memory was asked for until now.
 /// @throws error::invalid_parameter when T has too few steps; what walking throws
 template <class Path, class Allocations = std::nullptr_t>
-requirements requirements_of(Path const& path, index steps = 16, Allocations const& allocations = nullptr) {
+requirements requirements_of(Path const& path, index_type steps = 16, Allocations const& allocations = nullptr) {
     using namespace detail;
     using S = typename std::remove_cvref_t<decltype(path.scale())>::root_type::scalar_type;
     if (steps < 1) error::raise<error::invalid_parameter>("the requirements of a step are counted along one step or more, not ", steps);
@@ -93,8 +94,8 @@ requirements requirements_of(Path const& path, index steps = 16, Allocations con
         auto& record = record_of_operations::of_this_thread();
         long long const others = record.numbers;
         auto at = counting.begin();
-        auto const walk = [&](index n) {
-            for (index i = 0; i < n; ++i) {
+        auto const walk = [&](index_type n) {
+            for (index_type i = 0; i < n; ++i) {
                 record.next_step();
                 ++at;
             }
@@ -120,21 +121,21 @@ requirements requirements_of(Path const& path, index steps = 16, Allocations con
         r.second_derivatives = per_step(n.second_derivatives);
         r.arithmetic = per_step(n.arithmetic);
         r.functions = per_step(n.functions);
-        constexpr index size = sizeof(double);
+        constexpr index_type size = sizeof(double);
         if constexpr (requires { at.remembered().histories(); }) {
             r.histories = at.remembered().histories();
-            r.history_bytes = size * static_cast<index>(at.remembered().history_bytes() / sizeof(counted));
+            r.history_bytes = size * static_cast<index_type>(at.remembered().history_bytes() / sizeof(counted));
         }
         r.state_bytes = size * (1 + 2 * d);
-        r.memory_bytes = size * static_cast<index>(after - others) - r.state_bytes;
+        r.memory_bytes = size * static_cast<index_type>(after - others) - r.state_bytes;
         r.growth_in_bytes = per_step(size * (after - before));
     }
     if constexpr (not std::same_as<Allocations, std::nullptr_t>) {
         auto const plain = path_in<S>(path, in_all, [](S const& x) { return x; });
         auto at = plain.begin();
-        for (index i = 0; i < steps_before_counting; ++i) ++at;
+        for (index_type i = 0; i < steps_before_counting; ++i) ++at;
         auto const before = allocations();
-        for (index i = 0; i < steps; ++i) ++at;
+        for (index_type i = 0; i < steps; ++i) ++at;
         r.allocations = per_step(allocations() - before);
     }
     return r;

@@ -15,7 +15,7 @@ auto solve(euler_lagrange<action<F, A, B, W, Root>> const& equation, Root const&
     std::vector<V> positions;
     positions.reserve(static_cast<std::size_t>(T.size()));
     for (auto const& at : flow_of(equation).along(T, from)) positions.push_back(at.q);
-    return function(T, std::move(positions));
+    return function_on(T, std::move(positions));
 }
 
 } // namespace hilger

@@ -150,7 +150,7 @@ private:
             });
             prepared_ = true;
         }
-        auto const put = [&](index j, index k, S const& y) { kernel_.add(j, k, y); };
+        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
         S const scale = f_ * c_;
         S size(0);
         for (int round = 0; round < most_iterations<S>; ++round) {
@@ -158,7 +158,7 @@ private:
             force(U, A_);
             kernel_.zero();
             mass_.put(put);
-            U.hessian(A_, [&](index j, index k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
+            U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
             tally<S>::add(work::newton_round);
             // M v rounds; r = p - f U' - M v with the same mass that the kernel has
             residual(l, x);

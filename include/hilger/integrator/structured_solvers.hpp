@@ -16,7 +16,7 @@ namespace hilger::detail {
 
 /// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
 template <class S>
-HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index d) {
+HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index_type d) {
     using std::abs;
     return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
 }
@@ -27,13 +27,13 @@ class mass_solver {
     using S = scalar_of<V>;
 
 public:
-    mass_solver(Mass const& m, index d) {
+    mass_solver(Mass const& m, index_type d) {
         if constexpr (is_matrix) {
             if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
             matrix_ = m.template cast<S>();
             factors_.compute(matrix_);
             bool regular = factors_.info() == Eigen::Success;
-            for (index k = 0; regular and k < d; ++k) {
+            for (index_type k = 0; regular and k < d; ++k) {
                 S const pivot = S(factors_.matrixLLT()(k, k)) * S(factors_.matrixLLT()(k, k));
                 regular = is_pivot(pivot, S(matrix_(k, k)), d);
             }
@@ -55,16 +55,16 @@ public:
     template <class Put>
     void put(Put const& to) const {
         if constexpr (is_matrix) {
-            for (index j = 0; j < matrix_.rows(); ++j)
-                for (index k = 0; k <= j; ++k) to(j, k, S(matrix_(j, k)));
+            for (index_type j = 0; j < matrix_.rows(); ++j)
+                for (index_type k = 0; k <= j; ++k) to(j, k, S(matrix_(j, k)));
         } else
-            for (index j = 0; j < inverse_.size(); ++j) to(j, j, S(S(1) / inverse_(j)));
+            for (index_type j = 0; j < inverse_.size(); ++j) to(j, j, S(S(1) / inverse_(j)));
     }
 
 private:
     static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
     struct nothing {};
-    [[noreturn]] static void wrong(index m, index d) {
+    [[noreturn]] static void wrong(index_type m, index_type d) {
         error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
     }
     V inverse_;
@@ -87,7 +87,7 @@ class pattern_solver {
 
 public:
     template <class List>
-    void prepare(hessian_pattern pattern, index d, List const& list) {
+    void prepare(hessian_pattern pattern, index_type d, List const& list) {
         pattern_ = pattern;
         if (pattern == hessian_pattern::tridiagonal) {
             diagonal_.setZero(d);
@@ -96,7 +96,7 @@ public:
             dense_ = block_of<V>::Zero(d, d);
         else {
             std::vector<Eigen::Triplet<S>> entries;
-            list([&](index j, index k, S const&) { entries.emplace_back(static_cast<int>(j), static_cast<int>(k), S(0)); });
+            list([&](index_type j, index_type k, S const&) { entries.emplace_back(static_cast<int>(j), static_cast<int>(k), S(0)); });
             for (int j = 0; j < d; ++j) entries.emplace_back(j, j, S(0));
             sparse_.resize(d, d);
             sparse_.setFromTriplets(entries.begin(), entries.end());
@@ -109,9 +109,9 @@ public:
         } else if (pattern_ == hessian_pattern::dense)
             dense_.setZero();
         else
-            for (index k = 0; k < sparse_.nonZeros(); ++k) sparse_.valuePtr()[k] = S(0);
+            for (index_type k = 0; k < sparse_.nonZeros(); ++k) sparse_.valuePtr()[k] = S(0);
     }
-    void add(index j, index k, S const& x) {
+    void add(index_type j, index_type k, S const& x) {
         if (pattern_ == hessian_pattern::tridiagonal)
             (j == k ? diagonal_(j) : below_(k)) += x;
         else if (pattern_ == hessian_pattern::dense)
@@ -128,7 +128,7 @@ public:
             dense_factors_->compute(dense_);
             if (dense_factors_->info() != Eigen::Success) return false;
             room_ = dense_factors_->transpositionsP() * dense_.diagonal();
-            for (index k = 0; k < room_.size(); ++k)
+            for (index_type k = 0; k < room_.size(); ++k)
                 if (not is_pivot(S(dense_factors_->vectorD()(k)), S(room_(k)), room_.size())) return false;
             x = dense_factors_->solve(x);
         } else {
@@ -139,7 +139,7 @@ public:
             simplicial_->factorize(sparse_);
             if (simplicial_->info() != Eigen::Success) return false;
             room_ = simplicial_->permutationP() * sparse_.diagonal();
-            for (index k = 0; k < room_.size(); ++k)
+            for (index_type k = 0; k < room_.size(); ++k)
                 if (not is_pivot(S(simplicial_->vectorD()(k)), S(room_(k)), room_.size())) return false;
             x = simplicial_->solve(x);
         }
@@ -148,8 +148,8 @@ public:
 
 private:
     bool thomas(V& x) {
-        index const d = x.size();
-        for (index k = 0; k < d; ++k) {
+        index_type const d = x.size();
+        for (index_type k = 0; k < d; ++k) {
             S const entry = diagonal_(k);
             if (k > 0) {
                 S const factor = below_(k - 1) * diagonal_(k - 1); // the diagonal holds inverse pivots up to k - 1
@@ -160,7 +160,7 @@ private:
             diagonal_(k) = S(1) / diagonal_(k);
         }
         x(d - 1) = x(d - 1) * diagonal_(d - 1);
-        for (index k = d - 2; k >= 0; --k) x(k) = (x(k) - below_(k) * x(k + 1)) * diagonal_(k);
+        for (index_type k = d - 2; k >= 0; --k) x(k) = (x(k) - below_(k) * x(k + 1)) * diagonal_(k);
         return true;
     }
 

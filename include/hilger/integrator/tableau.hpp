@@ -33,8 +33,8 @@ template <linear_map A, linear_map B, class W, class S>
 struct on_one_step {
     using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<nodes>{}),
                                                         std::declval<B const&>().image(domain<nodes>{})))>;
-    static constexpr index first = both::front;
-    static constexpr index last = both::base_type::last(1) - both::back;
+    static constexpr index_type first = both::front;
+    static constexpr index_type last = both::base_type::last(1) - both::back;
     static_assert(first <= last, "the position and velocity operators of an embedding reach over one step");
     static constexpr int nodes_ = static_cast<int>(last - first + 1);
 
@@ -104,11 +104,11 @@ inline constexpr int controls_of<galerkin_embedding<Stages, Quadrature>> = galer
 /// One Gauss node is mid-point.
 namespace detail {
 template <>
-inline constexpr embedding_facts facts_<galerkin_embedding<1, gauss>> = facts_of<decltype(midpoint)>;
+inline constexpr embedding_facts facts_<galerkin_embedding<1, gauss>> = facts_of<decltype(mid_point)>;
 }
 template <class S>
 tableau<S> tableau_of(galerkin_embedding<1, gauss> const&, S const& h) {
-    return tableau_of(midpoint, h);
+    return tableau_of(mid_point, h);
 }
 /// Two Lobatto nodes are the ends of the step; more of any kind have control values inside (integrator/galerkin_table.hpp).
 template <class S>

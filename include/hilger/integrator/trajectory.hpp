@@ -40,7 +40,7 @@ template <class S, class V, class Memory>
 struct checkpoint {
     state<S, V> at;
     Memory memory;
-    index number;
+    index_type number;
 };
 
 /// A trajectory from one of its checkpoints on.
@@ -70,7 +70,7 @@ public:
     public:
         using iterator_concept = std::input_iterator_tag;
         using value_type = state<S, V>;
-        using difference_type = index;
+        using difference_type = index_type;
         explicit iterator(trajectory const& path)
             : path_(&path), memory_(begun(path)), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
         iterator(trajectory const& path, checkpoint_type const& from)
@@ -83,7 +83,7 @@ public:
         }
         HILGER_ALWAYS_INLINE void operator++(int) { advance(); }
         /// The number of the point of T that the state is at.
-        [[nodiscard]] index number() const { return number_; }
+        [[nodiscard]] index_type number() const { return number_; }
         /// What the method remembers there.
         [[nodiscard]] auto const& remembered() const { return memory_; }
         /// What trajectory::resume continues from, bit for bit as if it had not stopped.
@@ -111,7 +111,7 @@ public:
         // What comes before the first step stays out of the loop that a user writes: calls there would keep the state out of registers
         // here.
         [[gnu::noinline]] static memory begun(trajectory const& path) {
-            index const first = path.T_.first();
+            index_type const first = path.T_.first();
             return begun(path, {path.start_, memory(path.method_, path.step(first), path.start_.q), first});
         }
         [[gnu::noinline]] static memory begun(trajectory const& path, checkpoint_type from) {
@@ -125,7 +125,7 @@ public:
         trajectory const* path_;
         memory memory_;
         value_type at_;
-        index number_, last_;
+        index_type number_, last_;
     };
 
     trajectory(Method method, Scale T, V q0, V p0)
@@ -150,7 +150,7 @@ public:
     }
 
 private:
-    HILGER_ALWAYS_INLINE S step(index i) const { return T_.domain().base.step(T_.root(), i); }
+    HILGER_ALWAYS_INLINE S step(index_type i) const { return T_.domain().base.step(T_.root(), i); }
     Method method_;
     Scale T_;
     state<S, V> start_;

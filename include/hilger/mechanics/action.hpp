@@ -30,8 +30,8 @@ struct action {
     /// what(t, q, v) at the nodes of x, where t is the position operator's value of the time itself (t_{i+1/2} for mid-point).
     template <discrete_function X, class What>
     constexpr auto at_nodes(X const& x, What what) const {
-        auto const time = hilger::function(x.root(), [](typename Root::scalar_type const& t) { return t; });
-        return apply(std::move(what), position[time], position[x], velocity[x]);
+        auto const time = hilger::function_on(x.root(), [](typename Root::scalar_type const& t) { return t; });
+        return apply_pointwise(std::move(what), position[time], position[x], velocity[x]);
     }
 };
 
@@ -59,9 +59,9 @@ constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const&
     using SeenB = decltype(detail::seen_on(scale.domain().base, density.velocity));
     using Root = typename Scale::root_type;
     if constexpr (not std::same_as<typename SeenA::to, Base>)
-        return does_not_compile<text("this Lagrangian lives on ") + SeenA::to::name() + ", and the integral is over " + D::name()>{};
+        return does_not_compile<fixed_text("this Lagrangian lives on ") + SeenA::to::name() + ", and the integral is over " + D::name()>{};
     else {
-        using W = std::conditional_t<std::same_as<Base, nodes>, delta, steps>;
+        using W = std::conditional_t<std::same_as<Base, nodes>, delta_weight, step_weight>;
         return action<F, SeenA, SeenB, W, Root>{density.function, a, b, scale.root()};
     }
 }
@@ -74,11 +74,11 @@ constexpr auto nabla_integral(lagrangian_density<F, A, B> const& density, Scale 
     using Root = typename Scale::root_type;
     static_assert(std::same_as<D, domain<nodes>>, "the nabla integral of a Lagrangian is over T");
     if constexpr (not std::same_as<typename A::to, nodes>)
-        return does_not_compile<text("this Lagrangian lives on ") + A::to::name() + ", and the integral is over " + D::name()>{};
+        return does_not_compile<fixed_text("this Lagrangian lives on ") + A::to::name() + ", and the integral is over " + D::name()>{};
     else if constexpr ((A::needs_uniform or B::needs_uniform) and not Root::is_uniform)
         return does_not_compile<B::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
     else
-        return action<F, A, B, nabla, Root>{density.function, density.position, density.velocity, scale.root()};
+        return action<F, A, B, nabla_weight, Root>{density.function, density.position, density.velocity, scale.root()};
 }
 
 } // namespace hilger

@@ -17,7 +17,7 @@ struct beam_matrices {
     using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     matrix mass, stiffness;
     /// The degree of freedom that is the deflection of the free end.
-    [[nodiscard]] index tip() const { return mass.rows() - 2; }
+    [[nodiscard]] index_type tip() const { return mass.rows() - 2; }
 };
 
 /// Length L, bending stiffness EI (force length^2), mass per length rho A. @throws error::invalid_parameter unless all are positive
@@ -33,7 +33,7 @@ beam_matrices<S> cantilever(S const& length, S const& bending_stiffness, S const
     // Deflection and slope at the left, then at the right; slopes times l.
     int const k[4][4] = {{12, 6, -12, 6}, {6, 4, -6, 2}, {-12, -6, 12, -6}, {6, 2, -6, 4}};
     int const m[4][4] = {{156, 22, 54, -13}, {22, 4, 13, -3}, {54, 13, 156, -22}, {-13, -3, -22, 4}};
-    index const d = 2 * elements;
+    index_type const d = 2 * elements;
     using matrix = typename beam_matrices<S>::matrix;
     beam_matrices<S> beam{matrix::Zero(d, d), matrix::Zero(d, d)};
     for (int e = 0; e < elements; ++e)

@@ -16,7 +16,7 @@ namespace hilger {
 namespace detail {
 template <class Generator, discrete_function X>
 auto generated(Generator const& xi, X const& x) {
-    return tabulate(apply([&xi](auto const& q) { return std::remove_cvref_t<decltype(q)>(xi(q)); }, x));
+    return tabulate(apply_pointwise([&xi](auto const& q) { return std::remove_cvref_t<decltype(q)>(xi(q)); }, x));
 }
 } // namespace detail
 
@@ -29,8 +29,9 @@ auto fractional_noether_residual(fractional_problem<F, Order> const& problem, Ge
     auto const speed = problem.velocity(moved), p = problem.momentum(x);
     auto const change = problem.right_difference(p);
     std::vector<S> rest;
-    for (index k = 1; k < x.last(); ++k) rest.push_back(S(dot_product(speed.get(k), p.get(k)) - dot_product(moved.get(k), change.get(k))));
-    return function(interior(x.root()), std::move(rest));
+    for (index_type k = 1; k < x.last(); ++k)
+        rest.push_back(S(dot_product(speed.get(k), p.get(k)) - dot_product(moved.get(k), change.get(k))));
+    return function_on(interior(x.root()), std::move(rest));
 }
 
 /// xi(Q_k) . p_{k+1} on T^+, the constant of motion (29) of a symmetry.
@@ -45,8 +46,8 @@ auto noether_constant(fractional_problem<F, Order> const& problem, Generator con
     auto const moved = detail::generated(xi, x);
     auto const p = problem.momentum(x);
     std::vector<S> constant;
-    for (index k = 0; k < x.last(); ++k) constant.push_back(S(dot_product(moved.get(k), p.get(k + 1))));
-    return function(plus(x.root()), std::move(constant));
+    for (index_type k = 0; k < x.last(); ++k) constant.push_back(S(dot_product(moved.get(k), p.get(k + 1))));
+    return function_on(without_last(x.root()), std::move(constant));
 }
 
 } // namespace hilger

@@ -75,17 +75,17 @@ public:
     /// Delta_-^alpha x on T^- (B (7), and 0 for k = 0 left out).
     template <discrete_function X>
     [[nodiscard]] auto velocity(X const& x) const {
-        return function(minus(x.root()), velocities(triangle<X>(x.root()), x));
+        return function_on(without_first(x.root()), velocities(triangle<X>(x.root()), x));
     }
     /// dL/dv(x, Delta_-^alpha x, t) on T^-.
     template <discrete_function X>
     [[nodiscard]] auto momentum(X const& x) const {
-        return function(minus(x.root()), momenta(x, velocities(triangle<X>(x.root()), x)));
+        return function_on(without_first(x.root()), momenta(x, velocities(triangle<X>(x.root()), x)));
     }
     /// Delta_+^alpha y on T^+- for y on T^- (B (8)).
     template <discrete_function Y>
     [[nodiscard]] auto right_difference(Y const& y) const {
-        return function(interior(y.root()), right_differences(triangle<Y>(y.root()), y.root(), values_of(y)));
+        return function_on(interior(y.root()), right_differences(triangle<Y>(y.root()), y.root(), values_of(y)));
     }
     /// The functional (12).
     template <discrete_function X>
@@ -106,7 +106,7 @@ public:
         auto rest = right_differences(difference, x.root(), momenta(x, v));
         auto const force = along(x, v, [](auto const& L, auto const& q, auto const& u) { return gradient_first(L, q, u); });
         for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = rest[k] + force[k];
-        return function(interior(x.root()), std::move(rest));
+        return function_on(interior(x.root()), std::move(rest));
     }
 
 private:
@@ -126,7 +126,7 @@ private:
     static auto values_of(X const& x) {
         std::vector<value_of<X>> values;
         values.reserve(static_cast<std::size_t>(x.size()) + 1);
-        for (index k = x.first(); k <= x.last(); ++k) values.push_back(x.get(k));
+        for (index_type k = x.first(); k <= x.last(); ++k) values.push_back(x.get(k));
         return values;
     }
     template <class Triangle, class X>
@@ -154,7 +154,7 @@ private:
         using S = typename X::root_type::scalar_type;
         std::vector<std::remove_cvref_t<decltype(what(detail::at_time{lagrangian_, std::declval<S const&>()}, v[0], v[0]))>> result;
         result.reserve(v.size());
-        for (index k = 1; k <= x.last(); ++k) {
+        for (index_type k = 1; k <= x.last(); ++k) {
             S const t = x.root().element(k);
             result.push_back(what(detail::at_time{lagrangian_, t}, V(x.get(k)), v[static_cast<std::size_t>(k) - 1]));
         }

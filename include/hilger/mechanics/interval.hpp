@@ -12,10 +12,10 @@ template <class S>
 struct single_step {
     using scalar_type = S;
     static constexpr bool is_uniform = true;
-    static constexpr index extent = 1;
+    static constexpr index_type extent = 1;
     S h;
-    static constexpr index steps() { return 1; }
-    constexpr S const& step(index) const { return h; }
+    static constexpr index_type steps() { return 1; }
+    constexpr S const& step(index_type) const { return h; }
     static constexpr bool same_points(single_step const&) { return true; }
 };
 
@@ -31,7 +31,7 @@ struct two_values : discrete_function_tag {
     constexpr two_values(root_type const& T, V const& at_start, V const& at_end) : step(&T), x(&at_start), y(&at_end) {}
     constexpr root_type const& root() const { return *step; }
     static constexpr domain_type domain() { return {}; }
-    constexpr V const& get(index i) const { return i == 0 ? *x : *y; }
+    constexpr V const& get(index_type i) const { return i == 0 ? *x : *y; }
 };
 } // namespace detail
 

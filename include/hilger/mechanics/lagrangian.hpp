@@ -41,15 +41,15 @@ struct lagrangian {
         using A = decltype(operator_of(q));
         using B = decltype(operator_of(v));
         if constexpr (not std::same_as<typename A::to, typename B::to>)
-            return does_not_compile<text("a Lagrangian takes position and velocity on one scale, and these live on ") + A::to::name() +
-                                    " and on " + B::to::name()>{};
+            return does_not_compile<fixed_text("a Lagrangian takes position and velocity on one scale, and these live on ") +
+                                    A::to::name() + " and on " + B::to::name()>{};
         else
             return lagrangian_density<F, A, B>{function, a, b};
     }
     /// t -> L(q(t), v(t)) for functions with values.
     template <discrete_function Q, discrete_function V>
     constexpr auto operator()(Q q, V v) const {
-        return apply(function, std::move(q), std::move(v));
+        return apply_pointwise(function, std::move(q), std::move(v));
     }
 };
 

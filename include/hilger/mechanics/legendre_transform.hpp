@@ -72,7 +72,7 @@ private:
     [[no_unique_address]] H hamiltonian_;
 };
 
-/// H(p, q) as a Lagrangian, to be embedded like any other: embed(lagrangian_of(H), midpoint).
+/// H(p, q) as a Lagrangian, to be embedded like any other: embed(lagrangian_of(H), mid_point).
 template <class H>
 constexpr auto lagrangian_of(H h) {
     return legendre_transform<H>(std::move(h));

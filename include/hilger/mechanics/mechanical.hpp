@@ -24,13 +24,13 @@ struct chain {
 
     template <class X>
     auto operator()(X const& q) const {
-        index const d = q.size();
-        auto sum = energy(index{0}, plain_t<decltype(q(0))>(q(0)));
-        for (index k = 1; k < d; ++k) sum = sum + energy(k, plain_t<decltype(q(0))>(q(k) - q(k - 1)));
+        index_type const d = q.size();
+        auto sum = energy(index_type{0}, plain_t<decltype(q(0))>(q(0)));
+        for (index_type k = 1; k < d; ++k) sum = sum + energy(k, plain_t<decltype(q(0))>(q(k) - q(k - 1)));
         return plain_t<decltype(sum)>(sum + energy(d, plain_t<decltype(q(0))>(-q(d - 1))));
     }
-    [[nodiscard]] static hessian_pattern pattern(index) { return hessian_pattern::tridiagonal; }
-    void check(index) const {}
+    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::tridiagonal; }
+    void check(index_type) const {}
 
     /// g = dU/dq; `tension` is room for d + 1 numbers.
     template <class V, class Room>
@@ -39,15 +39,15 @@ struct chain {
             flat_tensions(q, tension);
         else
             tensions(q, tension);
-        for (index k = 0; k < q.size(); ++k) g(k) = tension(k) - tension(k + 1);
+        for (index_type k = 0; k < q.size(); ++k) g(k) = tension(k) - tension(k + 1);
     }
     /// put(j, k, x) for every entry j >= k of the Hessian, entries of one place adding up.
     template <class V, class Put>
     void hessian(V const& q, Put const& put) const {
         using S = scalar_of<V>;
         using J = jet<S, 0, 1, 2>;
-        index const d = q.size();
-        for (index k = 0; k <= d; ++k) {
+        index_type const d = q.size();
+        for (index_type k = 0; k <= d; ++k) {
             S const r = k == 0 ? S(q(0)) : k == d ? S(-q(d - 1)) : S(q(k) - q(k - 1));
             S const bend = detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0, 0>();
             if (k < d) put(k, k, bend);
@@ -65,13 +65,13 @@ private:
     template <class V, class Room>
     HILGER_ALWAYS_INLINE void tensions(V const& q, Room& tension) const {
         using S = scalar_of<V>;
-        index const d = q.size();
+        index_type const d = q.size();
         tension(0) = slope<S>(0, q(0));
-        for (index k = 1; k < d; ++k) tension(k) = slope<S>(k, q(k) - q(k - 1));
+        for (index_type k = 1; k < d; ++k) tension(k) = slope<S>(k, q(k) - q(k - 1));
         tension(d) = slope<S>(d, -q(d - 1));
     }
     template <class S>
-    HILGER_ALWAYS_INLINE S slope(index k, S const& r) const {
+    HILGER_ALWAYS_INLINE S slope(index_type k, S const& r) const {
         using J = jet<S, 0, 1, 1>;
         return detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0>();
     }
@@ -86,8 +86,8 @@ struct dense_potential {
     auto operator()(X const& q) const {
         return function(q);
     }
-    [[nodiscard]] static hessian_pattern pattern(index) { return hessian_pattern::dense; }
-    void check(index) const {}
+    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::dense; }
+    void check(index_type) const {}
     template <class V, class Room>
     void gradient(V const& q, V& g, Room&) const {
         g = gradient_by(q, function);
@@ -95,13 +95,13 @@ struct dense_potential {
     template <class V, class Put>
     void hessian(V const& q, Put const& put) const {
         auto const e = hilger::expand([this](auto const& x, auto const&) { return function(x); }, q, q);
-        for (index j = 0; j < q.size(); ++j)
-            for (index k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
+        for (index_type j = 0; j < q.size(); ++j)
+            for (index_type k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
     }
 };
 template <class U>
 concept structured_potential = requires(U const& u) {
-    { u.pattern(index{}) } -> std::same_as<hessian_pattern>;
+    { u.pattern(index_type{}) } -> std::same_as<hessian_pattern>;
 };
 } // namespace detail
 

@@ -21,10 +21,10 @@ class every_two {
 public:
     class iterator {
     public:
-        using value_type = std::pair<index, index>;
-        using difference_type = index;
+        using value_type = std::pair<index_type, index_type>;
+        using difference_type = index_type;
         constexpr iterator() = default;
-        constexpr iterator(index a, index b) : a_(a), b_(b) {}
+        constexpr iterator(index_type a, index_type b) : a_(a), b_(b) {}
         constexpr value_type operator*() const { return {a_, b_}; }
         constexpr iterator& operator++() {
             if (++b_ == a_) {
@@ -41,16 +41,16 @@ public:
         friend constexpr bool operator==(iterator const&, iterator const&) = default;
 
     private:
-        index a_ = 1, b_ = 0;
+        index_type a_ = 1, b_ = 0;
     };
-    constexpr explicit every_two(index bodies) : bodies_(bodies) {}
+    constexpr explicit every_two(index_type bodies) : bodies_(bodies) {}
     [[nodiscard]] constexpr iterator begin() const { return {1, 0}; }
-    [[nodiscard]] constexpr iterator end() const { return {std::max<index>(bodies_, 1), 0}; }
+    [[nodiscard]] constexpr iterator end() const { return {std::max<index_type>(bodies_, 1), 0}; }
 
 private:
-    index bodies_;
+    index_type bodies_;
 };
-constexpr every_two all_pairs(index bodies) { return every_two(bodies); }
+constexpr every_two all_pairs(index_type bodies) { return every_two(bodies); }
 
 /// U(q) = sum over pairs k = (a, b) of energy(k, q_a - q_b), bodies of Dimension components each: body a has components Dimension * a ...
 /// Body -1 is a wall at the origin. energy(k, r) is generic in r: a number for Dimension 1, else an Eigen vector.
@@ -62,15 +62,15 @@ struct pair_potential {
     template <class X>
     auto operator()(X const& q) const {
         using number = plain_t<decltype(q(0))>;
-        using result = plain_t<decltype(energy(index{0}, between<number>(q, 0, 0)))>;
+        using result = plain_t<decltype(energy(index_type{0}, between<number>(q, 0, 0)))>;
         result sum(0);
-        index k = 0;
+        index_type k = 0;
         for (auto const& [a, b] : list) sum = result(sum + energy(k++, between<number>(q, a, b)));
         return sum;
     }
-    [[nodiscard]] static hessian_pattern pattern(index d) { return d <= 64 ? hessian_pattern::dense : hessian_pattern::sparse; }
+    [[nodiscard]] static hessian_pattern pattern(index_type d) { return d <= 64 ? hessian_pattern::dense : hessian_pattern::sparse; }
     /// @throws error::outside_domain when a pair names a body that the state does not have.
-    void check(index d) const {
+    void check(index_type d) const {
         for (auto const& [a, b] : list)
             if (a < -1 or b < -1 or a == b or Dimension * (std::max(a, b) + 1) > d)
                 error::raise<error::outside_domain>("a pair takes two different bodies from -1 (the origin) to ", d / Dimension - 1,
@@ -86,9 +86,9 @@ struct pair_potential {
     template <class V, class Put>
     void hessian(V const& q, Put const& put) const {
         using S = scalar_of<V>;
-        index k = 0;
+        index_type k = 0;
         for (auto const& [first, second] : list) {
-            index const a = first, b = second, high = std::max(a, b), low = std::min(a, b);
+            index_type const a = first, b = second, high = std::max(a, b), low = std::min(a, b);
             auto const e = term<2>(k++, between<S>(q, a, b));
             for_component([&]<int C>(std::integral_constant<int, C> c) {
                 for_component([&]<int E>(std::integral_constant<int, E>) {
@@ -116,7 +116,7 @@ private:
     HILGER_ALWAYS_INLINE void add_up(V const& q, V& g) const {
         using S = scalar_of<V>;
         g.setZero();
-        index k = 0;
+        index_type k = 0;
         for (auto const& [a, b] : list) {
             auto const f = by_component(term<1>(k++, between<S>(q, a, b)), components{});
             if (not has_walls or a >= 0) part(g, a) += f;
@@ -125,12 +125,12 @@ private:
     }
     /// The components of one body.
     template <class X>
-    HILGER_ALWAYS_INLINE static auto part(X& q, index body) {
+    HILGER_ALWAYS_INLINE static auto part(X& q, index_type body) {
         return q.template segment<Dimension>(Dimension * body);
     }
     /// q_a - q_b, a number or a vector
     template <class Number, class X>
-    HILGER_ALWAYS_INLINE static auto between(X const& q, index a, index b) {
+    HILGER_ALWAYS_INLINE static auto between(X const& q, index_type a, index_type b) {
         auto const difference = [&] {
             if (has_walls and b < 0) return vector<Number>(part(q, a));
             if (has_walls and a < 0) return vector<Number>(-part(q, b));
@@ -151,7 +151,7 @@ private:
         (components{});
     }
     template <int Order, class R>
-    HILGER_ALWAYS_INLINE auto term(index k, R const& r) const {
+    HILGER_ALWAYS_INLINE auto term(index_type k, R const& r) const {
         using S = scalar_of<R>;
         using J = jet<S, 0, Dimension, Order>;
         if constexpr (Dimension == 1)
@@ -162,7 +162,7 @@ private:
             return spatial<J>(k, r, components{});
     }
     template <class J, class R, int... C>
-    HILGER_FLATTEN J flat_spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
+    HILGER_FLATTEN J flat_spatial(index_type k, R const& r, std::integer_sequence<int, C...>) const {
         Eigen::Matrix<J, Dimension, 1> x;
         ((x(C) = J::variable(r(C), C, {})), ...);
         if constexpr (std::same_as<decltype(energy(k, x)), J>)
@@ -171,7 +171,7 @@ private:
             return detail::as_jet<J>(energy(k, x));
     }
     template <class J, class R, int... C>
-    J spatial(index k, R const& r, std::integer_sequence<int, C...>) const {
+    J spatial(index_type k, R const& r, std::integer_sequence<int, C...>) const {
         Eigen::Matrix<J, Dimension, 1> x;
         ((x(C) = J::variable(r(C), C, {})), ...);
         return detail::as_jet<J>(energy(k, x));
@@ -182,8 +182,8 @@ auto pairs(List list, Energy energy) {
     return pair_potential<Dimension, List, Energy>{std::move(list), std::move(energy)};
 }
 template <int Dimension, class Energy>
-auto pairs(std::vector<std::pair<index, index>> list, Energy energy) {
-    return pair_potential<Dimension, std::vector<std::pair<index, index>>, Energy>{std::move(list), std::move(energy)};
+auto pairs(std::vector<std::pair<index_type, index_type>> list, Energy energy) {
+    return pair_potential<Dimension, std::vector<std::pair<index_type, index_type>>, Energy>{std::move(list), std::move(energy)};
 }
 
 } // namespace hilger

@@ -28,8 +28,8 @@ namespace detail {
 struct symbols {
     std::string dLdq, dLdv, dHdq, dHdp, q, p, minus, equals;
 };
-inline symbols symbols_of(style s, bool extended) {
-    if (s == style::latex) {
+inline symbols symbols_of(print_style s, bool extended) {
+    if (s == print_style::latex) {
         std::string const o = extended ? "_\\circ" : "";
         return {"\\frac{\\partial L}{\\partial q}",
                 "\\frac{\\partial L}{\\partial v}",
@@ -46,7 +46,7 @@ inline symbols symbols_of(style s, bool extended) {
 
 /// Where an equation with operator op on functions on Base holds.
 template <class Op, class From>
-std::string where(Op const& op, style s, From from) {
+std::string where(Op const& op, print_style s, From from) {
     auto const& a = [&]() -> auto const& {
         if constexpr (requires { op.op; })
             return op.op;
@@ -72,31 +72,33 @@ struct writer {
                                          std::declval<typename Action::velocity_type const&>().image(domain<nodes>{})));
 
     euler_lagrange<Action> const& EL;
-    style s;
+    print_style s;
     symbols w = symbols_of(s, extended);
 
     [[nodiscard]] std::string velocity() const {
         if constexpr (extended)
-            return s == style::latex ? "\\Delta_{\\circ,+}[q_\\circ]" : "Δ∘,₊[q∘]";
+            return s == print_style::latex ? "\\Delta_{\\circ,+}[q_\\circ]" : "Δ∘,₊[q∘]";
         else
             return notation_of(EL.action().velocity, s).around(w.q);
     }
     [[nodiscard]] std::string euler_lagrange_equation() const { return left_hand_side() + w.equals + "0"; }
     [[nodiscard]] std::string left_hand_side() const {
-        std::string const star = s == style::latex ? "(\\star)" : "(⋆)";
+        std::string const star = s == print_style::latex ? "(\\star)" : "(⋆)";
         notation const f = notation_of(EL.force(), s), m = notation_of(EL.momentum(), s);
         return f.around(w.dLdq + star) + (m.negative ? w.minus : " + ") + m.around(w.dLdv + star);
     }
-    [[nodiscard]] std::string arguments() const { return (s == style::latex ? "\\star = (" : "⋆ = (") + w.q + ", " + velocity() + ")"; }
+    [[nodiscard]] std::string arguments() const {
+        return (s == print_style::latex ? "\\star = (" : "⋆ = (") + w.q + ", " + velocity() + ")";
+    }
     [[nodiscard]] std::string momentum_equation() const {
         notation const f = notation_of(EL.force(), s), m = notation_of(EL.momentum(), s);
         std::string const left = (m.negative ? "" : "−") + m.around(w.p);
-        std::string const force = (s == style::latex ? "-" : "−") + w.dHdq + "(" + w.p + ", " + w.q + ")";
+        std::string const force = (s == print_style::latex ? "-" : "−") + w.dHdq + "(" + w.p + ", " + w.q + ")";
         return left + w.equals + f.around(force);
     }
     [[nodiscard]] std::string position_equation() const { return velocity() + w.equals + w.dHdp + "(" + w.p + ", " + w.q + ")"; }
     [[nodiscard]] std::string definition_of_p() const {
-        return w.p + (s == style::latex ? " = " : " = ") + w.dLdv + (s == style::latex ? "(\\star)" : "(⋆)");
+        return w.p + (s == print_style::latex ? " = " : " = ") + w.dLdv + (s == print_style::latex ? "(\\star)" : "(⋆)");
     }
     [[nodiscard]] std::string inner() const { return where(EL.momentum(), s, integrand{}); }
     [[nodiscard]] std::string whole() const { return written_domain<integrand>(s); }
@@ -106,12 +108,12 @@ struct writer {
 
 template <class Action>
 std::ostream& operator<<(std::ostream& out, euler_lagrange<Action> const& equation) {
-    detail::writer<Action> const w{equation, style::terminal};
+    detail::writer<Action> const w{equation, print_style::terminal};
     return out << w.euler_lagrange_equation() << "   on " << w.inner() << ",   " << w.arguments() << '\n';
 }
 template <class Action>
 std::ostream& operator<<(std::ostream& out, hamiltonian_system<Action> const& system) {
-    detail::writer<Action> const w{system.equation, style::terminal};
+    detail::writer<Action> const w{system.equation, print_style::terminal};
     return out << w.momentum_equation() << "   on " << w.inner() << '\n'
                << w.position_equation() << "   on " << w.whole() << ",   " << w.definition_of_p() << '\n';
 }
@@ -120,17 +122,17 @@ std::ostream& operator<<(std::ostream& out, hamiltonian_system<Action> const& sy
 template <class Action, linear_map A, linear_map B, class Root>
 std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A, B, Root> const& equation) {
     auto const conservative = equation.conservative();
-    detail::writer<Action> const w{conservative, style::terminal};
-    return out << w.left_hand_side() << " = ρ " << notation_of(equation.damping(), style::terminal).around("q") << "   on " << w.inner()
-               << ",   " << w.arguments() << '\n'
-               << "the same of y = ρ " << notation_of(equation.reversed_damping(), style::terminal).around("y")
+    detail::writer<Action> const w{conservative, print_style::terminal};
+    return out << w.left_hand_side() << " = ρ " << notation_of(equation.damping(), print_style::terminal).around("q") << "   on "
+               << w.inner() << ",   " << w.arguments() << '\n'
+               << "the same of y = ρ " << notation_of(equation.reversed_damping(), print_style::terminal).around("y")
                << ",   ρ = " << equation.factor() << '\n';
 }
 template <class Action, linear_map A, linear_map B, class Root>
 std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation) {
     auto const conservative = equation.conservative();
-    detail::writer<Action> const w{conservative, style::latex};
-    return "\\begin{aligned}\n  " + w.left_hand_side() + " &= \\rho\\," + notation_of(equation.damping(), style::latex).around("q") +
+    detail::writer<Action> const w{conservative, print_style::latex};
+    return "\\begin{aligned}\n  " + w.left_hand_side() + " &= \\rho\\," + notation_of(equation.damping(), print_style::latex).around("q") +
            ", && t \\in " + w.inner() + ", \\quad " + w.arguments() + "\n\\end{aligned}\n";
 }
 
@@ -151,13 +153,13 @@ std::string text_lines(Printable const& printable, std::string const& indent) {
 /// The equation as a LaTeX display (amsmath).
 template <class Action>
 std::string latex(euler_lagrange<Action> const& equation) {
-    detail::writer<Action> const w{equation, style::latex};
+    detail::writer<Action> const w{equation, print_style::latex};
     return "\\begin{aligned}\n  " + w.euler_lagrange_equation() + ", && t \\in " + w.inner() + ", \\quad " + w.arguments() +
            "\n\\end{aligned}\n";
 }
 template <class Action>
 std::string latex(hamiltonian_system<Action> const& system) {
-    detail::writer<Action> const w{system.equation, style::latex};
+    detail::writer<Action> const w{system.equation, print_style::latex};
     return "\\begin{aligned}\n  " + w.momentum_equation() + ", && t \\in " + w.inner() + ", \\\\\n  " + w.position_equation() +
            ", && t \\in " + w.whole() + ", \\quad " + w.definition_of_p() + "\n\\end{aligned}\n";
 }

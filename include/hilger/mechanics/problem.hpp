@@ -3,9 +3,9 @@
 // Lagrange-d'Alembert principle a force stands beside dL/dq under the position operator's adjoint.
 #pragma once
 
+#include "hilger/fixed_text.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/mechanics/derivatives.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger {
 
@@ -17,7 +17,7 @@ struct problem {
     [[no_unique_address]] Force force;
 };
 
-/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), midpoint). With the mid-point embedding f is read where
+/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
 /// dL/dq is, at the middle of the step, which keeps order 2.
 template <class L, class Force>
 constexpr auto with_force(L const& l, Force f) {
@@ -85,13 +85,14 @@ constexpr auto refusal() {
         requires(F const& f, V const& x) { f.expand(x, x); } or requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); })
         return nullptr;
     else if constexpr (not timed and not std::invocable<F const&, X const&, Y const&>)
-        return text("a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before them: "
-                    "derivatives pass through it");
+        return fixed_text(
+            "a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before them: "
+            "derivatives pass through it");
     else {
         using R = typename std::conditional_t<timed, std::invoke_result<F const&, S const&, X const&, Y const&>,
                                               std::invoke_result<F const&, X const&, Y const&>>::type;
         if constexpr (not std::constructible_from<typename jets::whole, plain_t<R>>)
-            return text("a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
+            return fixed_text("a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
         else
             return nullptr;
     }

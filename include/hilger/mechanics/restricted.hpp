@@ -39,7 +39,7 @@ struct coupling {
     constexpr auto operator()(X const& x, Y const& y) const {
         auto const products = dot(first[x], second[y]);
         auto sum = zero_of(products);
-        for (index k = products.first(); k <= products.last(); ++k) sum = evaluated(sum + products.get(k));
+        for (index_type k = products.first(); k <= products.last(); ++k) sum = evaluated(sum + products.get(k));
         return evaluated(sum * S(T.h() * factor));
     }
 };

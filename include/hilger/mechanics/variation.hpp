@@ -35,7 +35,7 @@ constexpr auto on_equal_steps(multiple<C, A> const& a) {
     return a.c * on_equal_steps(a.a);
 }
 template <linear_map A, linear_map B>
-constexpr auto on_equal_steps(sum<A, B> const& s) {
+constexpr auto on_equal_steps(operator_sum<A, B> const& s) {
     return on_equal_steps(s.a) + on_equal_steps(s.b);
 }
 template <linear_map A, linear_map B>

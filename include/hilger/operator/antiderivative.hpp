@@ -45,20 +45,21 @@ template <class Lambda>
 struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     using from = between<Lambda>;
     using to = nodes;
-    using from_weight = steps;
-    using to_weight = nabla;
+    using from_weight = step_weight;
+    using to_weight = nabla_weight;
     [[no_unique_address]] Lambda lambda{};
-    static constexpr auto name() { return text("antiderivative"); }
+    static constexpr auto name() { return fixed_text("antiderivative"); }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
         if constexpr (F > 0)
-            does_not_compile<text("antiderivative starts at the first point, and this function lives on ") + domain<from, F, B>::name()>{};
+            does_not_compile<fixed_text("antiderivative starts at the first point, and this function lives on ") +
+                             domain<from, F, B>::name()>{};
         return domain<nodes, 0, B>{};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
-        for (index k = 0; k < i; ++k) total.add(evaluated(f.get(k) * f.root().step(k)));
+        for (index_type k = 0; k < i; ++k) total.add(evaluated(f.get(k) * f.root().step(k)));
         return total.value();
     }
     constexpr auto adjoint() const;
@@ -69,19 +70,19 @@ template <class Lambda>
 struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
     using from = nodes;
     using to = between<Lambda>;
-    using from_weight = nabla;
-    using to_weight = steps;
+    using from_weight = nabla_weight;
+    using to_weight = step_weight;
     [[no_unique_address]] Lambda lambda{};
-    static constexpr auto name() { return text("tail_integral"); }
+    static constexpr auto name() { return fixed_text("tail_integral"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const&) const {
         return domain<to, std::max(F - 1, 0), std::max(B - 1, 0)>{{lambda}};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
-        index const last = f.domain().last(f.root());
+    constexpr auto evaluate(F const& f, index_type i) const {
+        index_type const last = f.domain().last(f.root());
         detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
-        for (index k = i + 1; k <= last; ++k) total.add(evaluated(f.get(k) * f.root().step(k - 1)));
+        for (index_type k = i + 1; k <= last; ++k) total.add(evaluated(f.get(k) * f.root().step(k - 1)));
         return total.value();
     }
     constexpr auto adjoint() const { return antiderivative_at<Lambda>{{}, lambda}; }

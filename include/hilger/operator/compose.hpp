@@ -19,13 +19,13 @@ struct identity_on : linear_operator<identity_on<Base, From, To>> {
     using to = Base;
     using from_weight = From;
     using to_weight = To;
-    static constexpr auto name() { return text("identity"); }
+    static constexpr auto name() { return fixed_text("identity_T"); }
     template <class D>
     constexpr D image(D const& d) const {
         return d;
     }
     template <class F>
-    constexpr decltype(auto) evaluate(F const& f, index i) const {
+    constexpr decltype(auto) evaluate(F const& f, index_type i) const {
         return f.get(i);
     }
     constexpr auto adjoint() const {
@@ -44,13 +44,13 @@ struct reweight : linear_operator<reweight<Base, From, To>> {
     using to = Base;
     using from_weight = From;
     using to_weight = To;
-    static constexpr auto name() { return text("reweight<") + From::name() + "," + To::name() + ">"; }
+    static constexpr auto name() { return fixed_text("reweight<") + From::name() + "," + To::name() + ">"; }
     template <int F, int B>
     constexpr auto image(domain<Base, F, B> const& d) const { // where w_To vanishes there is no ratio
         return domain<Base, std::max(F, To::vanishes_first ? 1 : 0), std::max(B, To::vanishes_last ? 1 : 0)>{d.base};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         return evaluated(f.get(i) * (weight_at<From>(f, i) / weight_at<To>(f, i)));
     }
     constexpr auto adjoint() const { return identity_on<Base, To, From>{}; }
@@ -75,7 +75,7 @@ struct multiple : linear_operator<multiple<C, A>> {
         return a.image(d);
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         if constexpr (std::same_as<C, fraction<-1>>)
             return evaluated(-a.evaluate(f, i));
         else
@@ -86,7 +86,7 @@ struct multiple : linear_operator<multiple<C, A>> {
 private:
     static constexpr auto factor_name() {
         if constexpr (not requires { C::denominator; })
-            return text("c ");
+            return fixed_text("c ");
         else if constexpr (C::numerator < 0)
             return "-" + multiple<fraction<-C::numerator, C::denominator>, A>::factor_name();
         else if constexpr (C::denominator > 1)
@@ -94,7 +94,7 @@ private:
         else if constexpr (C::numerator != 1)
             return digits<C::numerator>() + " ";
         else
-            return text("");
+            return fixed_text("");
     }
     template <class D, linear_map B>
     friend struct multiple;
@@ -119,7 +119,7 @@ struct composition : linear_operator<composition<A, B>> {
         return a.image(b.image(d));
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         applied<B, detail::borrowed<F>> const inner(b, detail::borrowed<F>(f));
         return a.evaluate(inner, i);
     }
@@ -133,7 +133,7 @@ struct composition : linear_operator<composition<A, B>> {
 
 /// A + B on the points where both are defined.
 template <linear_map A, linear_map B>
-struct sum : linear_operator<sum<A, B>> {
+struct operator_sum : linear_operator<operator_sum<A, B>> {
     using from = typename A::from;
     using to = typename A::to;
     using from_weight = typename A::from_weight;
@@ -141,8 +141,8 @@ struct sum : linear_operator<sum<A, B>> {
     static constexpr bool needs_uniform = A::needs_uniform or B::needs_uniform;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
-    constexpr sum() = default;
-    constexpr sum(A first, B second) : a(std::move(first)), b(std::move(second)) {}
+    constexpr operator_sum() = default;
+    constexpr operator_sum(A first, B second) : a(std::move(first)), b(std::move(second)) {}
 
     static constexpr auto name() { return "(" + A::name() + " + " + B::name() + ")"; }
     template <class D>
@@ -150,7 +150,7 @@ struct sum : linear_operator<sum<A, B>> {
         return intersect(a.image(d), b.image(d));
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         return evaluated(a.evaluate(f, i) + b.evaluate(f, i));
     }
     constexpr auto adjoint() const { return a.adjoint() + adjoint_between<from_weight, to_weight>(b); }
@@ -190,7 +190,7 @@ constexpr auto operator+(A a, B b) {
         return does_not_compile<"a sum of operators needs one scale to map to, and " + A::name() + " maps to " + A::to::name() + ", " +
                                 B::name() + " to " + B::to::name()>{};
     else
-        return sum<A, B>(std::move(a), std::move(b));
+        return operator_sum<A, B>(std::move(a), std::move(b));
 }
 template <linear_map A>
 constexpr auto operator-(A a) {
@@ -216,7 +216,7 @@ template <class A, class B>
 inline constexpr bool known_by_type<composition<A, B>> =
     std::conjunction_v<std::bool_constant<known_by_type<A>>, std::bool_constant<known_by_type<B>>>;
 template <class A, class B>
-inline constexpr bool known_by_type<sum<A, B>> =
+inline constexpr bool known_by_type<operator_sum<A, B>> =
     std::conjunction_v<std::bool_constant<known_by_type<A>>, std::bool_constant<known_by_type<B>>>;
 
 template <class A>
@@ -225,8 +225,8 @@ template <class Base, class From, class To>
 inline constexpr bool is_identity<identity_on<Base, From, To>> = true;
 
 /// The identity on T, T_half and T_o.
-inline constexpr identity_on<nodes, delta> identity{};
-inline constexpr identity_on<between<fraction<1, 2>>, steps> identity_h{};
-inline constexpr identity_on<joined<fraction<1, 2>>, delta> identity_o{};
+inline constexpr identity_on<nodes, delta_weight> identity_T{};
+inline constexpr identity_on<between<fraction<1, 2>>, step_weight> identity_h{};
+inline constexpr identity_on<joined<fraction<1, 2>>, delta_weight> identity_o{};
 
 } // namespace hilger

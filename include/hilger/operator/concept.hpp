@@ -56,7 +56,7 @@ struct applied<A, F> : function_interface<applied<A, F>> {
     constexpr applied(A a, F g) : op(std::move(a)), f(std::move(g)) {}
     [[nodiscard]] constexpr decltype(auto) root() const { return f.root(); }
     [[nodiscard]] constexpr auto domain() const { return op.image(f.domain()); }
-    [[nodiscard]] constexpr auto get(index i) const {
+    [[nodiscard]] constexpr auto get(index_type i) const {
         using value = plain_t<decltype(op.evaluate(f, i))>;
         return value(op.evaluate(f, i));
     }

@@ -20,19 +20,19 @@ namespace detail {
 
 /// How many weights a whole order has, when they end; 0 where they do not.
 template <generating_function G, class Order>
-inline constexpr index weights_end = 0;
+inline constexpr index_type weights_end = 0;
 template <generating_function G, int P>
-inline constexpr index
+inline constexpr index_type
     weights_end<G, fraction<P>> = std::tuple_size_v<decltype(G::template denominator<double>())> == 1 and P >= 0
-                                      ? P* static_cast<index>(std::tuple_size_v<decltype(G::template numerator<double>())> - 1) + 1
+                                      ? P* static_cast<index_type>(std::tuple_size_v<decltype(G::template numerator<double>())> - 1) + 1
                                       : 0;
 
 /// w_0, ..., w_{count-1}, computed once for each order and kept.
 template <generating_function G, class S>
-std::vector<S> const& kept_weights(S const& alpha, index count) {
+std::vector<S> const& kept_weights(S const& alpha, index_type count) {
     thread_local std::map<S, std::pair<weight_sequence<G, S>, std::vector<S>>> kept;
     auto& [sequence, w] = kept.try_emplace(alpha, weight_sequence<G, S>(alpha), std::vector<S>{}).first->second;
-    while (static_cast<index>(w.size()) < count) w.push_back(sequence.next());
+    while (static_cast<index_type>(w.size()) < count) w.push_back(sequence.next());
     return w;
 }
 
@@ -58,7 +58,7 @@ constexpr auto leading_factor(Root const& T, Order const& order) {
 
 template <class Order>
 struct order_name {
-    static constexpr auto name() { return text("alpha"); }
+    static constexpr auto name() { return fixed_text("alpha"); }
 };
 template <int P, int Q>
 struct order_name<fraction<P, Q>> {
@@ -71,8 +71,8 @@ template <generating_function G, class Order, side Side>
 struct fractional_difference : linear_operator<fractional_difference<G, Order, Side>> {
     using from = nodes;
     using to = nodes;
-    using from_weight = std::conditional_t<Side == side::plus, nabla, delta>;
-    using to_weight = std::conditional_t<Side == side::plus, delta, nabla>;
+    using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
+    using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
     static constexpr bool needs_uniform = true;
     [[no_unique_address]] Order order{};
 
@@ -98,23 +98,23 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
     }
     /// By the sum itself, O(k) at point k; history/convolution.hpp has all points at once.
     template <class F>
-    constexpr auto evaluate(F const& f, index k) const {
+    constexpr auto evaluate(F const& f, index_type k) const {
         using root = typename F::root_type;
         using S = typename root::scalar_type;
         if constexpr (not root::is_uniform)
             return does_not_compile<name() + " has the weights of one step h, and this function lives on " + root::kind()>{};
         else {
-            index const last = Side == side::minus ? k - f.domain().first(f.root()) : f.domain().last(f.root()) - k;
-            index const count = std::min(last + 1, ends > 0 ? ends : last + 1);
-            auto const at = [&](index n) { return f.get(Side == side::minus ? k - n : k + n); };
+            index_type const last = Side == side::minus ? k - f.domain().first(f.root()) : f.domain().last(f.root()) - k;
+            index_type const count = std::min(last + 1, ends > 0 ? ends : last + 1);
+            auto const at = [&](index_type n) { return f.get(Side == side::minus ? k - n : k + n); };
             auto sum = evaluated(at(0));
             if constexpr (ends > 0 or not ordered_scalar<S>) {
                 weight_sequence<G, S> w(order.template as<S>());
                 (void)w.next();
-                for (index n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w.next());
+                for (index_type n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w.next());
             } else {
                 auto const& w = detail::kept_weights<G>(order.template as<S>(), count);
-                for (index n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w[static_cast<std::size_t>(n)]);
+                for (index_type n = 1; n < count; ++n) sum = evaluated(sum + at(n) * w[static_cast<std::size_t>(n)]);
             }
             return evaluated(sum * detail::leading_factor<G>(f.root(), order));
         }
@@ -122,7 +122,7 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
     constexpr auto adjoint() const { return fractional_difference<G, Order, opposite<Side>>{{}, order}; }
 
 private:
-    static constexpr index ends = detail::weights_end<G, Order>;
+    static constexpr index_type ends = detail::weights_end<G, Order>;
 };
 
 namespace detail {
@@ -170,21 +170,21 @@ constexpr auto operator*(fractional_difference<G, O, Side> const& a, composition
 struct from_start : linear_operator<from_start> {
     using from = nodes;
     using to = nodes;
-    using from_weight = delta;
-    using to_weight = delta;
-    static constexpr auto name() { return text("from_start"); }
+    using from_weight = delta_weight;
+    using to_weight = delta_weight;
+    static constexpr auto name() { return fixed_text("from_start"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const& d) const {
         if constexpr (F > 0)
-            does_not_compile<text("from_start subtracts the value at the first point, and this function lives on ") +
+            does_not_compile<fixed_text("from_start subtracts the value at the first point, and this function lives on ") +
                              domain<nodes, F, B>::name()>{};
         return d;
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         return evaluated(f.get(i) - f.get(f.domain().first(f.root())));
     }
-    constexpr auto adjoint() const { return identity_on<nodes, delta>{}; }
+    constexpr auto adjoint() const { return identity_on<nodes, delta_weight>{}; }
 };
 inline constexpr from_start minus_start{};
 

@@ -17,11 +17,11 @@ template <class W, discrete_function F>
 constexpr auto weighted_sum(F const& f) {
     using S = typename F::root_type::scalar_type;
     detail::running_sum<value_of<F>, S> total(zero_of(f));
-    for (index i = f.first(); i <= f.last(); ++i) total.add(evaluated(f.get(i) * S(weight_at<W>(f, i))));
+    for (index_type i = f.first(); i <= f.last(); ++i) total.add(evaluated(f.get(i) * S(weight_at<W>(f, i))));
     return total.value();
 }
 
-template <class W, text Sentence>
+template <class W, fixed_text Sentence>
 constexpr auto weighted_sum(does_not_compile<Sentence> wrong) { // it has been reported already
     return wrong;
 }
@@ -38,14 +38,14 @@ struct part : function_interface<part<F, Domain>> {
     constexpr part(F g, Domain e) : f(std::move(g)), d(std::move(e)) {}
     constexpr decltype(auto) root() const { return f.root(); }
     constexpr Domain const& domain() const { return d; }
-    constexpr auto get(index i) const { return f.get(i); }
+    constexpr auto get(index_type i) const { return f.get(i); }
 };
 
 template <class Wanted, discrete_function F>
 constexpr auto restrict_to(F f, Wanted wanted) {
     using D = typename F::domain_type;
     if constexpr (not std::same_as<typename D::base_type, typename Wanted::base_type> or D::front > Wanted::front or D::back > Wanted::back)
-        return does_not_compile<text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
+        return does_not_compile<fixed_text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
     else {
         if (not(f.domain().base == wanted.base))
             error::raise<error::mismatch>("a function is used on its own scale: it lives on ", derived_scale(f.root(), f.domain()),
@@ -64,18 +64,18 @@ constexpr auto on_lambda_points(F f, between<Lambda> const& base) {
 }
 
 template <class W, discrete_function F>
-constexpr auto sum_between(F const& f, index from, index to) {
+constexpr auto sum_between(F const& f, index_type from, index_type to) {
     using S = typename F::root_type::scalar_type;
     running_sum<value_of<F>, S> total(zero_of(f));
-    for (index i = std::min(from, to); i < std::max(from, to); ++i) {
-        index const k = std::same_as<W, nabla> ? i + 1 : i;
+    for (index_type i = std::min(from, to); i < std::max(from, to); ++i) {
+        index_type const k = std::same_as<W, nabla_weight> ? i + 1 : i;
         total.add(evaluated(f.get(k) * S(weight_at<W>(f, k))));
     }
     return from <= to ? total.value() : value_of<F>(-total.value());
 }
 
 /// A wrong integrand has been reported already.
-template <class W, text Sentence, class... Bounds>
+template <class W, fixed_text Sentence, class... Bounds>
 constexpr auto sum_between(does_not_compile<Sentence> wrong, Bounds const&...) {
     return wrong;
 }
@@ -83,8 +83,8 @@ constexpr auto sum_between(does_not_compile<Sentence> wrong, Bounds const&...) {
 template <class F, class Scale>
 constexpr void require_root(F const& f, Scale const& scale) {
     if constexpr (not std::same_as<typename F::root_type, typename Scale::root_type>)
-        does_not_compile<text("a function is used on its own scale, and this one lives on ") + F::root_type::kind() + " and is needed on " +
-                         Scale::root_type::kind() + " of another type">{};
+        does_not_compile<fixed_text("a function is used on its own scale, and this one lives on ") + F::root_type::kind() +
+                         " and is needed on " + Scale::root_type::kind() + " of another type">{};
     else if (not f.root().same_points(scale.root()))
         error::raise<error::mismatch>("a function is used on its own scale: it lives on ", f.scale(), ", and is needed on ", scale);
 }
@@ -106,16 +106,16 @@ constexpr auto integral(F f, Scale const& scale) {
     static_assert(D::front == 0 and D::back == 0, "integrate over a whole scale: T, half(T), circ(T), or between two points");
     detail::require_root(f, scale);
     if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); })
-        return weighted_sum<steps>(detail::on_lambda_points(std::move(f), scale.domain().base));
+        return weighted_sum<step_weight>(detail::on_lambda_points(std::move(f), scale.domain().base));
     else
-        return weighted_sum<delta>(detail::restrict_to(std::move(f), domain<Base, 0, 1>{scale.domain().base}));
+        return weighted_sum<delta_weight>(detail::restrict_to(std::move(f), domain<Base, 0, 1>{scale.domain().base}));
 }
 
 /// The nabla integral over T or T_o: f is needed on T^-.
 template <discrete_function F, time_scale_like Scale>
 constexpr auto nabla_integral(F f, Scale const& scale) {
     detail::require_root(f, scale);
-    return weighted_sum<nabla>(
+    return weighted_sum<nabla_weight>(
         detail::restrict_to(std::move(f), domain<typename Scale::domain_type::base_type, 1, 0>{scale.domain().base}));
 }
 
@@ -126,19 +126,19 @@ constexpr auto integral(F f, typename F::root_type::scalar_type const& s, typena
     using Base = base_of<F>;
     if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); }) {
         auto const T = derived_scale(f.root(), domain<nodes>{});
-        return detail::sum_between<steps>(detail::restrict_to(f, domain<Base>{f.domain().base}), T.number_of(s), T.number_of(t));
+        return detail::sum_between<step_weight>(detail::restrict_to(f, domain<Base>{f.domain().base}), T.number_of(s), T.number_of(t));
     } else {
         auto const scale = derived_scale(f.root(), domain<Base>{f.domain().base});
-        return detail::sum_between<delta>(detail::restrict_to(f, domain<Base, 0, 1>{f.domain().base}), scale.number_of(s),
-                                          scale.number_of(t));
+        return detail::sum_between<delta_weight>(detail::restrict_to(f, domain<Base, 0, 1>{f.domain().base}), scale.number_of(s),
+                                                 scale.number_of(t));
     }
 }
 
 template <discrete_function F>
 constexpr auto nabla_integral(F f, typename F::root_type::scalar_type const& s, typename F::root_type::scalar_type const& t) {
     auto const scale = derived_scale(f.root(), domain<base_of<F>>{f.domain().base});
-    return detail::sum_between<nabla>(detail::restrict_to(f, domain<base_of<F>, 1, 0>{f.domain().base}), scale.number_of(s),
-                                      scale.number_of(t));
+    return detail::sum_between<nabla_weight>(detail::restrict_to(f, domain<base_of<F>, 1, 0>{f.domain().base}), scale.number_of(s),
+                                             scale.number_of(t));
 }
 
 /// [f]_a^b = f(b) - f(a), at the ends of f's own domain.

@@ -7,9 +7,9 @@
 
 namespace hilger {
 
-template <text Name>
+template <fixed_text Name>
 constexpr auto operator_of(unknown<Name> const&) {
-    return identity;
+    return identity_T;
 }
 template <linear_map A, symbolic_function F>
 constexpr auto operator_of(applied<A, F> const& expression) {
@@ -20,7 +20,7 @@ constexpr auto operator_of(applied<A, F> const& expression) {
 }
 
 /// The unknown of a symbolic expression.
-template <text Name>
+template <fixed_text Name>
 constexpr auto unknown_of(unknown<Name> const& q) {
     return q;
 }

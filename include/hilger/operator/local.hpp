@@ -19,11 +19,11 @@ template <side Side, class Base, class PlusName, class MinusName>
 constexpr auto sided_name(PlusName const& p, MinusName const& m) {
     auto const suffix = [] {
         if constexpr (std::same_as<Base, nodes>)
-            return text("");
+            return fixed_text("");
         else if constexpr (std::same_as<Base, between<fraction<1, 2>>>)
-            return text("_h");
+            return fixed_text("_h");
         else if constexpr (std::same_as<Base, joined<fraction<1, 2>>>)
-            return text("_o");
+            return fixed_text("_o");
         else
             return "_on<" + Base::name() + ">";
     }();
@@ -38,8 +38,8 @@ template <class Base, side Side>
 struct shift : linear_operator<shift<Base, Side>> {
     using from = Base;
     using to = Base;
-    using from_weight = std::conditional_t<Side == side::plus, nabla, delta>;
-    using to_weight = std::conditional_t<Side == side::plus, delta, nabla>;
+    using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
+    using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
     static constexpr auto name() {
         return detail::sided_name<Side, Base>([](auto const& s) { return "sigma" + s; }, [](auto const& s) { return "rho" + s; });
     }
@@ -51,7 +51,7 @@ struct shift : linear_operator<shift<Base, Side>> {
             return domain<Base, F + 1, std::max(B - 1, 0)>{d.base};
     }
     template <class F>
-    constexpr decltype(auto) evaluate(F const& f, index i) const {
+    constexpr decltype(auto) evaluate(F const& f, index_type i) const {
         return f.get(Side == side::plus ? i + 1 : i - 1);
     }
     constexpr auto adjoint() const { return shift<Base, opposite<Side>>{}; }
@@ -61,8 +61,8 @@ template <class Base, side Side>
 struct derivative : linear_operator<derivative<Base, Side>> {
     using from = Base;
     using to = Base;
-    using from_weight = std::conditional_t<Side == side::plus, nabla, delta>;
-    using to_weight = std::conditional_t<Side == side::plus, delta, nabla>;
+    using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
+    using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
     static constexpr auto name() {
         return detail::sided_name<Side, Base>([](auto const& s) { return "Delta" + s + "_plus"; },
                                               [](auto const& s) { return "Delta" + s + "_minus"; });
@@ -72,8 +72,8 @@ struct derivative : linear_operator<derivative<Base, Side>> {
         return domain<Base, F + (Side == side::minus), B + (Side == side::plus)>{d.base};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
-        index const left = Side == side::plus ? i : i - 1;
+    constexpr auto evaluate(F const& f, index_type i) const {
+        index_type const left = Side == side::plus ? i : i - 1;
         return evaluated((f.get(left + 1) - f.get(left)) / f.domain().base.step(f.root(), left));
     }
     constexpr auto adjoint() const { return -derivative<Base, opposite<Side>>{}; }

@@ -22,15 +22,15 @@ template <class Lambda, bool ToNodes>
 struct insertion : linear_operator<insertion<Lambda, ToNodes>> {
     using from = std::conditional_t<ToNodes, nodes, between<Lambda>>;
     using to = joined<Lambda>;
-    using from_weight = std::conditional_t<ToNodes, natural_weight_t<Lambda>, steps>;
+    using from_weight = std::conditional_t<ToNodes, natural_weight_t<Lambda>, step_weight>;
     using to_weight = split_weight<natural_weight_t<Lambda>>;
     [[no_unique_address]] Lambda lambda{};
 
     static constexpr auto name() {
         if constexpr (ToNodes)
-            return text("insert_T");
+            return fixed_text("insert_T");
         else
-            return text("insert_half");
+            return fixed_text("insert_half");
     }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
@@ -40,7 +40,7 @@ struct insertion : linear_operator<insertion<Lambda, ToNodes>> {
             return domain<to, 2 * F, 2 * B>{{lambda}};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index j) const {
+    constexpr auto evaluate(F const& f, index_type j) const {
         using value = value_of<F>;
         if ((j % 2 == 0) == ToNodes) return value(f.get(j / 2));
         return zero_of(f);
@@ -54,12 +54,12 @@ struct restriction_to : linear_operator<restriction_to<Lambda, ToNodes>> {
     using from = joined<Lambda>;
     using to = std::conditional_t<ToNodes, nodes, between<Lambda>>;
     using from_weight = split_weight<natural_weight_t<Lambda>>;
-    using to_weight = std::conditional_t<ToNodes, natural_weight_t<Lambda>, steps>;
+    using to_weight = std::conditional_t<ToNodes, natural_weight_t<Lambda>, step_weight>;
     [[no_unique_address]] Lambda lambda{};
 
     static constexpr auto name() {
         if constexpr (ToNodes)
-            return text("on_T");
+            return fixed_text("on_T");
         else
             return "on_" + detail::lambda_name<Lambda>::name();
     }
@@ -71,7 +71,7 @@ struct restriction_to : linear_operator<restriction_to<Lambda, ToNodes>> {
             return domain<to, F / 2, B / 2>{{d.base.lambda}};
     }
     template <class F>
-    constexpr decltype(auto) evaluate(F const& f, index i) const {
+    constexpr decltype(auto) evaluate(F const& f, index_type i) const {
         return f.get(ToNodes ? 2 * i : 2 * i + 1);
     }
     constexpr auto adjoint() const { return fraction<2>{} * insertion<Lambda, ToNodes>{{}, lambda}; }
@@ -87,15 +87,15 @@ template <class Lambda, bool Inverse>
 struct projection : linear_operator<projection<Lambda, Inverse>> {
     using from = std::conditional_t<Inverse, nodes, between<Lambda>>;
     using to = std::conditional_t<Inverse, between<Lambda>, nodes>;
-    using from_weight = std::conditional_t<Inverse, delta, steps>;
-    using to_weight = std::conditional_t<Inverse, steps, delta>;
+    using from_weight = std::conditional_t<Inverse, delta_weight, step_weight>;
+    using to_weight = std::conditional_t<Inverse, step_weight, delta_weight>;
     [[no_unique_address]] Lambda lambda{};
 
     static constexpr auto name() {
         if constexpr (Inverse)
-            return text("pi_inverse");
+            return fixed_text("pi_inverse");
         else
-            return text("pi");
+            return fixed_text("pi_half");
     }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
@@ -105,7 +105,7 @@ struct projection : linear_operator<projection<Lambda, Inverse>> {
             return domain<to, F, B + 1>{};
     }
     template <class F>
-    constexpr decltype(auto) evaluate(F const& f, index i) const {
+    constexpr decltype(auto) evaluate(F const& f, index_type i) const {
         return f.get(i);
     }
     constexpr auto adjoint() const { return projection<Lambda, not Inverse>{{}, lambda}; }
@@ -120,13 +120,13 @@ struct extension : linear_operator<extension<Lambda>> {
     using to_weight = split_weight<natural_weight_t<Lambda>>;
     [[no_unique_address]] Lambda lambda{};
 
-    static constexpr auto name() { return text("extend"); }
+    static constexpr auto name() { return fixed_text("extend"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const&) const {
         return domain<to, 2 * F, 2 * B>{{lambda}};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index j) const {
+    constexpr auto evaluate(F const& f, index_type j) const {
         using S = typename F::root_type::scalar_type;
         using value = value_of<F>;
         if (j % 2 == 0) return value(f.get(j / 2));
@@ -149,17 +149,17 @@ template <class Lambda>
 struct step_mean_at : linear_operator<step_mean_at<Lambda>> {
     using from = between<Lambda>;
     using to = nodes;
-    using from_weight = steps;
+    using from_weight = step_weight;
     using to_weight = natural_weight_t<Lambda>;
     [[no_unique_address]] Lambda lambda{};
 
-    static constexpr auto name() { return text("step_mean"); }
+    static constexpr auto name() { return fixed_text("step_mean"); }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
         return domain<nodes, F + 1, B + 1>{};
     }
     template <class F>
-    constexpr auto evaluate(F const& f, index i) const {
+    constexpr auto evaluate(F const& f, index_type i) const {
         using S = typename F::root_type::scalar_type;
         auto const& T = f.root();
         S const l = f.domain().base.lambda.template as<S>();
@@ -172,7 +172,7 @@ struct step_mean_at : linear_operator<step_mean_at<Lambda>> {
 inline constexpr extension<fraction<1, 2>> extend{};
 inline constexpr restriction_to<fraction<1, 2>, true> on_T{};
 inline constexpr restriction_to<fraction<1, 2>, false> on_half{};
-inline constexpr projection<fraction<1, 2>, false> pi{};
+inline constexpr projection<fraction<1, 2>, false> pi_half{};
 inline constexpr projection<fraction<1, 2>, true> pi_inverse{};
 inline constexpr step_mean_at<fraction<1, 2>> step_mean{};
 /// [f]_o (Cresson-Safi (26))

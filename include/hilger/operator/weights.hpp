@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "hilger/error.hpp"
+#include "hilger/fixed_text.hpp"
 #include "hilger/operator/twofold.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger {
 
@@ -25,7 +25,7 @@ concept generating_function = requires {
 };
 
 struct grunwald_letnikov {
-    static constexpr auto name() { return text("Delta"); }
+    static constexpr auto name() { return fixed_text("Delta"); }
     template <class S>
     static constexpr std::array<S, 2> numerator() {
         return {S(1), S(-1)};
@@ -38,7 +38,7 @@ struct grunwald_letnikov {
 template <int K>
     requires(K >= 1 and K <= 6)
 struct bdf {
-    static constexpr auto name() { return text("bdf<") + digits<K>() + ">"; }
+    static constexpr auto name() { return fixed_text("bdf<") + digits<K>() + ">"; }
     template <class S>
     static constexpr std::array<S, K + 1> numerator() {
         std::array<S, K + 1> sum{}, power{S(1)}; // power: (1 - z)^j
@@ -54,7 +54,7 @@ struct bdf {
     }
 };
 struct trapezoid {
-    static constexpr auto name() { return text("trapezoid"); }
+    static constexpr auto name() { return fixed_text("trapezoid"); }
     template <class S>
     static constexpr std::array<S, 2> numerator() {
         return {S(2), S(-2)};
@@ -127,7 +127,7 @@ public:
         if (n_ > 0) {
             w = wide(0);
             for (std::size_t j = 1; j < taps; ++j)
-                w = w + (b_[j - 1] - a_[j] * S(static_cast<int>(n_ - static_cast<index>(j)))) * last_[j - 1];
+                w = w + (b_[j - 1] - a_[j] * S(static_cast<int>(n_ - static_cast<index_type>(j)))) * last_[j - 1];
             w = w / S(static_cast<int>(n_));
         }
         for (std::size_t j = taps - 1; j-- > 1;) last_[j] = last_[j - 1];
@@ -138,16 +138,16 @@ public:
 
 private:
     std::array<wide, taps> a_{}, b_{}, last_{}; // last_[j - 1] = w_{n-j}
-    index n_ = 0;
+    index_type n_ = 0;
 };
 
 /// w_0 = 1, ..., w_{count-1}, without the leading weight.
 template <generating_function G, class S>
-std::vector<S> first_weights(S const& alpha, index count) {
+std::vector<S> first_weights(S const& alpha, index_type count) {
     weight_sequence<G, S> sequence(alpha);
     std::vector<S> w;
     w.reserve(static_cast<std::size_t>(count));
-    for (index n = 0; n < count; ++n) w.push_back(sequence.next());
+    for (index_type n = 0; n < count; ++n) w.push_back(sequence.next());
     return w;
 }
 

@@ -9,23 +9,23 @@
 
 #include <algorithm>
 
+#include "hilger/fixed_text.hpp"
 #include "hilger/scalar.hpp"
-#include "hilger/text.hpp"
 
 namespace hilger {
 
-inline constexpr index dynamic_extent = -1;
+inline constexpr index_type run_time_extent = -1;
 
 struct nodes {
-    static constexpr auto name() { return text("T"); }
-    static constexpr index last(index steps) { return steps; }
+    static constexpr auto name() { return fixed_text("T"); }
+    static constexpr index_type last(index_type steps) { return steps; }
     template <class Root>
-    static constexpr auto point(Root const& T, index i) {
+    static constexpr auto point(Root const& T, index_type i) {
         return T.point(i);
     }
     /// The distance from point i to point i + 1.
     template <class Root>
-    static constexpr auto step(Root const& T, index i) {
+    static constexpr auto step(Root const& T, index_type i) {
         return T.step(i);
     }
     friend constexpr bool operator==(nodes, nodes) = default;
@@ -34,7 +34,7 @@ struct nodes {
 namespace detail {
 template <class Lambda>
 struct lambda_name {
-    static constexpr auto name() { return text("lambda"); }
+    static constexpr auto name() { return fixed_text("lambda"); }
 };
 template <int P, int Q>
 struct lambda_name<fraction<P, Q>> {
@@ -42,7 +42,7 @@ struct lambda_name<fraction<P, Q>> {
 };
 template <>
 struct lambda_name<fraction<1, 2>> {
-    static constexpr auto name() { return text("half"); }
+    static constexpr auto name() { return fixed_text("half"); }
 };
 } // namespace detail
 
@@ -50,14 +50,14 @@ template <class Lambda>
 struct between {
     [[no_unique_address]] Lambda lambda{};
 
-    static constexpr auto name() { return text("T_") + detail::lambda_name<Lambda>::name(); }
-    static constexpr index last(index steps) { return steps - 1; }
+    static constexpr auto name() { return fixed_text("T_") + detail::lambda_name<Lambda>::name(); }
+    static constexpr index_type last(index_type steps) { return steps - 1; }
     template <class Root>
-    constexpr auto point(Root const& T, index i) const {
+    constexpr auto point(Root const& T, index_type i) const {
         return T.between(i, lambda);
     }
     template <class Root>
-    constexpr auto step(Root const& T, index i) const {
+    constexpr auto step(Root const& T, index_type i) const {
         using S = typename Root::scalar_type;
         if constexpr (Root::is_uniform)
             return T.step(i);
@@ -75,17 +75,17 @@ struct joined {
 
     static constexpr auto name() {
         if constexpr (std::is_same_v<Lambda, fraction<1, 2>>)
-            return text("T_o");
+            return fixed_text("T_o");
         else
-            return text("T_{o,") + detail::lambda_name<Lambda>::name() + "}";
+            return fixed_text("T_{o,") + detail::lambda_name<Lambda>::name() + "}";
     }
-    static constexpr index last(index steps) { return 2 * steps; }
+    static constexpr index_type last(index_type steps) { return 2 * steps; }
     template <class Root>
-    constexpr auto point(Root const& T, index j) const {
+    constexpr auto point(Root const& T, index_type j) const {
         return j % 2 == 0 ? T.point(j / 2) : T.between(j / 2, lambda);
     }
     template <class Root>
-    constexpr auto step(Root const& T, index j) const {
+    constexpr auto step(Root const& T, index_type j) const {
         using S = typename Root::scalar_type;
         S const l = lambda.template as<S>();
         return j % 2 == 0 ? l * T.step(j / 2) : (S(1) - l) * T.step(j / 2);
@@ -109,16 +109,16 @@ struct domain {
     }
     /// Numbers of the first and the last point, counted in the whole family. Empty when last < first.
     template <class Root>
-    static constexpr index first(Root const&) {
+    static constexpr index_type first(Root const&) {
         return Front;
     }
     template <class Root>
-    static constexpr index last(Root const& T) {
+    static constexpr index_type last(Root const& T) {
         return Base::last(T.steps()) - Back;
     }
     template <class Root>
-    static constexpr index size(Root const& T) {
-        return std::max<index>(last(T) - first(T) + 1, 0);
+    static constexpr index_type size(Root const& T) {
+        return std::max<index_type>(last(T) - first(T) + 1, 0);
     }
     friend constexpr bool operator==(domain const&, domain const&) = default;
 
@@ -126,10 +126,10 @@ private:
     template <int Count, char Mark>
     static constexpr auto marks() {
         if constexpr (Count == 0)
-            return text("");
+            return fixed_text("");
         else {
             char const mark[2] = {Mark, '\0'};
-            return text<2>(mark) + marks<Count - 1, Mark>();
+            return fixed_text<2>(mark) + marks<Count - 1, Mark>();
         }
     }
 };
@@ -142,8 +142,9 @@ constexpr auto intersect(domain<Base, F, B> const& a, domain<Base, G, C> const&)
 
 /// The number of points that Domain has on a scale whose number of steps is known to the type, or dynamic_extent.
 template <class Domain, class Root>
-inline constexpr index static_size = Root::extent == dynamic_extent
-                                         ? dynamic_extent
-                                         : std::max<index>(Domain::base_type::last(Root::extent) - Domain::back - Domain::front + 1, 0);
+inline constexpr index_type
+    static_size = Root::extent == run_time_extent
+                      ? run_time_extent
+                      : std::max<index_type>(Domain::base_type::last(Root::extent) - Domain::back - Domain::front + 1, 0);
 
 } // namespace hilger

@@ -16,7 +16,7 @@ public:
 
     constexpr derived_scale(Root root, Domain domain) : root_(std::move(root)), domain_(std::move(domain)) {
         if constexpr (static_size<Domain, Root> == 0)
-            does_not_compile<text("no point is left: ") + Domain::name() + " is empty when T has only " +
+            does_not_compile<fixed_text("no point is left: ") + Domain::name() + " is empty when T has only " +
                              digits<static_cast<unsigned>(Root::extent) + 1>() + " points">{};
     }
     [[nodiscard]] constexpr Root const& root() const { return root_; }
@@ -40,8 +40,8 @@ constexpr auto cut(Scale const& scale) {
 template <class Scale>
 constexpr void require_nodes() {
     if constexpr (not std::same_as<typename Scale::domain_type, domain<nodes>>)
-        does_not_compile<text("half, circ and their lambda siblings are made from T, and this scale is ") + Scale::domain_type::name() +
-                         "; for the points of a derived scale as a T of its own write time_scale(scale)">{};
+        does_not_compile<fixed_text("half, circ and their lambda siblings are made from T, and this scale is ") +
+                         Scale::domain_type::name() + "; for the points of a derived scale as a T of its own write time_scale(scale)">{};
 }
 template <class S>
 constexpr void require_lambda(S const& lambda, bool zero_allowed) {
@@ -53,7 +53,7 @@ template <class Scale, class S>
 constexpr void require_between(Scale const& T, S const& lambda) {
     if constexpr (not std::numeric_limits<S>::is_exact) {
         run_time<S> const at{lambda};
-        for (index i = 0; i < T.last(); i = Scale::root_type::is_uniform and i == 0 and T.last() > 1 ? T.last() - 1 : i + 1) {
+        for (index_type i = 0; i < T.last(); i = Scale::root_type::is_uniform and i == 0 and T.last() > 1 ? T.last() - 1 : i + 1) {
             S const t = T.root().between(i, at);
             if (not(T.element(i) < t) or not(t < T.element(i + 1)))
                 error::raise<error::invalid_scale>("lambda = ", lambda, " is lost in rounding between the points ", T.element(i), " and ",
@@ -70,12 +70,12 @@ concept lambda_inside = lambda_in_range<Lambda> and Lambda::numerator >
 
 /// T^+ = T without its last point.
 template <time_scale_like Scale>
-constexpr auto plus(Scale const& scale) {
+constexpr auto without_last(Scale const& scale) {
     return detail::cut<0, 1>(scale);
 }
 /// T^- = T without its first point.
 template <time_scale_like Scale>
-constexpr auto minus(Scale const& scale) {
+constexpr auto without_first(Scale const& scale) {
     return detail::cut<1, 0>(scale);
 }
 /// T^+- = T without both end points.

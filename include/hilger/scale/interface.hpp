@@ -20,31 +20,31 @@ public:
     using iterator_concept = std::random_access_iterator_tag;
     using iterator_category = std::input_iterator_tag; // elements are values, not references
     using value_type = std::remove_cvref_t<decltype(std::declval<Owner const&>().element(0))>;
-    using difference_type = index;
+    using difference_type = index_type;
     using reference = value_type;
     using pointer = void;
 
     constexpr element_iterator() = default;
-    constexpr element_iterator(Owner const& owner, index at) : owner_(&owner), at_(at) {}
+    constexpr element_iterator(Owner const& owner, index_type at) : owner_(&owner), at_(at) {}
 
     constexpr value_type operator*() const { return owner_->element(at_); }
-    constexpr value_type operator[](index n) const { return owner_->element(at_ + n); }
-    constexpr element_iterator& operator+=(index n) { return at_ += n, *this; }
-    constexpr element_iterator& operator-=(index n) { return at_ -= n, *this; }
+    constexpr value_type operator[](index_type n) const { return owner_->element(at_ + n); }
+    constexpr element_iterator& operator+=(index_type n) { return at_ += n, *this; }
+    constexpr element_iterator& operator-=(index_type n) { return at_ -= n, *this; }
     constexpr element_iterator& operator++() { return ++at_, *this; }
     constexpr element_iterator& operator--() { return --at_, *this; }
     constexpr element_iterator operator++(int) { return {*owner_, at_++}; }
     constexpr element_iterator operator--(int) { return {*owner_, at_--}; }
-    friend constexpr element_iterator operator+(element_iterator i, index n) { return i += n; }
-    friend constexpr element_iterator operator+(index n, element_iterator i) { return i += n; }
-    friend constexpr element_iterator operator-(element_iterator i, index n) { return i -= n; }
-    friend constexpr index operator-(element_iterator const& i, element_iterator const& j) { return i.at_ - j.at_; }
+    friend constexpr element_iterator operator+(element_iterator i, index_type n) { return i += n; }
+    friend constexpr element_iterator operator+(index_type n, element_iterator i) { return i += n; }
+    friend constexpr element_iterator operator-(element_iterator i, index_type n) { return i -= n; }
+    friend constexpr index_type operator-(element_iterator const& i, element_iterator const& j) { return i.at_ - j.at_; }
     friend constexpr bool operator==(element_iterator const& i, element_iterator const& j) { return i.at_ == j.at_; }
     friend constexpr auto operator<=>(element_iterator const& i, element_iterator const& j) { return i.at_ <=> j.at_; }
 
 private:
     Owner const* owner_ = nullptr;
-    index at_ = 0;
+    index_type at_ = 0;
 };
 
 /// Derived offers root() (the T it comes from) and domain() (which of T's families, cut how).
@@ -52,17 +52,17 @@ template <class Derived>
 class scale_interface {
 public:
     /// Number of points.
-    [[nodiscard]] constexpr index size() const { return domain().size(root()); }
+    [[nodiscard]] constexpr index_type size() const { return domain().size(root()); }
     [[nodiscard]] constexpr bool empty() const { return size() == 0; }
     /// Numbers of the first and the last point. Points keep the numbers they have in the whole family: T^- starts at 1.
-    [[nodiscard]] constexpr index first() const { return domain().first(root()); }
-    [[nodiscard]] constexpr index last() const { return domain().last(root()); }
+    [[nodiscard]] constexpr index_type first() const { return domain().first(root()); }
+    [[nodiscard]] constexpr index_type last() const { return domain().last(root()); }
     /// The point with number i. @throws error::outside_domain
-    [[nodiscard]] constexpr auto point(index i) const {
+    [[nodiscard]] constexpr auto point(index_type i) const {
         require(i);
         return element(i);
     }
-    [[nodiscard]] constexpr auto element(index i) const { return domain().base.point(root(), i); }
+    [[nodiscard]] constexpr auto element(index_type i) const { return domain().base.point(root(), i); }
     [[nodiscard]] constexpr auto min() const { return point(first()); }
     [[nodiscard]] constexpr auto max() const { return point(last()); }
 
@@ -95,12 +95,12 @@ public:
     }
     /// The number of the point t. @throws error::outside_domain when there is none.
     template <class S>
-    [[nodiscard]] constexpr index number_of(S const& t) const {
-        index const i = find(t);
+    [[nodiscard]] constexpr index_type number_of(S const& t) const {
+        index_type const i = find(t);
         if (i > last()) error::raise<error::outside_domain>(t, " is not a point of ", self());
         return i;
     }
-    constexpr void require(index i) const {
+    constexpr void require(index_type i) const {
         if (i < first() or i > last())
             error::raise<error::outside_domain>("point number ", i, " is outside ", self(), ", whose points are numbered ", first(), " to ",
                                                 last());
@@ -115,8 +115,8 @@ public:
         out << Derived::domain_type::name().view();
         if (scale.empty()) return out << " = {}";
         out << " = {" << scale.element(scale.first());
-        index const shown = std::min<index>(scale.size(), 3);
-        for (index k = 1; k < shown; ++k) out << ", " << scale.element(scale.first() + k);
+        index_type const shown = std::min<index_type>(scale.size(), 3);
+        for (index_type k = 1; k < shown; ++k) out << ", " << scale.element(scale.first() + k);
         if (scale.size() > 4) out << ", ...";
         if (scale.size() > 3) out << ", " << scale.element(scale.last());
         return out << "} (" << scale.size() << (scale.size() == 1 ? " point)" : " points)");
@@ -131,7 +131,7 @@ private:
     /// a + ih (four units in the last place of the largest point; of t itself when the points were given), so that 0.3 is found in
     /// {0, 0.1, ...}. Never by more than a quarter of the distance to the next point, however fine the scale.
     template <class S>
-    [[nodiscard]] constexpr index find(S const& given) const {
+    [[nodiscard]] constexpr index_type find(S const& given) const {
         using point_type = std::remove_cvref_t<decltype(element(0))>;
         point_type const t(given);
         if (empty() or not is_finite(t)) return last() + 1;
@@ -142,34 +142,34 @@ private:
                 return magnitude(t);
         }();
         point_type const slack = point_type(4) * epsilon<point_type>() * size;
-        index low = first(), high = last() + 1;
+        index_type low = first(), high = last() + 1;
         while (low < high) {
-            index const middle = low + (high - low) / 2;
+            index_type const middle = low + (high - low) / 2;
             if (element(middle) < t - slack)
                 low = middle + 1;
             else
                 high = middle;
         }
         // Closest of the points within the slack: on very fine scales there may be two.
-        index best = last() + 1;
-        for (index i = low; i <= last() and not(t + slack < element(i)); ++i)
+        index_type best = last() + 1;
+        for (index_type i = low; i <= last() and not(t + slack < element(i)); ++i)
             if (best > last() or magnitude(point_type(element(i) - t)) < magnitude(point_type(element(best) - t))) best = i;
         if (best > last()) return best;
-        index const next = t < element(best) ? best - 1 : best + 1;
+        index_type const next = t < element(best) ? best - 1 : best + 1;
         bool const between =
             first() <= next and next <= last() and not(t == element(best)) and
             magnitude(point_type(element(next) - element(best))) < point_type(4) * magnitude(point_type(t - element(best)));
         return between ? last() + 1 : best;
     }
     template <class S>
-    [[nodiscard]] constexpr index before_last(S const& t, char const* what) const {
-        index const i = number_of(t);
+    [[nodiscard]] constexpr index_type before_last(S const& t, char const* what) const {
+        index_type const i = number_of(t);
         if (i == last()) error::raise<error::outside_domain>(what, "(", t, ") does not exist: ", t, " is the last point of ", self());
         return i + 1;
     }
     template <class S>
-    [[nodiscard]] constexpr index after_first(S const& t, char const* what) const {
-        index const i = number_of(t);
+    [[nodiscard]] constexpr index_type after_first(S const& t, char const* what) const {
+        index_type const i = number_of(t);
         if (i == first()) error::raise<error::outside_domain>(what, "(", t, ") does not exist: ", t, " is the first point of ", self());
         return i - 1;
     }

@@ -16,8 +16,8 @@ public:
     using root_type = time_scale;
     using domain_type = hilger::domain<nodes>;
     static constexpr bool is_uniform = false;
-    static constexpr index extent = dynamic_extent;
-    static constexpr auto kind() { return text("a scale of given points"); }
+    static constexpr index_type extent = run_time_extent;
+    static constexpr auto kind() { return fixed_text("a scale of given points"); }
 
     /// At least two points, strictly increasing. @throws error::invalid_scale
     explicit time_scale(std::vector<S> points) {
@@ -43,15 +43,15 @@ public:
         requires(not std::same_as<Scale, time_scale>)
     explicit time_scale(Scale const& scale) : time_scale(std::vector<S>(scale.begin(), scale.end())) {}
 
-    [[nodiscard]] index steps() const { return static_cast<index>(points_->size()) - 1; }
-    [[nodiscard]] S const& element(index i) const { return (*points_)[static_cast<std::size_t>(i)]; }
-    [[nodiscard]] S const& point(index i) const {
+    [[nodiscard]] index_type steps() const { return static_cast<index_type>(points_->size()) - 1; }
+    [[nodiscard]] S const& element(index_type i) const { return (*points_)[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] S const& point(index_type i) const {
         this->require(i);
         return element(i);
     }
-    [[nodiscard]] S step(index i) const { return element(i + 1) - element(i); }
+    [[nodiscard]] S step(index_type i) const { return element(i + 1) - element(i); }
     template <class Lambda>
-    [[nodiscard]] S between(index i, Lambda const& lambda) const {
+    [[nodiscard]] S between(index_type i, Lambda const& lambda) const {
         S const l = lambda.template as<S>();
         return (S(1) - l) * element(i) + l * element(i + 1);
     }
@@ -68,14 +68,14 @@ time_scale(Scale const&) -> time_scale<typename Scale::root_type::scalar_type>;
 
 /// {q^k, k = first..last}, the scale of quantum calculus. @throws error::invalid_scale when q <= 1 or last <= first.
 template <ordered_scalar S>
-time_scale<S> powers(S const& q, index first, index last) {
+time_scale<S> powers(S const& q, index_type first, index_type last) {
     if (not(S(1) < q)) error::raise<error::invalid_scale>("the scale q^Z needs q > 1, and this q is ", q);
     if (last <= first)
         error::raise<error::invalid_scale>("the scale q^Z needs exponents first < last, and these are ", first, " and ", last);
     std::vector<S> points;
-    for (index k = first; k <= last; ++k) {
+    for (index_type k = first; k <= last; ++k) {
         S power(1);
-        for (index j = 0; j < (k < 0 ? -k : k); ++j) power = k < 0 ? S(power / q) : S(power * q);
+        for (index_type j = 0; j < (k < 0 ? -k : k); ++j) power = k < 0 ? S(power / q) : S(power * q);
         points.push_back(std::move(power));
     }
     return time_scale<S>(std::move(points));
@@ -83,9 +83,9 @@ time_scale<S> powers(S const& q, index first, index last) {
 
 /// The harmonic numbers H_0 = 0, H_n = 1 + 1/2 + ... + 1/n. @throws error::invalid_scale when n < 1.
 template <ordered_scalar S>
-time_scale<S> harmonic_numbers(index n) {
+time_scale<S> harmonic_numbers(index_type n) {
     std::vector<S> points{S(0)};
-    for (index k = 1; k <= n; ++k) points.push_back(points.back() + S(1) / S(static_cast<long long>(k)));
+    for (index_type k = 1; k <= n; ++k) points.push_back(points.back() + S(1) / S(static_cast<long long>(k)));
     return time_scale<S>(std::move(points));
 }
 

@@ -16,17 +16,17 @@ template <class S>
 interval(S, S) -> interval<S>;
 
 /// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
-template <ordered_scalar S, index Steps = dynamic_extent>
+template <ordered_scalar S, index_type Steps = run_time_extent>
 class uniform_scale : public scale_interface<uniform_scale<S, Steps>> {
 public:
     using scalar_type = S;
     using root_type = uniform_scale;
     using domain_type = hilger::domain<nodes>;
     static constexpr bool is_uniform = true;
-    static constexpr index extent = Steps;
-    static constexpr auto kind() { return text("a uniform scale"); }
+    static constexpr index_type extent = Steps;
+    static constexpr auto kind() { return fixed_text("a uniform scale"); }
 
-    constexpr uniform_scale(S a, S h, S b, index steps) : a_(std::move(a)), h_(std::move(h)), b_(std::move(b)), steps_(steps) {
+    constexpr uniform_scale(S a, S h, S b, index_type steps) : a_(std::move(a)), h_(std::move(h)), b_(std::move(b)), steps_(steps) {
         if (steps_ < 1) error::raise<error::invalid_scale>("a time scale needs at least one step, and this one was given ", steps_);
         if (not is_finite(a_) or not is_finite(h_) or not is_finite(b_))
             error::raise<error::invalid_scale>("the points of a time scale are finite, and these start at ", a_, " with step ", h_);
@@ -37,17 +37,17 @@ public:
             error::raise<error::invalid_scale>("the step h = ", h_, " is lost in rounding beside the points ", a_, " and ", b_);
     }
 
-    [[nodiscard]] constexpr index steps() const { return steps_; }
+    [[nodiscard]] constexpr index_type steps() const { return steps_; }
     [[nodiscard]] constexpr S const& h() const { return h_; }
-    [[nodiscard]] constexpr S point(index i) const {
+    [[nodiscard]] constexpr S point(index_type i) const {
         this->require(i);
         return element(i);
     }
-    [[nodiscard]] constexpr S element(index i) const { return i == steps_ ? b_ : S(a_ + number(i) * h_); }
-    [[nodiscard]] constexpr S const& step(index) const { return h_; }
+    [[nodiscard]] constexpr S element(index_type i) const { return i == steps_ ? b_ : S(a_ + number(i) * h_); }
+    [[nodiscard]] constexpr S const& step(index_type) const { return h_; }
     /// (1 - lambda) t_i + lambda t_{i+1}
     template <class Lambda>
-    [[nodiscard]] constexpr S between(index i, Lambda const& lambda) const {
+    [[nodiscard]] constexpr S between(index_type i, Lambda const& lambda) const {
         return a_ + (number(i) + lambda.template as<S>()) * h_;
     }
     [[nodiscard]] constexpr uniform_scale const& root() const { return *this; }
@@ -63,27 +63,27 @@ private:
         else
             return S(0);
     }
-    static constexpr S number(index i) { return S(static_cast<long long>(i)); }
+    static constexpr S number(index_type i) { return S(static_cast<long long>(i)); }
     S a_, h_, b_;
-    index steps_;
+    index_type steps_;
 };
 
 /// T = {a + ih, i = 0..N}. @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
 template <ordered_scalar S>
-constexpr auto uniform(S a, std::type_identity_t<S> h, index steps) {
+constexpr auto uniform(S a, std::type_identity_t<S> h, index_type steps) {
     S b = a + S(static_cast<long long>(steps)) * h;
     return uniform_scale<S>(std::move(a), std::move(h), std::move(b), steps);
 }
 
 /// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
 template <ordered_scalar S>
-constexpr auto uniform(interval<S> ab, index steps) {
+constexpr auto uniform(interval<S> ab, index_type steps) {
     S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
     return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
 }
 
 /// The same with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
-template <index Steps, ordered_scalar S>
+template <index_type Steps, ordered_scalar S>
 constexpr auto uniform(S a, std::type_identity_t<S> h) {
     static_assert(Steps >= 1, "a time scale needs at least one step");
     S b = a + S(static_cast<long long>(Steps)) * h;
@@ -94,18 +94,18 @@ namespace detail {
 template <class A>
 constexpr auto why_not_a_scalar() {
     if constexpr (std::integral<A>)
-        return text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0");
+        return fixed_text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0");
     else
-        return text("a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
-                    "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them");
+        return fixed_text("a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
+                          "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them");
 }
 } // namespace detail
 
 /// A start that is no scalar is refused in one sentence.
 template <class A, class H>
     requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&, index) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
-template <index Steps, class A, class H>
+constexpr auto uniform(A const&, H const&, index_type) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
+template <index_type Steps, class A, class H>
     requires(not ordered_scalar<A>)
 constexpr auto uniform(A const&, H const&) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
 

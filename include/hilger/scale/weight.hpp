@@ -15,14 +15,14 @@ struct mean_weight {
     static constexpr bool vanishes_last = std::same_as<Lambda, fraction<0>>;
     static constexpr auto name() {
         if constexpr (vanishes_last)
-            return text("delta");
+            return fixed_text("delta_weight");
         else if constexpr (vanishes_first)
-            return text("nabla");
+            return fixed_text("nabla_weight");
         else
-            return text("mean");
+            return fixed_text("mean");
     }
     template <class Root, class Base>
-    static constexpr auto at(Root const& T, Base const& base, index i) {
+    static constexpr auto at(Root const& T, Base const& base, index_type i) {
         using S = typename Root::scalar_type;
         S const after = i < base.last(T.steps()) ? S(base.step(T, i)) : S(0);
         S const before = i > 0 ? S(base.step(T, i - 1)) : S(0);
@@ -30,16 +30,16 @@ struct mean_weight {
         return S((S(1) - l) * after + l * before);
     }
 };
-using delta = mean_weight<fraction<0>>;
-using nabla = mean_weight<fraction<1>>;
+using delta_weight = mean_weight<fraction<0>>;
+using nabla_weight = mean_weight<fraction<1>>;
 
 /// The weights of the lambda-integral, on T_lambda: t_{i+1} - t_i at t_{i,lambda} (Cresson-Safi (32)).
-struct steps {
+struct step_weight {
     static constexpr bool vanishes_first = false;
     static constexpr bool vanishes_last = false;
-    static constexpr auto name() { return text("steps"); }
+    static constexpr auto name() { return fixed_text("step_weight"); }
     template <class Root, class Lambda>
-    static constexpr auto at(Root const& T, between<Lambda> const&, index i) {
+    static constexpr auto at(Root const& T, between<Lambda> const&, index_type i) {
         return typename Root::scalar_type(T.step(i));
     }
 };
@@ -50,9 +50,9 @@ template <class W>
 struct split_weight {
     static constexpr bool vanishes_first = W::vanishes_first;
     static constexpr bool vanishes_last = W::vanishes_last;
-    static constexpr auto name() { return text("split"); }
+    static constexpr auto name() { return fixed_text("split"); }
     template <class Root, class Lambda>
-    static constexpr auto at(Root const& T, joined<Lambda> const&, index j) {
+    static constexpr auto at(Root const& T, joined<Lambda> const&, index_type j) {
         using S = typename Root::scalar_type;
         return S((j % 2 == 0 ? S(W::at(T, nodes{}, j / 2)) : S(T.step(j / 2))) / S(2));
     }
@@ -62,7 +62,7 @@ struct split_weight {
 /// the type of a weight; the Delta weight is used then.
 template <class Lambda>
 struct natural_weight {
-    using type = delta;
+    using type = delta_weight;
 };
 template <int P, int Q>
 struct natural_weight<fraction<P, Q>> {
@@ -70,14 +70,14 @@ struct natural_weight<fraction<P, Q>> {
 };
 template <>
 struct natural_weight<fraction<0>> {
-    using type = delta;
+    using type = delta_weight;
 };
 template <class Lambda>
 using natural_weight_t = typename natural_weight<Lambda>::type;
 
 /// The weight W at point i of the family that f lives on.
 template <class W, class F>
-constexpr auto weight_at(F const& f, index i) {
+constexpr auto weight_at(F const& f, index_type i) {
     return W::at(f.root(), f.domain().base, i);
 }
 

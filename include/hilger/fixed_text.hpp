@@ -9,32 +9,32 @@ namespace hilger {
 
 /// A string usable as a template argument. g++ prints it literally in its messages.
 template <std::size_t N>
-struct text {
+struct fixed_text {
     char characters[N]{};
 
-    constexpr text() = default;
-    constexpr text(char const (&literal)[N]) {
+    constexpr fixed_text() = default;
+    constexpr fixed_text(char const (&literal)[N]) {
         for (std::size_t i = 0; i < N; ++i) characters[i] = literal[i];
     }
     [[nodiscard]] constexpr std::string_view view() const { return {characters, N - 1}; }
 };
 
 template <std::size_t N, std::size_t M>
-constexpr text<N + M - 1> operator+(text<N> const& a, text<M> const& b) {
-    text<N + M - 1> joined;
+constexpr fixed_text<N + M - 1> operator+(fixed_text<N> const& a, fixed_text<M> const& b) {
+    fixed_text<N + M - 1> joined;
     for (std::size_t i = 0; i + 1 < N; ++i) joined.characters[i] = a.characters[i];
     for (std::size_t i = 0; i < M; ++i) joined.characters[N - 1 + i] = b.characters[i];
     return joined;
 }
 
 template <std::size_t N, std::size_t M>
-constexpr auto operator+(text<N> const& a, char const (&b)[M]) {
-    return a + text<M>(b);
+constexpr auto operator+(fixed_text<N> const& a, char const (&b)[M]) {
+    return a + fixed_text<M>(b);
 }
 
 template <std::size_t N, std::size_t M>
-constexpr auto operator+(char const (&a)[N], text<M> const& b) {
-    return text<N>(a) + b;
+constexpr auto operator+(char const (&a)[N], fixed_text<M> const& b) {
+    return fixed_text<N>(a) + b;
 }
 
 /// The decimal digits of a small non-negative number.
@@ -42,14 +42,14 @@ template <unsigned Number>
 constexpr auto digits() {
     if constexpr (Number < 10) {
         char const digit[2] = {static_cast<char>('0' + Number), '\0'};
-        return text<2>(digit);
+        return fixed_text<2>(digit);
     } else {
         return digits<Number / 10>() + digits<Number % 10>();
     }
 }
 
 /// What the wrong use of a library function instantiates: the sentence appears in the message because it is the template argument.
-template <text Sentence>
+template <fixed_text Sentence>
 struct does_not_compile {
     static_assert(sizeof(Sentence) == 0, "hilger: read the sentence above");
 };
