@@ -3,5 +3,5 @@
 #pragma once
 
 #define HILGER_VERSION_MAJOR 0
-#define HILGER_VERSION_MINOR 1
+#define HILGER_VERSION_MINOR 2
 #define HILGER_VERSION_PATCH 0
