@@ -7,7 +7,12 @@
 // there from q and the values before, so that the step's matrix is that of (9), (10), with
 //   c_a = omega(0)^alpha tau^alpha / (h^alpha + omega(0)^alpha tau^alpha);
 // (10) leaves out omega(0)^alpha, (3/2)^alpha for G^alpha: as printed, the relaxation time of what is solved is 2 tau / 3.
-// The material is unstrained before t_0: q_a(t_0) = 0, whatever q(t_0) is.
+// The material is unstrained before t_0: q_a(t_0) = 0, whatever q(t_0) is. Its q then jumps at t_0, and q_a begins like (t - t_0)^alpha.
+// The order is two all the same. With z = e^{-sh} the weights of order two and Newmark's sums (1 + z) / (2 (1 - z)) are what they stand for
+// but for a factor 1 + O((sh)^2), s^alpha and 1/(sh); so are the transforms of the sequences t_n and, halved at t_0, 1 of a motion and a
+// load. The error at a fixed t is an integral of e^{st} times that over a contour with s of the size of 1/t, however rough the beginning
+// is. But q_a = 0 at t_0 leaves of the jump the sequence 0, 1, 1, ..., and z / (1 - z) = 1/(sh) - 1/2 + O(sh) is of order one. Hence half
+// of the jump more at t_1 (Lubich's correction of the first weights): z / (1 - z) + z / 2 = 1/(sh) + O(sh).
 #pragma once
 
 #include "hilger/integrator/fractional_structure.hpp"
@@ -60,7 +65,8 @@ struct zener_structure {
               zero_(anelastic_), difference_(anelastic_), ratio_(S(on.unrelaxed_modulus) / S(on.relaxed_modulus)),
               tau_(detail::power(S(on.relaxation_time), detail::checked_order(on.order).template as<S>())),
               present_(S(1) + tau_ * history_.present_weight()) {}
-        void begin(V const&, V const&) {
+        void begin(V const& u0, V const&) {
+            jump_ = u0 * S(S(1) / S(2));
             history_.begin(zero_, zero_);
             history_.arrive(zero_);
         }
@@ -72,10 +78,13 @@ struct zener_structure {
                 return;
             }
             // eps_a (1 + tau^alpha h^-alpha omega(0)^alpha) + tau^alpha (its difference without the present) = (E_inf - E_o) / E_inf eps
-            anelastic_ = (u * S((ratio_ - S(1)) / ratio_) - history_.at_next(zero_) * tau_) * S(S(1) / present_);
+            anelastic_ = ((u + jump_) * S((ratio_ - S(1)) / ratio_) - history_.at_next(zero_) * tau_) * S(S(1) / present_);
             difference_ = u - anelastic_;
             m::add_product(d, on.stiffness, difference_, S(-ratio_));
-            if (taken) history_.arrive(anelastic_);
+            if (taken) {
+                history_.arrive(anelastic_);
+                jump_ = zero_;
+            }
         }
         [[nodiscard]] index_type damped_components() const { return detail::shape<V>::dimension(zero_); }
         [[nodiscard]] auto const& history() const { return history_; }
@@ -85,6 +94,7 @@ struct zener_structure {
     private:
         detail::fractional_memory<G, order_type, Policy, S, V> history_;
         V anelastic_, zero_, difference_;
+        V jump_{zero_}; ///< half of q(t_0), until t_1 is reached
         S ratio_, tau_, present_;
         bool first_ = true;
     };
