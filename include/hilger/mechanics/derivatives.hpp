@@ -182,6 +182,35 @@ expansion<V> expand_in_chunks(F const& f, V const& q, V const& v) {
     return e;
 }
 
+/// by_v and vv alone, a third of the evaluations.
+template <class F, class V>
+expansion<V> expand_second_in_chunks(F const& f, V const& q, V const& v) {
+    using s = shape<V>;
+    using J = jet<scalar_of<V>, 0, 2 * chunk, 2>;
+    int const d = s::dimension(q);
+    expansion<V> e{{}, s::zero(d), {}, {}, s::zero_block(d), {}};
+    dependence const of_v{0, 1};
+    auto const x = with_variables<J, chunk>(q, d, 0, {});
+    for (int j = 0; j < d; j += chunk)
+        for (int k = j; k < d; k += chunk) {
+            auto y = with_variables<J, chunk>(v, j, 0, of_v);
+            for (int b = 0; b < chunk and k + b < d; ++b)
+                if (k != j) y(k + b) = J::variable(v(k + b), chunk + b, of_v);
+            auto const value = as_jet<J>(call(f, x, y));
+            e.on = e.on + value.on;
+            if (k != j)
+                copy_block(value, e.vv, j, k, d);
+            else
+                for (int a = 0; a < chunk and j + a < d; ++a) {
+                    e.by_v(j + a) = value.derivative(a);
+                    for (int b = 0; b < chunk and j + b < d; ++b) e.vv(j + a, j + b) = value.derivative(std::max(a, b), std::min(a, b));
+                }
+        }
+    for (int j = 0; j < d; ++j)
+        for (int k = 0; k < j; ++k) e.vv(j, k) = e.vv(k, j);
+    return e;
+}
+
 template <class V, class Jet, int... K>
 expansion<V> unpacked(Jet const& z, std::integer_sequence<int, K...>) {
     using s = shape<V>;
@@ -234,6 +263,16 @@ expansion<V> expand(F const& f, V const& q, V const& v) {
         constexpr std::make_integer_sequence<int, s::size> all;
         return detail::unpacked<V>(detail::jets_of<2, s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
     }
+}
+
+/// Of the second argument alone, at least: by_v and vv.
+template <class F, class V>
+expansion<V> expand_second(F const& f, V const& q, V const& v) {
+    using s = detail::shape<V>;
+    if constexpr (requires { f.expand(q, v); } or not(s::size == Eigen::Dynamic or s::size > detail::one_evaluation))
+        return expand(f, q, v);
+    else
+        return detail::expand_second_in_chunks(f, q, v);
 }
 
 } // namespace hilger

@@ -7,20 +7,28 @@
 
 namespace hilger {
 
-/// p = dL/dv(q, v).
+/// p = dL/dv(q, v): the member momentum(q, v) of an L that has one, else by jets.
 template <class L, class V>
 V momentum_of(L const& lagrangian, V const& q, V const& v) {
-    return gradient_second(lagrangian, q, v);
+    if constexpr (requires { lagrangian.momentum(q, v); })
+        return lagrangian.momentum(q, v);
+    else
+        return gradient_second(lagrangian, q, v);
 }
 
-/// The v with dL/dv(q, v) = p, by Newton from `guess`. @throws error::singular when d2L/dv2 is singular, error::no_convergence.
+/// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else by Newton from `guess`.
+/// @throws error::singular when d2L/dv2 is singular, error::no_convergence.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
-    auto const equation = [&](V const& v) {
-        auto const d = expand(lagrangian, q, v);
-        return newton_system<V>{V(d.by_v - p), d.vv};
-    };
-    return newton(equation, guess, p, "the Legendre map v -> dL/dv");
+    if constexpr (requires { lagrangian.velocity(q, p); })
+        return lagrangian.velocity(q, p);
+    else {
+        auto const equation = [&](V const& v) {
+            auto d = expand_second(lagrangian, q, v);
+            return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
+        };
+        return newton(equation, guess, p, "the Legendre map v -> dL/dv");
+    }
 }
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {

@@ -17,11 +17,20 @@ class legendre_transform {
 public:
     constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
 
-    /// p with dH/dp(p, q) = v. @throws error::singular where d2H/dp2 is, error::no_convergence
+    /// p with dH/dp(p, q) = v, and v = dH/dp(p, q). H may depend on the time.
+    /// @throws error::singular where d2H/dp2 is, error::no_convergence
     template <class V>
-    [[nodiscard]] V momentum(V const& q, V const& v) const {
-        return momentum_for(hamiltonian_, q, v);
-    }
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] V momentum(V const& q, V const& v) const { return momentum_for(hamiltonian_, q, v); }
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const { return momentum_for(detail::at_time{hamiltonian_, t}, q, v); }
+    template <class V>
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] V velocity(V const& q, V const& p) const { return gradient_first(hamiltonian_, p, q); }
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] V velocity(S const& t, V const& q, V const& p) const { return gradient_first(detail::at_time{hamiltonian_, t}, p, q); }
     /// L(q, v), a number.
     template <class V>
     scalar_of<V> operator()(V const& q, V const& v) const {

@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "hilger/inlining.hpp"
 #include "hilger/mechanics/pairs.hpp"
 
@@ -134,10 +136,39 @@ public:
         else
             return v.dot(v) * mass_ / 2 - potential_(q);
     }
+    /// The Legendre map p = M v and its inverse. @throws error::mismatch when M has another dimension, error::singular
+    template <class V>
+    [[nodiscard]] V momentum(V const& q, V const& v) const {
+        require_size(q.size());
+        if constexpr (is_matrix)
+            return mass_.template cast<scalar_of<V>>() * v;
+        else if constexpr (requires { mass_.size(); })
+            return mass_.template cast<scalar_of<V>>().cwiseProduct(v);
+        else
+            return v * scalar_of<V>(mass_);
+    }
+    template <class V>
+    [[nodiscard]] V velocity(V const& q, V const& p) const {
+        require_size(q.size());
+        if constexpr (is_matrix) {
+            Eigen::LLT<block_of<V>> const factors(mass_.template cast<scalar_of<V>>());
+            if (factors.info() != Eigen::Success) error::raise<error::singular>("the mass matrix is not positive definite");
+            return factors.solve(p);
+        } else if constexpr (requires { mass_.size(); })
+            return p.cwiseQuotient(mass_.template cast<scalar_of<V>>());
+        else
+            return p / scalar_of<V>(mass_);
+    }
     [[nodiscard]] Mass const& mass() const { return mass_; }
     [[nodiscard]] wrapped const& potential() const { return potential_; }
 
 private:
+    void require_size(index_type d) const {
+        if constexpr (requires { mass_.size(); }) {
+            index_type const m = mass_.rows();
+            if (m != d) error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
+        }
+    }
     Mass mass_;
     wrapped potential_;
 };

@@ -51,6 +51,27 @@ struct at_time {
         else
             return f.expand(q, v);
     }
+    /// The Legendre map and its inverse of an L that has them.
+    template <class V>
+        requires(
+            requires(F const& g, V const& x) { g.momentum(x, x); } or requires(F const& g, S const& u, V const& x) { g.momentum(u, x, x); })
+    V momentum(V const& q, V const& v)
+    const {
+        if constexpr (requires { f.momentum(t, q, v); })
+            return f.momentum(t, q, v);
+        else
+            return f.momentum(q, v);
+    }
+    template <class V>
+        requires(
+            requires(F const& g, V const& x) { g.velocity(x, x); } or requires(F const& g, S const& u, V const& x) { g.velocity(u, x, x); })
+    V velocity(V const& q, V const& p)
+    const {
+        if constexpr (requires { f.velocity(t, q, p); })
+            return f.velocity(t, q, p);
+        else
+            return f.velocity(q, p);
+    }
 };
 template <class F, class S>
 at_time(F const&, S const&) -> at_time<F, S>;
