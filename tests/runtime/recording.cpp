@@ -51,9 +51,26 @@ TEST_CASE("positions are the solution in C(T), momenta satisfy their definition,
                          "a function on T = {0, 1/5, 2/5, ..., 6/5} (7 points) needs 7 values, and was given 4", error::mismatch);
 }
 
-TEST_CASE("where a step fails the states before it stay") {
+TEST_CASE("a recording is whole: where a step fails, its error is thrown") {
     auto const path = embed(cubic, mid_point).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
-    auto const run = record(path);
+    CHECK_THROWS_AS((void)record(path), error::no_convergence);
+    CHECK_THROWS_AS((void)record(path, 7), error::no_convergence);
+    try {
+        (void)record(path, 1000);
+        FAIL("the walk ends in a failed step");
+    } catch (interrupted<double, double> const& end) {
+        CHECK(end.last.t > 0);
+    }
+    CHECK_THROWS_AS((void)record(path, 0, keep_partial), error::invalid_parameter);
+    // Of a walk that reaches its end there is no difference.
+    auto const whole = embed(pendulum, mid_point).along(uniform(0.0, 0.1, 10), 1.0, 0.0);
+    CHECK(record(whole).states == record(whole, keep_partial).states);
+    CHECK_FALSE(record(whole, keep_partial).stopped);
+}
+
+TEST_CASE("where a step fails the states before it stay for whoever asks for them") {
+    auto const path = embed(cubic, mid_point).along(uniform(0.0, 0.1, 50), 1.0, 0.0);
+    auto const run = record(path, keep_partial);
     REQUIRE(run.stopped);
     CHECK(run.stopped->find("the step from t = ") == 0);
     CHECK(run.stopped->find("did not converge") != std::string::npos);
@@ -66,7 +83,7 @@ TEST_CASE("where a step fails the states before it stay") {
     }
     CHECK(run.states == walked);
     // The last good state is kept whatever the stride is.
-    CHECK(record(path, 1000).states == std::vector{walked.front(), walked.back()});
+    CHECK(record(path, 1000, keep_partial).states == std::vector{walked.front(), walked.back()});
     CHECK_THROWS_AS((void)run.positions(), error::mismatch);
 }
 
@@ -75,7 +92,9 @@ TEST_CASE("what a Lagrangian throws itself loses no state either") {
         if (x > 2) throw std::domain_error("beyond the fence");
         return v * v / 2 + 0 * x;
     }};
-    auto const run = record(embed(fenced, mid_point).along(uniform(0.0, 0.5, 10), 0.0, 1.0));
+    auto const path = embed(fenced, mid_point).along(uniform(0.0, 0.5, 10), 0.0, 1.0);
+    CHECK_THROWS_AS((void)record(path), std::domain_error);
+    auto const run = record(path, keep_partial);
     REQUIRE(run.stopped);
     CHECK(*run.stopped == "beyond the fence");
     CHECK(run.states.size() == 5); // mid-points 0.25, ..., 1.75 are inside
