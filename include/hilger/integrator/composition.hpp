@@ -40,6 +40,13 @@ class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
             x_.t = x.t + h;
             x = x_;
         }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(composed_flow const& f, Visit& each) {
+            each("step", h_);
+            lengths_ = scaled(parts_, h_);
+            for (std::size_t turn = 0; turn < turns; ++turn) visit(f, each, turn, all{});
+        }
 
     private:
         using numbers = std::array<S, Parts::size>;
@@ -58,6 +65,11 @@ class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
         template <std::size_t... J>
         void take(composed_flow const& f, std::size_t turn, std::index_sequence<J...>) {
             (std::get<J>(memories_)[turn].advance(std::get<J>(f.flows_), x_, lengths_[turn * sizeof...(Flows) + J]), ...);
+        }
+
+        template <class Visit, std::size_t... J>
+        void visit(composed_flow const& f, Visit& each, std::size_t turn, std::index_sequence<J...>) {
+            (std::get<J>(memories_)[turn].visit(std::get<J>(f.flows_), each), ...);
         }
 
         numbers parts_;
@@ -98,8 +110,25 @@ public:
             } else
                 error::raise<error::not_finite>("the kicks and drifts of the step meet NaN or infinity");
         }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(composed_flow const& f, Visit& each) {
+            if constexpr (kicks) kicks_.visit(f, each);
+            if constexpr (turns_too) {
+                int turns = turns_ ? 1 : 0;
+                each("turns", turns);
+                if (turns != 0 and not turns_) make_turns(f);
+                if (turns == 0) turns_.reset();
+                if (turns_) turns_->visit(f, each);
+            }
+        }
 
     private:
+        /// What was read from a checkpoint says that there are turns. They are made without being asked where states have no fixed size.
+        void make_turns(composed_flow const& f) {
+            using s = detail::shape<V>;
+            if constexpr (kicks and s::size != Eigen::Dynamic) turns_.emplace(f, kicks_.h(), s::zero(s::size));
+        }
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
         /// Made when it is needed.
         [[no_unique_address]] std::conditional_t<turns_too, std::optional<by_turns<S, V>>, nothing> turns_;

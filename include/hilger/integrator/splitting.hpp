@@ -173,7 +173,29 @@ public:
             return loop(f.mechanics(), x);
     }
 
+    [[nodiscard]] S const& h() const { return h_; }
+    /// Everything that later steps depend on, for checkpoints.
+    template <class Visit>
+    void visit(Flow const& f, Visit& each) {
+        each("step", h_);
+        prepare(f, h_);
+        int known = known_ ? 1 : 0;
+        each("known", known);
+        known_ = known != 0;
+        for (std::size_t k = 0; k < size_of(last_); ++k) each("position", component(last_, k));
+        for (std::size_t k = 0; k < size_of(g_); ++k) each("force", component(g_, k));
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
 private:
+    static std::size_t size_of(vector const& x) { return static_cast<std::size_t>(x.size()); }
+    static S& component(vector& x, std::size_t k) {
+        if constexpr (large)
+            return x(static_cast<index_type>(k));
+        else
+            return x[k];
+    }
     /// Neighbours of one kind are one: their lengths add up.
     void prepare(Flow const& f, S const& h) {
         h_ = h;
