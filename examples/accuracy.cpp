@@ -26,5 +26,11 @@ int main() {
                   << x.error << std::setw(12) << error << '\n';
         all = all and error <= wanted;
     }
-    return all ? 0 : 1;
+
+    // A force may be of time; the driven oscillator below moves as 5 sin t, and what it starts with dies away.
+    auto const spring = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
+    auto const driven = [](auto const& t, auto const& q, auto const& v) { return cos(t) - v / 5 + 0 * q; };
+    auto const x = solve(with_force(spring, driven), interval{0.0, 50.0}, initial_velocity<double>{0.0, 5.0}, accuracy{1e-9});
+    std::cout << "5 sin 50 within " << std::abs(x.end.q - 5 * std::sin(50.0)) << " by " << x.method << '\n';
+    return all and std::abs(x.end.q - 5 * std::sin(50.0)) <= 1e-9 ? 0 : 1;
 }

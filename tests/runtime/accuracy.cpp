@@ -62,3 +62,33 @@ TEST_CASE("a start where the first steps are too long for Newton is found its st
     auto const better = solve(stiff, interval{0.0, 5.0}, initial_velocity<double>{3.0, 0.0}, accuracy{1e-11});
     CHECK(std::abs(x.end.q - better.end.q) <= 1e-9);
 }
+
+namespace {
+/// x'' + x'/5 + x = 0 from (q0, v0), and = cos t from (1, 1/2), of which 5 sin t is a solution.
+double damped(double t, double q0, double v0) {
+    double const w = std::sqrt(0.99);
+    return std::exp(-t / 10) * (q0 * std::cos(w * t) + (v0 + q0 / 10) / w * std::sin(w * t));
+}
+double driven(double t) { return 5 * std::sin(t) + damped(t, 1, 0.5 - 5); }
+} // namespace
+
+TEST_CASE("with a Lagrangian of time and a force of time") {
+    auto const L = [](auto const& t, auto const& q, auto const& v) { return v * v / 2 - q * q / 2 + q * cos(t) / 2; };
+    auto const force = [](auto const& t, auto const& q, auto const& v) { return cos(t) / 2 - v / 5 + 0 * q; };
+    interval const I{0.0, 10.0};
+    for (double const wanted : {1e-2, 1e-4, 1e-11}) {
+        auto const x = solve(with_force(L, force), I, initial_velocity<double>{1.0, 0.5}, accuracy{wanted});
+        auto const T = uniform(I, x.steps);
+        double worst = 0;
+        for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, std::abs(x.q[i] - driven(T.element(i))));
+        CHECK(worst <= wanted);
+    }
+}
+TEST_CASE("with a force in the plane") {
+    Eigen::Vector2d const q(1, 0), v(0.5, -1);
+    auto const L = [](auto const& x, auto const& u) { return u.dot(u) / 2 - x.dot(x) / 2; };
+    auto const drag = [](auto const& x, auto const& u) { return (-u / 5 + 0 * x).eval(); };
+    auto const x = solve(with_force(L, drag), interval{0.0, 10.0}, initial_velocity<Eigen::Vector2d>{q, v}, accuracy{1e-9});
+    CHECK(std::abs(x.end.q(0) - damped(10, 1, 0.5)) <= 1e-9);
+    CHECK(std::abs(x.end.q(1) - damped(10, 0, -1)) <= 1e-9);
+}

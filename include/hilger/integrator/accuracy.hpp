@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A solution to a wanted accuracy instead of a number of steps:
 //   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.steps, x.method, x.error
+//   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. The number of steps is doubled until two solutions agree.
 #pragma once
@@ -85,15 +86,16 @@ auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& 
 
 } // namespace detail
 
-/// The motion of L(q, v) from (q0, v0) over [a, b]. @throws error::invalid_parameter where the scalar cannot hold the accuracy or it is not
-/// positive; error::invalid_scale; error::no_convergence, which says how near it came; and what steps throw.
+/// The motion of L(q, v) or L(t, q, v), or of with_force(L, f), from (q0, v0) over [a, b]. @throws error::invalid_parameter where the
+/// scalar cannot hold the accuracy or it is not positive; error::invalid_scale; error::no_convergence, which says how near it came; and
+/// what steps throw.
 template <class F, class S, class V>
 auto solve(F const& L, interval<S> const& I, initial_velocity<V> const& from, accuracy const& goal) {
     static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
     if (not(goal.wanted > 0) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
         error::raise<error::invalid_parameter>("an accuracy in this scalar is at least ", S(64) * epsilon<S>(), " (64 epsilon), not ",
                                                goal.wanted);
-    V const p0 = momentum_of(detail::at_time{L, I.a}, from.q0, from.v0);
+    V const p0 = embed(L, mid_point).momentum(I.a, from.q0, from.v0);
     auto const run = [&](auto const& how, char const* method) {
         return detail::solve_by_doubling(embed(L, how), method, I, from.q0, p0, goal);
     };
