@@ -4,6 +4,7 @@
 
 #include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/recording.hpp"
+#include "hilger/integrator/residual.hpp"
 #include "systems.hpp"
 
 using namespace hilger;
@@ -101,4 +102,29 @@ TEST_CASE("the residual of the equation along a recorded trajectory") {
     CHECK(residual(pendulum, mid_point, 0.1) < 16 * epsilon<double>() * 2 / 0.01);
     CHECK(residual(pendulum, mid_point, float50(1) / 10) < 16 * epsilon<float50>() * 2 * 100);
     CHECK(residual(pendulum, order_one, 0.1) > 1e-4); // that solves another equation
+}
+
+TEST_CASE("what is no number is not overlooked") {
+    auto const e = [](auto const& x) { return x.q; };
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    using point = state<double, double>;
+    CHECK(std::isnan(drift_along(std::vector<point>{{0, 1, 0}, {1, nan, 0}, {2, 5, 0}}, e).largest));
+    Eigen::Matrix2d M;
+    M << 1, nan, 0, 1;
+    CHECK(std::isnan(symplecticity_error(M)));
+}
+
+TEST_CASE("the residual along a path is that of its equation, forces included") {
+    auto const friction = [](auto const& t, auto const& q, auto const& v) { return -v / 3 + q * t; };
+    auto const T = uniform(Q(0), Q(1, 5), 6);
+    constexpr unknown q;
+    auto const EL = variation(integral(oscillator(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    auto const path = embed(with_force(oscillator, friction), mid_point).along(T, Q(1), Q(1, 2));
+    auto const x = record(path).positions();
+    CHECK(largest_residual(path) == 0);
+    CHECK(largest_residual(EL, x, friction) == 0);
+    CHECK(largest_residual(EL, x) > Q(1, 10)); // without its force it is another equation
+    time_scale<Q> const given{Q(0), Q(1, 3), Q(1), Q(7, 5), Q(2), Q(9, 4)};
+    CHECK(largest_residual(embed(with_force(oscillator, friction), theta<1, 3>).along(given, Q(1), Q(1, 2))) == 0);
+    CHECK(largest_residual(embed(oscillator, order_one_left).along(without_last(given), Q(1), Q(1, 2))) == 0); // a part of a scale
 }

@@ -16,6 +16,14 @@
 
 namespace hilger {
 
+namespace detail {
+/// The larger of a bound and a magnitude; not a number where either is none, so that it cannot be overlooked.
+template <class S>
+S larger(S const& bound, S const& x) {
+    return x <= bound or not(bound == bound) ? bound : x;
+}
+} // namespace detail
+
 /// How a quantity e(t) that should stay what it was at the start does not.
 template <class S>
 struct drift_statistics {
@@ -41,7 +49,7 @@ auto drift_along(Path const& path, Quantity const& quantity) {
         S const value = quantity(x);
         if (count == 0) start = value;
         S const error = value - start;
-        result.largest = std::max(result.largest, S(magnitude(error)));
+        result.largest = detail::larger(result.largest, S(magnitude(error)));
         S const n(++count), from_t = x.t - mean_t, from_e = error - mean_e;
         mean_t = mean_t + from_t / n;
         mean_e = mean_e + from_e / n;
@@ -115,7 +123,7 @@ auto symplecticity_error(Matrix const& M) {
         for (int k = 0; k < n; ++k) {
             S sum(k == j + d ? -1 : j == k + d ? 1 : 0);
             for (int i = 0; i < d; ++i) sum = sum + (M(i, j) * M(d + i, k) - M(d + i, j) * M(i, k));
-            worst = std::max(worst, S(magnitude(sum)));
+            worst = detail::larger(worst, S(magnitude(sum)));
         }
     return worst;
 }
@@ -128,14 +136,31 @@ S reversibility_error(Method const& method, Adjoint const& adjoint, state<S, V> 
     return std::max(S(magnitude(V(back.q - x.q))), S(magnitude(V(back.p - x.p))));
 }
 
-/// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T). Terms of the size |p| / h cancel in it, so it
-/// is a few epsilons of that where x is a solution.
+namespace detail {
+/// The largest component of a function's values.
+template <class S, class R>
+S largest_of(R const& residual) {
+    S worst(0);
+    for (auto const& r : residual)
+        for (int k = 0; k < shape<std::remove_cvref_t<decltype(r)>>::dimension(r); ++k)
+            worst = larger(worst, S(magnitude(shape<std::remove_cvref_t<decltype(r)>>::component(r, k))));
+    return worst;
+}
+} // namespace detail
+
+/// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T); 0 where T has no inner point. Terms of the
+/// size |p| / h cancel in it, so it is a few epsilons of that where x is a solution.
 template <class Action, discrete_function X>
 auto largest_residual(euler_lagrange<Action> const& equation, X const& x) {
-    using S = typename X::root_type::scalar_type;
-    S worst(0);
-    for (auto const& r : equation.residual(x)) worst = std::max(worst, S(magnitude(r)));
-    return worst;
+    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
+}
+/// The same with a force f(q, v) or f(t, q, v) beside dL/dq.
+template <class Action, discrete_function X, class Force>
+auto largest_residual(euler_lagrange<Action> const& equation, X const& x, Force const& force) {
+    if constexpr (std::same_as<Force, no_force>)
+        return largest_residual(equation, x);
+    else
+        return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x, force));
 }
 
 } // namespace hilger

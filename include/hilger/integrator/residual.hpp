@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+// The equation is the judge: what a trajectory leaves of the discrete Euler-Lagrange equation that its method was derived from,
+//   A*[dL/dq + f] + B*[dL/dv]   at the inner points of T,
+// evaluated by the operators of the embedding (mechanics/variation.hpp), of which a step uses nothing but numbers.
+//   largest_residual(embed(with_force(L, f), mid_point).along(T, q0, p0))
+#pragma once
+
+#include "hilger/integrator/diagnostics.hpp"
+#include "hilger/integrator/flow.hpp"
+
+namespace hilger {
+
+/// The discrete Euler-Lagrange equation of a flow's Lagrangian on T, without its forces.
+template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Root>
+constexpr auto equation_of(flow<F, Force, embedding<A, B, W>, Sums> const& f, Root const& T) {
+    auto const& how = f.embedding();
+    return variation(action<F, A, B, W, Root>{f.mechanics().lagrangian, how.position, how.velocity, T});
+}
+
+namespace detail {
+
+/// The points that a trajectory walks, as a scale of its own where they are a part of one.
+template <class Scale>
+auto scale_of_steps(Scale const& T) {
+    if constexpr (std::same_as<typename Scale::domain_type, domain<nodes>>)
+        return T.root();
+    else {
+        std::vector<typename Scale::root_type::scalar_type> points;
+        for (auto const& t : T) points.push_back(t);
+        return time_scale(std::move(points));
+    }
+}
+/// q in C(T), walked anew. @throws as walking does
+template <class Path>
+auto positions_along(Path const& path) {
+    std::vector<std::remove_cvref_t<decltype((*path.begin()).q)>> q;
+    for (auto const& x : path) q.push_back(x.q);
+    return function_on(scale_of_steps(path.scale()), std::move(q));
+}
+
+} // namespace detail
+
+/// The largest component of the residual of the equation that the method of `path` was derived from, at the positions along it, forces
+/// included. Terms of the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of
+/// this size it is along a solution. For flows under embeddings by operators; a composition, and a step with positions inside, have
+/// equations in positions that a trajectory does not have. @throws as walking does
+template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Scale, class V>
+auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W>, Sums>, Scale, V> const& path) {
+    auto const q = detail::positions_along(path);
+    return largest_residual(equation_of(path.method(), q.root()), q, path.method().mechanics().force);
+}
+
+} // namespace hilger
