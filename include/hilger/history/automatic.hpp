@@ -33,6 +33,11 @@ public:
     void push(V const& x) {
         std::visit([&](auto& e) { e.push(x); }, engine_);
     }
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        std::visit([&](auto& e) { e.visit(each); }, engine_);
+    }
     index_type count() const {
         return std::visit([](auto const& e) { return e.count(); }, engine_);
     }

@@ -47,6 +47,14 @@ public:
         ++count_;
         ready_ = false;
     }
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        V const like = past_;
+        detail::memory::visit_values(
+            *this, like,
+            [&](index_type n, index_type c) { return parts_[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(n)]; }, each);
+    }
     index_type count() const { return count_; }
     void reset() {
         for (auto& part : parts_) part = {};

@@ -3,6 +3,8 @@
 // put together, and what is refused.
 #pragma once
 
+#include <vector>
+
 #include "hilger/error.hpp"
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/simd.hpp"
@@ -63,6 +65,35 @@ void check_value(V const& x, index_type size, index_type number) {
         error::raise<error::mismatch>("value ", number, " of a history has ", components(x), " components, the history was made for ",
                                       size);
     if (not is_finite(x)) error::raise<error::not_finite>("value ", number, " of a history is not finite");
+}
+
+/// For checkpoints: each(label, number) for every component, which may change them.
+template <class V, class Visit>
+void visit_components(char const* label, V& x, Visit& each) {
+    for (index_type c = 0; c < components(x); ++c) each(label, component(x, c));
+}
+/// The same of an engine that its values make: their number and each of them, value_of(n, c) for those there are. Where other values come
+/// back, the engine takes them one by one as it has taken its own, so that every bit of it is the same.
+template <class Engine, class V, class ValueOf, class Visit>
+void visit_values(Engine& engine, V const& like, ValueOf const& value_of, Visit& each) {
+    index_type const kept = engine.count(), size = components(like);
+    index_type count = kept;
+    each("values", count);
+    std::vector<V> values;
+    bool same = count == kept;
+    for (index_type n = 0; n < count; ++n) {
+        V x = zero_of_size(like);
+        for (index_type c = 0; c < size; ++c) {
+            if (n < kept) component(x, c) = value_of(n, c);
+            auto const before = component(x, c);
+            each("value", component(x, c));
+            same = same and before == component(x, c);
+        }
+        values.push_back(std::move(x));
+    }
+    if (same) return;
+    engine.reset();
+    for (V const& x : values) engine.push(x);
 }
 
 /// What make_history returns for an order and values that differ in their scalar.

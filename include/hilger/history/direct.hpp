@@ -52,6 +52,14 @@ public:
         }
         ++count_;
     }
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        V const like = past_;
+        detail::memory::visit_values(
+            *this, like, [&](index_type n, index_type c) { return values_[static_cast<std::size_t>(c)][static_cast<std::size_t>(n)]; },
+            each);
+    }
     index_type count() const { return count_; }
     void reset() { *this = direct_history(alpha_, past_); }
     std::size_t bytes() const { return (values_.size() + 1) * reversed_.size() * sizeof(S); }

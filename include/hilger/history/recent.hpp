@@ -51,6 +51,17 @@ public:
         newest_ = 0;
         values_.assign(values_.size(), S(0));
     }
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("newest", newest_);
+        if (newest_ >= length_) error::raise<error::unreadable>("the newest of ", length_, " values is not the one with number ", newest_);
+        for (std::size_t part = 0; part < values_.size(); part += 2 * length_)
+            for (std::size_t i = part; i < part + length_; ++i) {
+                each("value", values_[i]);
+                values_[i + length_] = values_[i];
+            }
+    }
     std::size_t bytes() const { return (reversed_.size() + values_.size()) * sizeof(S); }
 
 private:

@@ -37,6 +37,14 @@ public:
         recent_.advance();
         ++count_;
     }
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("values", count_);
+        recent_.visit(each);
+        for (S& x : ahead_) each("ahead", x);
+        detail::memory::visit_components("past", past_, each);
+    }
     index_type count() const { return count_; }
     void reset() {
         recent_.reset();

@@ -94,6 +94,12 @@ public:
         for (V& x : x_) x = zero_;
         count_ = 0;
     }
+    /// Everything that later differences depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("values", count_);
+        for (V& x : x_) memory::visit_components("value", x, each);
+    }
 
 private:
     std::vector<S> w_;
@@ -181,6 +187,16 @@ public:
         else if constexpr (not always_local)
             engine_->push(y_);
         return derivative_;
+    }
+
+    /// Everything that later derivatives depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        memory::visit_components("start", x0_, each);
+        memory::visit_components("slope", v0_, each);
+        if (local_) local_->visit(each);
+        if constexpr (not always_local)
+            if (engine_) engine_->visit(each);
     }
 
 private:

@@ -60,6 +60,15 @@ public:
         void advance_equally(newmark_flow const& f, state<S, V>& x) {
             saying_where(x, h_, [&] { move(f, x); });
         }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(newmark_flow const&, Visit& each) {
+            int begun = begun_ ? 1 : 0;
+            each("begun", begun);
+            begun_ = begun != 0;
+            response_.visit(each);
+            detail::memory::visit_components("force", r_, each);
+        }
         /// The total force M u'' at the point reached last.
         [[nodiscard]] V const& total_force() const { return r_; }
         /// The number of components that keep a history.

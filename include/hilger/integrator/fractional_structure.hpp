@@ -167,6 +167,11 @@ struct fractional_structure {
             take(u);
             m::add_product(d, C_, taken ? history_.arrive(x_) : history_.at_next(x_), S(-1));
         }
+        /// Everything that later forces depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            if (not damped_.empty()) history_.visit(each);
+        }
         /// The number of components that keep a history.
         [[nodiscard]] index_type damped_components() const { return static_cast<index_type>(damped_.size()); }
         [[nodiscard]] auto const& history() const { return history_; }

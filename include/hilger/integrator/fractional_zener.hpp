@@ -86,6 +86,16 @@ struct zener_structure {
                 jump_ = zero_;
             }
         }
+        /// Everything that later forces depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            int first = first_ ? 1 : 0;
+            each("first", first);
+            first_ = first != 0;
+            history_.visit(each);
+            detail::memory::visit_components("jump", jump_, each);
+            detail::memory::visit_components("anelastic", anelastic_, each);
+        }
         [[nodiscard]] index_type damped_components() const { return detail::shape<V>::dimension(zero_); }
         [[nodiscard]] auto const& history() const { return history_; }
         /// q_a at the point reached last.
