@@ -44,7 +44,8 @@ TEST_CASE("and vectors, where the mixed derivatives are not symmetric") {
 }
 
 TEST_CASE("p_i = -d_1 L_h and p_{i+1} = d_2 L_h, also where the position of a constant is not the constant") {
-    constexpr auto stretched = make_embedding<step_weight>(fraction<3, 2>{} * mid_point.position, mid_point.velocity, "stretched");
+    constexpr auto stretched =
+        make_embedding<step_weight>(fraction<3, 2>{} * mid_point.position, mid_point.velocity, "stretched", inconsistent);
     auto const L = [](auto const& q, auto const& v) { return v * v / 2 + v * q / 3 - q * q / 2; };
     double const h = 0.25;
     state<double, double> const x{0.0, 1.0, 0.5};

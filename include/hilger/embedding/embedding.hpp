@@ -7,23 +7,50 @@
 //   mid_point         q_o, Delta_o_plus[q_o], the 1/2-integral      (Cresson-Safi (43)), which is theta<1, 2>
 #pragma once
 
-#include "hilger/operator/integral.hpp"
+#include "hilger/embedding/one_step.hpp"
 
 namespace hilger {
 
-/// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta, nabla or steps.
-template <linear_map Position, linear_map Velocity, class Weight>
+/// Says that an embedding is meant although its steps converge to another system: make_embedding<W>(A, B, name, inconsistent).
+struct inconsistent_t {};
+inline constexpr inconsistent_t inconsistent{};
+
+/// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta, nabla or steps. An embedding that is
+/// not consistent (embedding/one_step.hpp) is refused, at compile time or, where its numbers are known at run time only, when it is
+/// stepped; Checked = false lets it pass.
+template <linear_map Position, linear_map Velocity, class Weight, bool Checked = true>
 struct embedding {
     static_assert(std::is_same_v<typename Position::to, typename Velocity::to>, "position and velocity of an embedding meet on one scale");
+    static constexpr auto found = Checked ? detail::consistency_by_type<Position, Velocity, Weight>() : detail::consistency::holds;
+    static_assert(
+        found != detail::consistency::weights,
+        "the weights of an embedding add up to the step h, and these do not, so that it integrates another system; if that is meant, "
+        "say make_embedding<Weight>(position, velocity, name, inconsistent)");
+    static_assert(found != detail::consistency::position_of_one,
+                  "the position operator of an embedding makes 1 of the constant 1, and this one does not, so that it integrates another "
+                  "system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
+    static_assert(found != detail::consistency::velocity_of_one,
+                  "the velocity operator of an embedding makes 0 of the constant 1, and this one does not, so that it integrates another "
+                  "system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
+    static_assert(found != detail::consistency::velocity_of_time,
+                  "the velocity operator of an embedding makes 1 of the function t, and this one does not, so that it integrates another "
+                  "system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
     using weight = Weight;
     [[no_unique_address]] Position position;
     [[no_unique_address]] Velocity velocity;
     char const* name;
 };
 
+/// The embedding with position operator A, velocity operator B and the integral of weight W: delta over T^+, nabla over T^-, steps over
+/// T_lambda. `name` is what reports call it.
 template <class Weight, linear_map Position, linear_map Velocity>
 constexpr auto make_embedding(Position position, Velocity velocity, char const* name) {
     return embedding<Position, Velocity, Weight>{position, velocity, name};
+}
+/// The same for operators that are not consistent, on purpose.
+template <class Weight, linear_map Position, linear_map Velocity>
+constexpr auto make_embedding(Position position, Velocity velocity, char const* name, inconsistent_t) {
+    return embedding<Position, Velocity, Weight, false>{position, velocity, name};
 }
 
 inline constexpr auto order_one = make_embedding<delta_weight>(identity_T, Delta_plus, "order one");

@@ -101,8 +101,8 @@ inline int size_of(symbol const& f, int most) {
     return std::min(size, most);
 }
 /// The discrete equations as mechanics/print.hpp writes them, on a T of equal steps.
-template <class F, linear_map A, linear_map B, class W>
-std::string written_equations(F const& L, embedding<A, B, W> const& e, std::string const& indent) {
+template <class F, linear_map A, linear_map B, class W, bool Checked>
+std::string written_equations(F const& L, embedding<A, B, W, Checked> const& e, std::string const& indent) {
     auto const T = uniform(0.0, 1.0, 2);
     auto const EL = variation(action<F, A, B, W, std::remove_cvref_t<decltype(T)>>{L, e.position, e.velocity, T});
     return text_lines(EL, indent) + indent + text_lines(hamiltonian_form(EL), indent);

@@ -20,6 +20,7 @@ namespace hilger {
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
     using problem_type = problem<F, Force>;
+    static_assert(detail::is_stepped<E>);
 
 public:
     constexpr flow(F lagrangian, Force force, E embedding)
@@ -150,6 +151,12 @@ template <class F, linear_map A, linear_map B, class W, class Root>
 constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation) {
     auto const& S = equation.action();
     return embed(lagrangian(S.function), make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
+}
+/// The same where its operators are not consistent, on purpose.
+template <class F, linear_map A, linear_map B, class W, class Root>
+constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation, inconsistent_t) {
+    auto const& S = equation.action();
+    return embed(lagrangian(S.function), make_embedding<W>(S.position, S.velocity, "the embedding of an action", inconsistent));
 }
 
 } // namespace hilger

@@ -8,10 +8,9 @@
 #include <array>
 #include <vector>
 
-#include "hilger/adjoint/prime_field.hpp"
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/galerkin.hpp"
-#include "hilger/mechanics/interval.hpp"
+#include "hilger/embedding/one_step.hpp"
 
 namespace hilger {
 
@@ -27,33 +26,6 @@ struct tableau {
     [[nodiscard]] S time(int k, S const& t, S const& h) const { return t + a(k, 1) * h; }
 };
 
-namespace detail {
-
-template <linear_map A, linear_map B, class W, class S>
-struct on_one_step {
-    using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<nodes>{}),
-                                                        std::declval<B const&>().image(domain<nodes>{})))>;
-    static constexpr index_type first = both::front;
-    static constexpr index_type last = both::base_type::last(1) - both::back;
-    static_assert(first <= last, "the position and velocity operators of an embedding reach over one step");
-    static constexpr int nodes_ = static_cast<int>(last - first + 1);
-
-    /// Op on the function with values x and y at the ends of a step h, at the node k.
-    template <linear_map Op>
-    static constexpr S value(Op const& op, S const& h, S const& x, S const& y, int k) {
-        single_step<S> const T{h};
-        two_values<S, S> const q(T, x, y);
-        return S(op.evaluate(q, first + k));
-    }
-    static constexpr S weight(A const& a, B const& b, S const& h, int k) {
-        single_step<S> const T{h};
-        domain<nodes> const here;
-        return S(W::at(T, intersect(a.image(here), b.image(here)).base, first + k));
-    }
-};
-
-} // namespace detail
-
 /// What is known of an embedding before any number is: computed by its operators over a finite field, where equal means equal.
 struct embedding_facts {
     bool one_node = false; ///< one node; constants have themselves as position and no velocity; weight and velocity cancel
@@ -63,9 +35,9 @@ struct embedding_facts {
 namespace detail {
 template <class E>
 inline constexpr embedding_facts facts_ = {};
-template <linear_map A, linear_map B, class W>
-    requires(std::is_empty_v<A>and std::is_empty_v<B>)
-inline constexpr embedding_facts facts_<embedding<A, B, W>> = [] {
+template <linear_map A, linear_map B, class W, bool Checked>
+    requires(not has_numbers<A, B> and reads_one_step<A, B>)
+inline constexpr embedding_facts facts_<embedding<A, B, W, Checked>> = [] {
     using F = prime_field;
     using step = on_one_step<A, B, W, F>;
     if (step::nodes_ != 1) return embedding_facts{};
@@ -82,8 +54,48 @@ inline constexpr embedding_facts facts_of = detail::facts_<std::remove_cvref_t<E
 template <class E>
 inline constexpr int controls_of = 2;
 
-template <class S, linear_map A, linear_map B, class W>
-tableau<S> tableau_of(embedding<A, B, W> const& e, S const& h) {
+namespace detail {
+/// Of an embedding: it can be stepped, or it is refused in a sentence.
+template <class E>
+inline constexpr bool is_stepped = true;
+template <linear_map A, linear_map B, class W, bool Checked>
+inline constexpr bool is_stepped<embedding<A, B, W, Checked>> = sizeof(require_one_step<A, B>) > 0;
+
+/// @throws error::invalid_parameter when the numbers of an embedding are not consistent, in more than their rounding
+template <class W, class S, linear_map A, linear_map B>
+void require_consistent(A const& a, B const& b, S const& h, char const* name) {
+    auto const near = [](S const& x, S const& y) { return magnitude(S(x - y)) <= S(16) * epsilon<S>(); };
+    auto const refuse = [&](auto const&... what) {
+        error::raise<error::invalid_parameter>(
+            "the ", what..., ", and of the embedding \"", name,
+            "\" not, so that it integrates another "
+            "system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
+    };
+    switch (examine<W>(a, b, h, near)) {
+    case consistency::holds:
+        return;
+    case consistency::weights:
+        refuse("weights of an embedding add up to the step h");
+        break;
+    case consistency::position_of_one:
+        refuse("position operator of an embedding makes 1 of the constant 1");
+        break;
+    case consistency::velocity_of_one:
+        refuse("velocity operator of an embedding makes 0 of the constant 1");
+        break;
+    case consistency::velocity_of_time:
+        refuse("velocity operator of an embedding makes 1 of the function t");
+        break;
+    }
+}
+} // namespace detail
+
+/// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
+template <class S, linear_map A, linear_map B, class W, bool Checked>
+tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
+    static_assert(detail::is_stepped<embedding<A, B, W, Checked>>);
+    if constexpr (Checked and detail::has_numbers<A, B> and ordered_scalar<S>)
+        detail::require_consistent<W>(e.position, e.velocity, h, e.name);
     using step = detail::on_one_step<A, B, W, S>;
     tableau<S> t;
     t.nodes = step::nodes_;

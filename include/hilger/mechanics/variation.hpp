@@ -24,6 +24,14 @@ constexpr auto on_equal_steps(A const& a) {
     return a;
 }
 template <class Base, class From, class To>
+constexpr auto on_equal_steps(reweight<Base, From, To> const& a);
+template <class C, linear_map A>
+constexpr auto on_equal_steps(multiple<C, A> const& a);
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(operator_sum<A, B> const& s);
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(composition<A, B> const& ab);
+template <class Base, class From, class To>
 constexpr auto on_equal_steps(reweight<Base, From, To> const& a) {
     if constexpr (has_equal_steps<Base>)
         return identity_on<Base, From, To>{};

@@ -48,6 +48,7 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     using from_weight = step_weight;
     using to_weight = nabla_weight;
     [[no_unique_address]] Lambda lambda{};
+    static constexpr reach reads = reach::causal(-0.5).at<nodes>();
     static constexpr auto name() { return fixed_text("antiderivative"); }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
@@ -73,6 +74,7 @@ struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
     using from_weight = nabla_weight;
     using to_weight = step_weight;
     [[no_unique_address]] Lambda lambda{};
+    static constexpr reach reads = reach::anticausal(-0.5).at<to>();
     static constexpr auto name() { return fixed_text("tail_integral"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const&) const {

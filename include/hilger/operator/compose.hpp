@@ -19,6 +19,7 @@ struct identity_on : linear_operator<identity_on<Base, From, To>> {
     using to = Base;
     using from_weight = From;
     using to_weight = To;
+    static constexpr reach reads = reach::local(0, 0).at<Base>();
     static constexpr auto name() { return fixed_text("identity_T"); }
     template <class D>
     constexpr D image(D const& d) const {
@@ -44,6 +45,7 @@ struct reweight : linear_operator<reweight<Base, From, To>> {
     using to = Base;
     using from_weight = From;
     using to_weight = To;
+    static constexpr reach reads = reach::local(1, 1).at<Base>(); ///< of the steps at both sides, whose lengths are in the weights
     static constexpr auto name() { return fixed_text("reweight<") + From::name() + "," + To::name() + ">"; }
     template <int F, int B>
     constexpr auto image(domain<Base, F, B> const& d) const { // where w_To vanishes there is no ratio
@@ -64,6 +66,7 @@ struct multiple : linear_operator<multiple<C, A>> {
     using from_weight = typename A::from_weight;
     using to_weight = typename A::to_weight;
     static constexpr bool needs_uniform = A::needs_uniform;
+    static constexpr reach reads = A::reads;
     [[no_unique_address]] C c;
     [[no_unique_address]] A a;
     constexpr multiple() = default;
@@ -110,6 +113,7 @@ struct composition : linear_operator<composition<A, B>> {
     static constexpr bool needs_uniform = A::needs_uniform or B::needs_uniform;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
+    static constexpr reach reads = reach::composed<typename A::from>(A::reads, B::reads);
     constexpr composition() = default;
     constexpr composition(A outer, B inner) : a(std::move(outer)), b(std::move(inner)) {}
 
@@ -141,6 +145,7 @@ struct operator_sum : linear_operator<operator_sum<A, B>> {
     static constexpr bool needs_uniform = A::needs_uniform or B::needs_uniform;
     [[no_unique_address]] A a;
     [[no_unique_address]] B b;
+    static constexpr reach reads = A::reads | B::reads;
     constexpr operator_sum() = default;
     constexpr operator_sum(A first, B second) : a(std::move(first)), b(std::move(second)) {}
 

@@ -10,9 +10,11 @@
 //   evaluate(f, i)                  the value of A[f] at point i
 //   adjoint()                       the operator with <A f, g> = <f, adjoint(A) g> up to the end points
 //   name()                          its C++ name, as text
+//   reads                           its reach (operator/reach.hpp); without it the operator counts as one that reads everything
 #pragma once
 
 #include "hilger/function/concept.hpp"
+#include "hilger/operator/reach.hpp"
 
 namespace hilger {
 
@@ -71,6 +73,7 @@ template <class A>
 struct linear_operator {
     using operator_type = void;
     static constexpr bool needs_uniform = false; ///< acts on functions on uniform scales only
+    static constexpr reach reads = reach::everywhere();
 
     template <function_expression F>
     constexpr auto operator[](F f) const {

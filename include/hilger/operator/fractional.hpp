@@ -43,7 +43,13 @@ constexpr auto leading_factor(Root const& T, Order const& order) {
     using S = typename Root::scalar_type;
     if constexpr (requires { T.template leading_factor<G>(order); })
         return T.template leading_factor<G>(order);
-    else {
+    else if constexpr (not ordered_scalar<S>) { // a finite field has whole powers only
+        static_assert(Order::denominator == 1);
+        S const once = G::template numerator<S>()[0] / G::template denominator<S>()[0] / T.step(0);
+        S factor(1);
+        for (int k = 0; k < Order::numerator; ++k) factor = factor * once;
+        return factor;
+    } else {
         S const alpha = order.template as<S>(), h = T.step(0);
         if constexpr (not std::numeric_limits<S>::is_exact) {
             using std::pow;
@@ -74,6 +80,13 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
     using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
     using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
     static constexpr bool needs_uniform = true;
+    static constexpr reach reads =
+        [] {
+            index_type const end = detail::weights_end<G, Order>;
+            if (Side == side::minus) return end > 0 ? reach::local(static_cast<double>(end - 1), 0) : reach::causal();
+            return end > 0 ? reach::local(0, static_cast<double>(end - 1)) : reach::anticausal();
+        }()
+            .template at<nodes>();
     [[no_unique_address]] Order order{};
 
     static constexpr auto name() {
@@ -172,6 +185,7 @@ struct from_start : linear_operator<from_start> {
     using to = nodes;
     using from_weight = delta_weight;
     using to_weight = delta_weight;
+    static constexpr reach reads = reach::causal().at<nodes>();
     static constexpr auto name() { return fixed_text("from_start"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const& d) const {

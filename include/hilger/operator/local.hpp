@@ -15,6 +15,16 @@ template <side Side>
 inline constexpr side opposite = Side == side::plus ? side::minus : side::plus;
 
 namespace detail {
+template <class Base>
+inline constexpr double step_length = 1;
+template <class Lambda>
+inline constexpr double step_length<joined<Lambda>> = 0.5;
+/// The reach over so many points of Base: on T_o each counts half a step.
+template <class Base>
+constexpr reach steps_of_family(int before, int after) {
+    return reach::local(before * step_length<Base>, after * step_length<Base>).template at<Base>();
+}
+
 template <side Side, class Base, class PlusName, class MinusName>
 constexpr auto sided_name(PlusName const& p, MinusName const& m) {
     auto const suffix = [] {
@@ -40,6 +50,7 @@ struct shift : linear_operator<shift<Base, Side>> {
     using to = Base;
     using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
     using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
+    static constexpr reach reads = Side == side::plus ? detail::steps_of_family<Base>(-1, 1) : detail::steps_of_family<Base>(1, -1);
     static constexpr auto name() {
         return detail::sided_name<Side, Base>([](auto const& s) { return "sigma" + s; }, [](auto const& s) { return "rho" + s; });
     }
@@ -63,6 +74,7 @@ struct derivative : linear_operator<derivative<Base, Side>> {
     using to = Base;
     using from_weight = std::conditional_t<Side == side::plus, nabla_weight, delta_weight>;
     using to_weight = std::conditional_t<Side == side::plus, delta_weight, nabla_weight>;
+    static constexpr reach reads = Side == side::plus ? detail::steps_of_family<Base>(0, 1) : detail::steps_of_family<Base>(1, 0);
     static constexpr auto name() {
         return detail::sided_name<Side, Base>([](auto const& s) { return "Delta" + s + "_plus"; },
                                               [](auto const& s) { return "Delta" + s + "_minus"; });

@@ -26,6 +26,7 @@ struct insertion : linear_operator<insertion<Lambda, ToNodes>> {
     using to_weight = split_weight<natural_weight_t<Lambda>>;
     [[no_unique_address]] Lambda lambda{};
 
+    static constexpr reach reads = reach::local(0, 0).at<from>();
     static constexpr auto name() {
         if constexpr (ToNodes)
             return fixed_text("insert_T");
@@ -57,6 +58,7 @@ struct restriction_to : linear_operator<restriction_to<Lambda, ToNodes>> {
     using to_weight = std::conditional_t<ToNodes, natural_weight_t<Lambda>, step_weight>;
     [[no_unique_address]] Lambda lambda{};
 
+    static constexpr reach reads = reach::local(0, 0).at<to>();
     static constexpr auto name() {
         if constexpr (ToNodes)
             return fixed_text("on_T");
@@ -91,6 +93,7 @@ struct projection : linear_operator<projection<Lambda, Inverse>> {
     using to_weight = std::conditional_t<Inverse, step_weight, delta_weight>;
     [[no_unique_address]] Lambda lambda{};
 
+    static constexpr reach reads = (Inverse ? reach::local(0.5, -0.5) : reach::local(-0.5, 0.5)).at<to>();
     static constexpr auto name() {
         if constexpr (Inverse)
             return fixed_text("pi_inverse");
@@ -120,6 +123,7 @@ struct extension : linear_operator<extension<Lambda>> {
     using to_weight = split_weight<natural_weight_t<Lambda>>;
     [[no_unique_address]] Lambda lambda{};
 
+    static constexpr reach reads{reach::local(0, 0).on_T, reach::local(0.5, 0.5).between};
     static constexpr auto name() { return fixed_text("extend"); }
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const&) const {
@@ -153,6 +157,7 @@ struct step_mean_at : linear_operator<step_mean_at<Lambda>> {
     using to_weight = natural_weight_t<Lambda>;
     [[no_unique_address]] Lambda lambda{};
 
+    static constexpr reach reads = reach::local(0.5, 0.5).at<nodes>();
     static constexpr auto name() { return fixed_text("step_mean"); }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {

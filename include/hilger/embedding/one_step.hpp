@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the operators of an embedding do in one step from t to t + h, and what has to hold there: a scale of two points, a function given by
+// its values at them, and the operators applied to it. With nodes k and weights w_k an embedding (A, B, int) is consistent when
+//   sum_k w_k = h,   A 1 = 1,   B 1 = 0,   B t = 1   at every node that counts;
+// if one of these fails, the steps converge to the motion of another system.
+#pragma once
+
+#include "hilger/adjoint/prime_field.hpp"
+#include "hilger/error.hpp"
+#include "hilger/operator/integral.hpp"
+
+namespace hilger {
+
+/// A scale of one step h; what an operator needs of it and no more.
+template <class S>
+struct single_step {
+    using scalar_type = S;
+    static constexpr bool is_uniform = true;
+    static constexpr index_type extent = 1;
+    S h;
+    static constexpr index_type steps() { return 1; }
+    constexpr S const& step(index_type) const { return h; }
+    static constexpr bool same_points(single_step const&) { return true; }
+};
+
+namespace detail {
+
+/// The function with values x and y at the two ends of a step; it refers to both.
+template <class S, class V>
+struct two_values : discrete_function_tag {
+    using root_type = single_step<S>;
+    using domain_type = hilger::domain<nodes>;
+    root_type const* step;
+    V const* x;
+    V const* y;
+    constexpr two_values(root_type const& T, V const& at_start, V const& at_end) : step(&T), x(&at_start), y(&at_end) {}
+    constexpr root_type const& root() const { return *step; }
+    static constexpr domain_type domain() { return {}; }
+    constexpr V const& get(index_type i) const { return i == 0 ? *x : *y; }
+};
+
+template <linear_map A, linear_map B>
+inline constexpr bool reads_few_points = (A::reads | B::reads).is_local();
+/// True when the values of A and B at a node depend on the two ends of one step, so that a step can be taken.
+template <linear_map A, linear_map B>
+inline constexpr bool reads_one_step = reads_few_points<A, B> and (A::reads | B::reads).steps() <= 1;
+
+/// Refuses, in the sentence that is wanted, what cannot be stepped.
+template <linear_map A, linear_map B>
+struct require_one_step {
+    static constexpr bool is_local = reads_few_points<A, B>, is_one_step = not is_local or reads_one_step<A, B>;
+    static_assert(is_local,
+                  "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, "
+                  "...) has an equation that looks to both ends of T, and initial values do not determine its solution; with both "
+                  "end values given, solve_boundary(equation, q_a, q_b) solves it");
+    static_assert(is_one_step,
+                  "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two "
+                  "steps or more; variation(action) has their equation, and its residual");
+};
+
+template <linear_map A, linear_map B, class W, class S>
+struct on_one_step {
+    using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<nodes>{}),
+                                                        std::declval<B const&>().image(domain<nodes>{})))>;
+    static constexpr index_type first = both::front;
+    static constexpr index_type last = both::base_type::last(1) - both::back;
+    static constexpr int nodes_ = static_cast<int>(last - first + 1);
+
+    /// Op on the function with values x and y at the ends of a step h, at the node k.
+    template <linear_map Op>
+    static constexpr S value(Op const& op, S const& h, S const& x, S const& y, int k) {
+        single_step<S> const T{h};
+        two_values<S, S> const q(T, x, y);
+        return S(op.evaluate(q, first + k));
+    }
+    static constexpr S weight(A const& a, B const& b, S const& h, int k) {
+        single_step<S> const T{h};
+        domain<nodes> const here;
+        return S(W::at(T, intersect(a.image(here), b.image(here)).base, first + k));
+    }
+};
+
+enum class consistency { holds, weights, position_of_one, velocity_of_one, velocity_of_time };
+
+/// The first condition that fails by more than the tolerance, relative to what should be there.
+template <class W, class S, linear_map A, linear_map B, class Near>
+constexpr consistency examine(A const& a, B const& b, S const& h, Near const& near) {
+    using step = on_one_step<A, B, W, S>;
+    S const zero(0), one(1);
+    S sum(0);
+    for (int k = 0; k < step::nodes_; ++k) sum = sum + step::weight(a, b, h, k);
+    if (not near(S(sum / h), one)) return consistency::weights;
+    for (int k = 0; k < step::nodes_; ++k) {
+        if (step::weight(a, b, h, k) == zero) continue;
+        if (not near(step::value(a, h, one, one, k), one)) return consistency::position_of_one;
+        if (not near(S(step::value(b, h, one, one, k) * h), zero)) return consistency::velocity_of_one;
+        if (not near(step::value(b, h, zero, h, k), one)) return consistency::velocity_of_time;
+    }
+    return consistency::holds;
+}
+
+/// Known by the type: over a finite field, where equal means equal. What has no step is refused elsewhere, and numbers that are known at
+/// run time only are looked at then.
+template <linear_map A, linear_map B>
+inline constexpr bool has_numbers = not std::is_empty_v<A> or not std::is_empty_v<B>;
+template <linear_map A, linear_map B, class W>
+consteval consistency consistency_by_type() {
+    if constexpr (not has_numbers<A, B> and reads_one_step<A, B> and std::same_as<typename A::to, typename B::to>)
+        return examine<W>(A{}, B{}, prime_field(7919), [](prime_field x, prime_field y) { return x == y; });
+    else
+        return consistency::holds;
+}
+
+} // namespace detail
+
+} // namespace hilger
