@@ -62,6 +62,13 @@ constexpr plain_t<E> evaluated(E&& expression) {
     return plain_t<E>(std::forward<E>(expression));
 }
 
+/// What a callable returns, evaluated where it is called: an Eigen expression refers to the arguments, and to copies of them that the
+/// callable took by value, which are gone once the call has been left.
+template <class F, class... X>
+HILGER_ALWAYS_INLINE constexpr auto value_from(F const& f, X const&... x) -> plain_t<decltype(f(x...))> {
+    return f(x...);
+}
+
 /// The type that a function with results of type V has on a scale with points of type S: a formula may return 1, and a table may
 /// hold counts, but the average of the integers 0 and 1 is not 0.
 template <class V, class S>

@@ -40,9 +40,9 @@ constexpr void require_callable() {
                             "or the time before them: derivatives pass through it");
 }
 template <class F, class X, class Y>
-HILGER_ALWAYS_INLINE constexpr decltype(auto) call(F const& f, X const& x, Y const& y) {
+HILGER_ALWAYS_INLINE constexpr auto call(F const& f, X const& x, Y const& y) {
     require_callable<std::invocable<F const&, X const&, Y const&>>();
-    return f(x, y);
+    return value_from(f, x, y);
 }
 
 template <class S, int N, int Order = 2>
@@ -78,23 +78,28 @@ flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const
             return as_jet<J>(f(t..., x, y));
     }
 }
+/// The same as a function of its own.
+template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
+qv_jet<S, static_cast<int>(Size), Order> plain_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
+                                                       std::integer_sequence<int, K...>, Time const&... t) {
+    constexpr int N = static_cast<int>(Size);
+    using J = qv_jet<S, N, Order>;
+    if constexpr (Scalar)
+        return as_jet<J>(f(t..., q_jet<S, N, Order>::variable(q[0], 0, {1, 0}), v_jet<S, N, Order>::variable(v[0], N, {0, 1})));
+    else {
+        Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
+        Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
+        ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
+        return as_jet<J>(f(t..., x, y));
+    }
+}
 template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
 qv_jet<S, static_cast<int>(Size), Order> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
                                                  std::integer_sequence<int, K...> all, Time const&... t) {
     if constexpr (std::is_floating_point_v<S>)
         return flat_jets_of<Order, Scalar>(f, q, v, all, t...);
-    else {
-        constexpr int N = static_cast<int>(Size);
-        using J = qv_jet<S, N, Order>;
-        if constexpr (Scalar)
-            return as_jet<J>(f(t..., q_jet<S, N, Order>::variable(q[0], 0, {1, 0}), v_jet<S, N, Order>::variable(v[0], N, {0, 1})));
-        else {
-            Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
-            Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
-            ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
-            return as_jet<J>(f(t..., x, y));
-        }
-    }
+    else
+        return plain_jets_of<Order, Scalar>(f, q, v, all, t...);
 }
 
 /// The vector x in jets of any kind: components first ... first + C - 1 are the variables number at ... at + C - 1.

@@ -17,6 +17,11 @@ struct problem {
     [[no_unique_address]] Force force;
 };
 
+template <class Problem>
+inline constexpr bool has_force = true;
+template <class F>
+inline constexpr bool has_force<problem<F, no_force>> = false;
+
 /// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
 /// dL/dq is, at the middle of the step, which keeps order 2.
 template <class L, class Force>
@@ -35,9 +40,9 @@ struct at_time {
     F const& f;
     S const& t;
     template <class X, class Y>
-    HILGER_ALWAYS_INLINE constexpr decltype(auto) operator()(X const& x, Y const& y) const {
+    HILGER_ALWAYS_INLINE constexpr auto operator()(X const& x, Y const& y) const {
         if constexpr (std::invocable<F const&, S const&, X const&, Y const&>)
-            return f(t, x, y);
+            return value_from(f, t, x, y);
         else
             return call(f, x, y);
     }
@@ -77,11 +82,15 @@ template <class F, class S>
 at_time(F const&, S const&) -> at_time<F, S>;
 
 template <class X>
+concept has_components = requires(X const& x) {
+    x(0);
+};
+template <class X>
 decltype(auto) component_of(X const& x, int k) {
-    if constexpr (is_jet<X>)
-        return x;
-    else
+    if constexpr (has_components<X>)
         return x(k);
+    else
+        return x;
 }
 
 /// The numbers that a Lagrangian of states V meets.
@@ -201,7 +210,7 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
         using J = jet<S, 0, 2 * C, 1>;
         for (int first = 0; first < d; first += C) {
             auto const f = at_time{what.force, t}(with_variables<J, C>(q, first, 0, {}), with_variables<J, C>(v, first, C, {}));
-            static_assert(is_jet<plain_t<decltype(f)>> == s::is_scalar,
+            static_assert(has_components<decltype(f)> != s::is_scalar,
                           "a force is a state like q: a number for a number, a vector for a vector");
             for (int row = 0; row < d; ++row) {
                 J const x(component_of(f, row));
@@ -219,8 +228,9 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
     return {std::move(e), std::move(vq)};
 }
 
-/// Small states: straight from the jet where there is nothing else.
-template <bool Scalar, class F, class Force, class S, std::size_t Size, int... K>
+/// Small states: straight from the jet where there is nothing else. What is called from where it seldom matters is not flat: a compiler
+/// that sees a second call no longer takes the first one apart.
+template <bool Scalar, bool Flat = true, class F, class Force, class S, std::size_t Size, int... K>
 HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
                                           std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
     constexpr int N = static_cast<int>(Size);
@@ -230,10 +240,15 @@ HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const
         using Y = std::conditional_t<Scalar, v_jet<S, N>, Eigen::Matrix<v_jet<S, N>, N, 1>>;
         constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
         require_callable<timed or std::invocable<F const&, X const&, Y const&>>();
-        if constexpr (timed)
-            return node_jet<N, qv_jet<S, N>>{jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
+        using node = node_jet<N, qv_jet<S, N>>;
+        if constexpr (timed and Flat)
+            return node{jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
+        else if constexpr (Flat)
+            return node{jets_of<2, Scalar>(what.lagrangian, q, v, all)};
+        else if constexpr (timed)
+            return node{plain_jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
         else
-            return node_jet<N, qv_jet<S, N>>{jets_of<2, Scalar>(what.lagrangian, q, v, all)};
+            return node{plain_jets_of<2, Scalar>(what.lagrangian, q, v, all)};
     } else {
         using s = shape<V>;
         V x, y;
