@@ -49,7 +49,7 @@ struct run {
 template <class S, class Order>
 run<S> walk(Order beta, S const& rho, S const& h, damping_at at, initial_history history) {
     auto const L = lagrangian{[](auto const& x, auto const& v) { return v * v / 2 - x * x; }}; // U = x^2, U' = 2x
-    auto const flow = embed(with_fractional_damping(L, rho, beta, direct{}, {.at = at, .history = history}), mid_point);
+    auto const flow = embed(with_fractional_impulses(L, rho, beta, direct{}, {.at = at, .history = history}), mid_point);
     run<S> made;
     for (auto const& z : flow.along(uniform(S(0), h, 12), S(2) / S(3), S(-1) / S(4))) {
         made.x.push_back(z.q);

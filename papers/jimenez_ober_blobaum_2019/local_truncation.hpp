@@ -85,7 +85,7 @@ std::array<double, 2> truncation_orders(Flow const& flow, Solution const& soluti
 /// The integrator (21) for 2 alpha = 1, or that of remark 2, which has the damping at the end of its steps.
 template <class L>
 auto linearly_damped(L const& undamped, damping_at at) {
-    return embed(with_fractional_damping(undamped, friction, fraction<1>{}, direct{}, {.at = at}), mid_point);
+    return embed(with_fractional_impulses(undamped, friction, fraction<1>{}, direct{}, {.at = at}), mid_point);
 }
 
 } // namespace hilger::papers

@@ -68,7 +68,7 @@ double apart(Flow const& flow, Other const& other) {
 }
 template <class Order, class History>
 auto damped(Order beta, History history, initial_history initial) {
-    return embed(with_fractional_damping(oscillator, 0.3, beta, history, {damping_at::start, initial}), order_one);
+    return embed(with_fractional_impulses(oscillator, 0.3, beta, history, {damping_at::start, initial}), order_one);
 }
 
 void flows(rows& all) {

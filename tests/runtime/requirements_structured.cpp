@@ -108,8 +108,14 @@ TEST_CASE("the past at a cost that does not grow, and grows like its digits with
     CHECK(r.history_bytes < r.memory_bytes);
     CHECK(r.growth_in_bytes == 0);
     CHECK(r.forces == 1);
-    CHECK(r.factorizations == 0);
+    CHECK(r.newton_rounds == 0);
+    CHECK(r.factorizations == 1); // a division: the history's newest weight is part of the equation
     CHECK(r.allocations == 0);
+    auto const kicked = embed(with_fractional_impulses(pendulum, 0.1, fraction<1, 2>{}, exponentials{1e-12, 1000}), order_one);
+    requirements const by_impulses = needs(kicked.along(T, 1.0, 0.5));
+    CHECK(by_impulses.forces == 1);
+    CHECK(by_impulses.factorizations == 0); // explicit
+    CHECK(by_impulses.history_bytes == r.history_bytes);
     requirements const sum = needs(embed(with_fractional_damping(pendulum, 0.1, fraction<1, 2>{}), order_one).along(T, 1.0, 0.5), 128);
     CHECK(sum.growth_in_bytes >= 2 * 8); // a value and a weight a step
 }

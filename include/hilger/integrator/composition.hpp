@@ -3,6 +3,8 @@
 // over c_1 h, then the second over c_2 h, and so on. Compositions of symplectic flows are symplectic.
 //   compose(shares<fraction<1, 3>, fraction<2, 3>>{}, f, g)   f over h/3, then g over 2h/3
 //   compose(suzuki<4>, f)                                      f over each of the five parts of the step (composition_methods.hpp)
+// A flow with a history is refused: its parts would each remember the points of their own kind alone, and their memories would be those of
+// another curve.
 // With more coefficients than flows the flows take turns. A composition steps as a flow does, and can itself be composed.
 #pragma once
 
@@ -161,8 +163,16 @@ private:
 
 /// The flows over the parts of each step, in turns: flow 1 over c_1 h, flow 2 over c_2 h, ..., flow 1 again when all had their turn.
 template <parts_of_a_step Parts, class... Flows>
-    requires(sizeof...(Flows) > 0)
+    requires(sizeof...(Flows) > 0 and not(detail::has_history<Flows> or ...))
 constexpr auto compose(Parts const& parts, Flows const&... flows) { return composed_flow<Parts, Flows...>(parts, flows...); }
+
+template <parts_of_a_step Parts, class First, class... Flows>
+    requires(detail::has_history<First> or (detail::has_history<Flows> or ...))
+constexpr auto compose(Parts const&, First const& f, Flows const&...) {
+    static_assert(sizeof(First) == 0, "flows with a history (fractional damping, Newmark) walk steps of one length from their first point "
+                                      "on: they are not composed of parts of a step");
+    return f;
+}
 
 namespace detail {
 
@@ -186,15 +196,30 @@ auto adjoint(composed_flow<Parts, Flows...> const& f) {
     (std::index_sequence_for<Flows...>{});
 }
 
+/// Refused: (Phi_{-h})^{-1} of a step that depends on all steps before it.
+template <class Flow>
+    requires detail::has_history<Flow>
+auto adjoint(Flow const& f) {
+    static_assert(sizeof(Flow) == 0, "a flow with a history (fractional damping, Newmark) has no adjoint: its steps depend on all steps "
+                                     "before them");
+    return f;
+}
+
 /// f over h/2, then its adjoint over h/2: symmetric, so of even order, whatever f is.
 template <class Flow>
 auto symmetrized(Flow const& f) {
-    return compose(detail::one_problem<std::remove_const_t<decltype(halves)>>{halves}, f, adjoint(f));
+    if constexpr (detail::has_history<Flow>)
+        return compose(halves, f);
+    else
+        return compose(detail::one_problem<std::remove_const_t<decltype(halves)>>{halves}, f, adjoint(f));
 }
 /// adjoint(f) over c_1 h, f over c_2 h, adjoint(f) over c_3 h, and so on (Hairer-Lubich-Wanner, II (4.6)).
 template <parts_of_a_step Parts, class Flow>
 auto compose_with_adjoint(Parts const& parts, Flow const& f) {
-    return compose(detail::one_problem<Parts>{parts}, adjoint(f), f);
+    if constexpr (detail::has_history<Flow>)
+        return compose(parts, f);
+    else
+        return compose(detail::one_problem<Parts>{parts}, adjoint(f), f);
 }
 
 /// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. Any

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // States between the points of a trajectory: the cubic Hermite polynomial in t through (q, p) at both ends of a step, with the slopes of
-// the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces. Its own error is of order 4 in the step (Hairer, Norsett, Wanner,
-// Solving Ordinary Differential Equations I, section II.6); the error of the points adds to it.
+// the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces, among them the one of a history. Its own error is of order 4 in the
+// step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.6); the error of the points adds to it.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +26,41 @@ slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
     return {std::move(v), std::move(p)};
 }
 
+/// Refused: the force of a history is not in the state.
+template <class Damped, class S, class V>
+    requires requires(Damped const& d) { d.mechanics, d.damping; }
+slopes<V> slopes_at(Damped const&, state<S, V> const& x) {
+    static_assert(sizeof(Damped) == 0, "the slopes of a flow with fractional damping come from its history: give dense_output the path, "
+                                       "dense_output(flow.along(T, q0, p0))");
+    return {x.q, x.p};
+}
+
+namespace detail {
+
+/// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
+template <class Walk, class Method, class State>
+auto slopes_on(Walk const& walk, Method const& method, State const& x, bool back) {
+    if constexpr (requires { walk.remembered().damping_force(back); }) {
+        auto result = slopes_at(method.undamped().mechanics(), x);
+        result.p = result.p + walk.remembered().damping_force(back);
+        return result;
+    } else {
+        static_assert(not has_history<Method>, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's "
+                                               "scheme, whose forces are no function of a state");
+        return slopes_at(method.mechanics(), x);
+    }
+}
+
+} // namespace detail
+
 /// The states between two neighbouring ones.
 template <class S, class V>
 class dense_step {
 public:
     dense_step(state<S, V> from, slopes<V> slopes_from, state<S, V> to, slopes<V> slopes_to)
         : a_(std::move(from)), b_(std::move(to)), da_(std::move(slopes_from)), db_(std::move(slopes_to)) {}
-    template <class F, class Force>
-    dense_step(problem<F, Force> const& mechanics, state<S, V> const& from, state<S, V> const& to)
+    template <class Mechanics>
+    dense_step(Mechanics const& mechanics, state<S, V> const& from, state<S, V> const& to)
         : dense_step(from, slopes_at(mechanics, from), to, slopes_at(mechanics, to)) {}
 
     /// The state at t, the given ones exactly at the ends. @throws error::outside_domain
@@ -60,17 +87,27 @@ private:
     slopes<V> da_, db_;
 };
 
-/// The states between those of a trajectory that was kept.
+/// The states between those of a trajectory, which is walked for it, or of one that was kept: dense_output(path), or of a flow without a
+/// history dense_output(flow.mechanics(), states).
 template <class S, class V>
 class dense_output {
 public:
     /// States in the order of time, two at least. @throws error::mismatch for fewer, and as slopes_at does
-    template <class F, class Force>
-    dense_output(problem<F, Force> const& mechanics, std::vector<state<S, V>> states) : states_(std::move(states)) {
+    template <class Mechanics>
+    dense_output(Mechanics const& mechanics, std::vector<state<S, V>> states) : states_(std::move(states)) {
         if (states_.size() < 2)
             error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
         slopes_.reserve(states_.size());
         for (auto const& x : states_) slopes_.push_back(slopes_at(mechanics, x));
+    }
+    /// @throws what walking throws, and slopes_at
+    template <class Path>
+        requires requires(Path const& path) { path.begin(), path.method(); }
+    explicit dense_output(Path const& path) {
+        for (auto at = path.begin(); not(at == path.end()); ++at) {
+            slopes_.push_back(detail::slopes_on(at, path.method(), *at, false));
+            states_.push_back(*at);
+        }
     }
     /// @throws error::outside_domain when t is before the first state or after the last.
     [[nodiscard]] state<S, V> operator()(S const& t) const {
@@ -85,5 +122,7 @@ private:
     std::vector<state<S, V>> states_;
     std::vector<slopes<V>> slopes_;
 };
+template <class Path>
+dense_output(Path const& path) -> dense_output<decltype((*path.begin()).t), decltype((*path.begin()).q)>;
 
 } // namespace hilger

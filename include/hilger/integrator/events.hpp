@@ -44,7 +44,8 @@ public:
     }
     /// The first state at or behind the zero of g that step() told of.
     [[nodiscard]] state_type located() const {
-        auto const inside = dense_step(path_->method().mechanics(), before_, *walk_);
+        auto const& method = path_->method();
+        auto const inside = dense_step(before_, slopes_on(walk_, method, before_, true), *walk_, slopes_on(walk_, method, *walk_, false));
         auto const g = [&](S const& x) { return value(inside.at_fraction(x)); };
         auto const near_enough = [](S const& left, S const& right) { return right - left <= epsilon<S>(); };
         std::uintmax_t most = 1000; // bisection alone would need one iteration for each binary digit

@@ -27,27 +27,30 @@ public:
         : problem_{std::move(lagrangian), std::move(force)}, embedding_(std::move(embedding)) {}
 
     /// What a trajectory of states V over times S needs to be advanced: coefficients of the embedding, last velocities, factorizations.
-    template <class S, class V>
-    class memory {
+    template <class S, class V, class Extra = detail::no_step_force>
+    class stepper {
         using s = detail::shape<V>;
         static constexpr bool small = facts_of<E>.one_node and s::size != Eigen::Dynamic and s::size <= detail::one_evaluation;
         static constexpr bool carried = Sums == sums::compensated;
         static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
         static constexpr bool inner = not std::is_void_v<table>; ///< control values inside the step
-        static auto choose(flow const& f, S const& h, V const& like) {
+        static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
             if constexpr (inner)
-                return detail::galerkin_step<problem_type, table, carried, S, V>(f.problem_, h, like);
+                return detail::galerkin_step<problem_type, table, carried, S, V, Extra>(f.problem_, h, like, extra);
             else if constexpr (known)
-                return detail::structured<F, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like);
+                return detail::structured<F, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like,
+                                                                                extra);
             else if constexpr (small)
-                return detail::one_node<problem_type, facts_of<E>, carried, S, V>(tableau_of(f.embedding_, h), h, like);
+                return detail::one_node<problem_type, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
             else
-                return detail::many_nodes<problem_type, carried, S, V>(tableau_of(f.embedding_, h), h, like);
+                return detail::many_nodes<problem_type, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
         }
 
     public:
-        memory(flow const& f, S const& h, V const& like) : stepper_(choose(f, h, like)) {}
+        stepper(flow const& f, S const& h, V const& like, Extra const& extra = {}) : stepper_(choose(f, h, like, extra)) {}
+        /// The force that is constant in a step (integrator/step_force.hpp).
+        [[nodiscard]] Extra& extra() { return stepper_.extra(); }
 
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
@@ -93,8 +96,11 @@ public:
             else
                 return f.problem_;
         }
-        decltype(choose(std::declval<flow const&>(), std::declval<S const&>(), std::declval<V const&>())) stepper_;
+        decltype(choose(std::declval<flow const&>(), std::declval<S const&>(), std::declval<V const&>(),
+                        std::declval<Extra const&>())) stepper_;
     };
+    template <class S, class V>
+    using memory = stepper<S, V>;
 
     /// Why these mechanics have no trajectory of states V; nullptr where they have.
     template <class S, class V>

@@ -30,6 +30,9 @@ public:
         : structure_((structure.require_valid(), std::move(structure))), load_(std::move(load)), policy_(std::move(policy)),
           mass_(structure_.mass, "the mass of a structure") {}
 
+    /// Each step depends on all steps before it.
+    static constexpr bool has_history = true;
+
     /// The factorized matrix, the force, and the history of the damped components.
     template <class S, class V>
     class memory {

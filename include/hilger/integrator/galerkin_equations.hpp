@@ -10,6 +10,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/integrator/galerkin_table.hpp"
 #include "hilger/integrator/state.hpp"
+#include "hilger/integrator/step_force.hpp"
 #include "hilger/mechanics/contraction.hpp"
 #include "hilger/mechanics/gradients.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
@@ -29,7 +30,7 @@ HILGER_ALWAYS_INLINE inline void combine(Row const& c, List const& x, V& to) {
     }
 }
 
-template <class Problem, class Table, class S, class V>
+template <class Problem, class Table, class S, class V, class Extra = no_step_force>
 class galerkin_equations {
     using s = shape<V>;
     static constexpr std::size_t N = Table::N, R = Table::R;
@@ -37,13 +38,15 @@ class galerkin_equations {
     using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
 public:
-    explicit galerkin_equations(V const& like) : d_(s::dimension(like)), zero_(s::zero(d_)), room_(zero_) {
+    explicit galerkin_equations(V const& like, Extra extra_force = {})
+        : extra(std::move(extra_force)), d_(s::dimension(like)), zero_(s::zero(d_)), room_(zero_) {
         velocity.fill(zero_);
         force.fill(zero_);
         D_.fill(zero_);
         B_.fill(zero_);
         m_.fill(zero_);
     }
+    Extra extra;               ///< beside dL/dq at every node
     std::array<V, R> velocity; ///< the unknown
     std::array<V, N> force;    ///< dL/dq at the nodes, of the velocities that solve the equations
 
@@ -148,6 +151,15 @@ private:
             V const A = x.q + D_[k];
             gradients_at(what, time(x, h, k), A, at_node(k), force[k], m_[k]);
         }
+        if constexpr (has_step_force<Extra>) {
+            put_extra(h);
+            for (V& f : force) f = f + room_;
+        }
+    }
+    /// The extra force, into room_.
+    void put_extra(S const& h) {
+        combine(table().gamma, velocity, room_);
+        for (int c = 0; c < d_; ++c) s::component(room_, c) = extra.at(S(h * s::component(room_, c)), c);
     }
     void evaluate_at_last(Problem const& what, state<S, V> const& x, S const& h) {
         place(h);
@@ -200,12 +212,20 @@ private:
         J_.setZero();
         for (std::size_t j = 0; j < R; ++j)
             for (int c = 0; c < d_; ++c) r_(row(j, c)) = s::component(x.p, c);
+        if constexpr (has_step_force<Extra>) put_extra(h);
         S forces(0);
         for (std::size_t k = 0; k < N; ++k) {
-            node_table<V> const e = expand_at(what, time(x, h, k), V(x.q + D_[k]), at_node(k));
+            node_table<V> e = expand_at(what, time(x, h, k), V(x.q + D_[k]), at_node(k));
+            if constexpr (has_step_force<Extra>) e.e.by_q = e.e.by_q + room_;
             forces = forces + magnitude(S(h * T.weight[k])) * magnitude(e.e.by_q) + magnitude(e.e.by_v);
             for (std::size_t j = 0; j < R; ++j) {
                 S const by_q = h * T.momentum[j][k], by_v = T.weight[k] * T.beta[k][j] / T.gamma[j];
+                if constexpr (has_step_force<Extra>)
+                    for (std::size_t l = 0; l < R; ++l)
+                        for (int c = 0; c < d_; ++c) {
+                            S& to = J_(row(j, c), row(l, c));
+                            to = to + by_q * s::component(extra.slope, c) * (h * T.gamma[l]);
+                        }
                 for (int c = 0; c < d_; ++c) {
                     S& r = r_(row(j, c));
                     r = r + (by_q * s::component(e.e.by_q, c) - by_v * s::component(e.e.by_v, c));

@@ -14,7 +14,7 @@
 namespace hilger::detail {
 
 /// What one trajectory remembers from step to step.
-template <class Problem, class Table, bool Compensated, class S, class V>
+template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
 class galerkin_step {
     using s = shape<V>;
     using separable_type = separable<Problem, S, V>;
@@ -24,9 +24,10 @@ class galerkin_step {
     enum way : int { undecided, by_forces, by_velocities };
 
 public:
-    galerkin_step(Problem const& what, S const& h, V const& like)
-        : h_(h), d_(s::dimension(like)), separable_(what, like), equations_(like), sum_q_(d_), sum_p_(d_) {
+    galerkin_step(Problem const& what, S const& h, V const& like, Extra extra = {})
+        : h_(h), d_(s::dimension(like)), separable_(what, like), equations_(like, std::move(extra)), sum_q_(d_), sum_p_(d_) {
         v_ = before_ = next_ = room_ = s::zero(d_);
+        if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
         D_.fill(v_);
         F_.fill(v_);
         guess_.fill(v_);
@@ -39,6 +40,7 @@ public:
         known_ = 0;
     }
     [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] Extra& extra() { return equations_.extra; }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
@@ -100,6 +102,7 @@ private:
             std::swap(F_, guess_);
         } else {
             is_separable = separable_.force(what, x.t, x.q, F_[0]);
+            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + equations_.extra.constant;
             for (std::size_t k = 1; k < N; ++k) F_[k] = F_[0];
         }
         (void)move_nodes();
@@ -112,6 +115,8 @@ private:
                 room_ = x.q + D_[k];
                 is_separable = separable_.force(what, x.t, room_, F_[k]) and is_separable;
             }
+            if constexpr (has_step_force<Extra>)
+                for (V& f : F_) f = f + extra_force_;
             if (not is_separable) return progress::going;
             if (end != progress::going) return end;
             end = convergence.after(move_nodes());
@@ -129,13 +134,26 @@ private:
             size = std::max(size, S(magnitude(room_)));
             D_[k] = next_;
         }
+        if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra());
         return size;
+    }
+    /// q_{i+1} - q_i from the forces at the nodes, into next_.
+    HILGER_ALWAYS_INLINE void reach_end() {
+        combine(table().reach, F_, room_);
+        separable_.solve(room_, next_);
+        next_ = v_ * h_ + next_ * S(h_ * h_);
+    }
+    /// The extra force for the end that the forces lead to, and how far that has moved.
+    S renew_extra() {
+        reach_end();
+        room_ = next_ - end_;
+        end_ = next_;
+        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = equations_.extra.at(s::component(end_, c), c);
+        return magnitude(room_);
     }
     void finish_by_forces(state<S, V>& x) {
         Table const& T = table();
-        combine(T.reach, F_, room_);
-        separable_.solve(room_, next_);
-        next_ = v_ * h_ + next_ * S(h_ * h_);
+        reach_end();
         combine(T.weight, F_, room_);
         add(x);
         before_ = v_;
@@ -200,10 +218,12 @@ private:
     int d_, known_ = 0, way_ = undecided;
     bool inspected_ = false;
     separable_type separable_;
-    galerkin_equations<Problem, Table, S, V> equations_;
-    V v_, before_, next_, room_;     ///< v_0; that of the last step
-    std::array<V, N> D_, F_, guess_; ///< A_k - q_0; the forces; and those of the last step while there are new ones
-    std::array<V, R> last_;          ///< the last velocities, where they are what is iterated
+    galerkin_equations<Problem, Table, S, V, Extra> equations_;
+    using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
+    V v_, before_, next_, room_;                       ///< v_0; that of the last step
+    std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
+    [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
+    std::array<V, R> last_;                            ///< the last velocities, where they are what is iterated
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
 };

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 
 #include "hilger/integrator/state.hpp"
+#include "hilger/integrator/step_force.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
@@ -18,16 +19,16 @@
 
 namespace hilger::detail {
 
-template <class Problem, bool Compensated, class S, class V>
+template <class Problem, bool Compensated, class S, class V, class Extra = no_step_force>
 class many_nodes {
     using s = shape<V>;
     using vector = Eigen::Matrix<S, s::size, 1>;
     using matrix = Eigen::Matrix<S, s::size, s::size>;
 
 public:
-    many_nodes(tableau<S> const& t, S const& h, V const& like)
-        : d_(s::dimension(like)), moved_(s::zero(d_)), r_(vector::Zero(d_)), correction_(r_), J_(matrix::Zero(d_, d_)), lu_(d_), sum_q_(d_),
-          sum_p_(d_) {
+    many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
+        : extra_(std::move(extra)), d_(s::dimension(like)), moved_(s::zero(d_)), r_(vector::Zero(d_)), correction_(r_),
+          J_(matrix::Zero(d_, d_)), lu_(d_), sum_q_(d_), sum_p_(d_) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
@@ -42,6 +43,7 @@ public:
     [[nodiscard]] S const& h() const { return h_; }
     void guess(V const& v) { velocity_ = v; }
     [[nodiscard]] bool needs_guess() const { return not velocity_; }
+    [[nodiscard]] Extra& extra() { return extra_; }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
@@ -109,6 +111,15 @@ private:
                                wb * (s::entry(e.vq_, c, f) * a + s::entry(e.e.vv, c, f) * b);
             }
         }
+        if constexpr (has_step_force<Extra>) add_half_of_extra();
+    }
+    /// h/2 F and its derivative into the equation.
+    void add_half_of_extra() requires(has_step_force<Extra>) {
+        S const half = h_ / S(2);
+        for (int c = 0; c < d_; ++c) {
+            r_(c) = r_(c) + half * extra_.at(s::component(moved_, c), c);
+            J_(c, c) = J_(c, c) - half * s::component(extra_.slope, c);
+        }
     }
     /// a_k0 + a_k1 = 1 and b_k0 + b_k1 = 0 at every node, to rounding.
     [[nodiscard]] bool reproduces_constants() const {
@@ -125,6 +136,7 @@ private:
         S sum(0);
         for (int k = 0; k < t_.nodes; ++k)
             sum = sum + magnitude(t_.w(k)) * magnitude(nodes_[at(k)].e.by_q) + magnitude(nodes_[at(k)].e.by_v);
+        if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra_.constant);
         return sum;
     }
     /// The last correction is applied to the gradients to first order. As a_k0 + a_k1 = 1 and b_k0 + b_k1 = 0 the equations add up to
@@ -144,6 +156,12 @@ private:
                 s::component(whole, c) = s::component(whole, c) + t_.w(k) * (t_.a(k, 1) * g + t_.b(k, 1) * m);
             }
         }
+        if constexpr (has_step_force<Extra>)
+            for (int c = 0; c < d_; ++c) {
+                S const impulse = h_ * extra_.at(s::component(moved_, c), c);
+                s::component(increment, c) = s::component(increment, c) + impulse;
+                s::component(whole, c) = s::component(whole, c) + impulse / S(2);
+            }
         V const q = x.q + moved_, p = constants_ ? V(x.p + increment) : whole;
         if (not all_finite(q) or not all_finite(p)) give_up(name, false, x.q, V((q - q) + (p - p)), S(0)); // infinity less itself is NaN
         for (int c = 0; c < d_; ++c) {
@@ -156,6 +174,7 @@ private:
         x.t = x.t + h_;
     }
 
+    [[no_unique_address]] Extra extra_;
     int d_;
     tableau<S> t_;
     S h_{0};

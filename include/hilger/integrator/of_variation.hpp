@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // From an equation to what solves it: flows of local equations are flow_of(variation(S)) (flow.hpp); here are those of fractional ones.
-//   flow_of(variation(S - rho * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T)))     damped, from initial values
+//   flow_of(variation(S - rho * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T)))     damped by impulses
 //   solve_boundary(variation(nabla_integral(L(q, Delta_minus_alpha<3, 4>[q]), T)), q_a, q_b)              two-sided
 #pragma once
 
@@ -11,18 +11,19 @@
 namespace hilger {
 
 /// The flow of the first curve of a restricted principle (Jimenez, Ober-Bloebaum (20)), with a history policy. The second one is it in
-/// reversed time.
+/// reversed time. The principle says that the damping is an explicit impulse at each point: with_fractional_impulses, of order one and
+/// with a limit of stability, and not with_fractional_damping.
 template <class F, linear_map A, linear_map B, class W, class Root, class G, class O, class R, class Policy = direct>
 constexpr auto flow_of(restricted_euler_lagrange<action<F, A, B, W, Root>, fractional_difference<G, O, side::minus>,
                                                  fractional_difference<G, R, side::plus>, Root> const& equation,
-                       Policy policy = {}, damping_options options = {}) {
+                       Policy policy = {}, impulse_options options = {}) {
     auto const S = equation.conservative().action();
     auto const order = equation.damping().order;
     auto const damped = [&] {
         if constexpr (requires { order.value; })
-            return with_fractional_damping<G>(S.function, equation.factor(), order.value, std::move(policy), options);
+            return with_fractional_impulses<G>(S.function, equation.factor(), order.value, std::move(policy), options);
         else
-            return with_fractional_damping<G>(S.function, equation.factor(), order, std::move(policy), options);
+            return with_fractional_impulses<G>(S.function, equation.factor(), order, std::move(policy), options);
     }();
     return embed(damped, make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
 }

@@ -7,6 +7,7 @@
 
 #include "hilger/inlining.hpp"
 #include "hilger/integrator/state.hpp"
+#include "hilger/integrator/step_force.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
@@ -99,7 +100,7 @@ HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
 }
 
 /// What one trajectory remembers from step to step.
-template <class Problem, embedding_facts Facts, bool Compensated, class S, class V>
+template <class Problem, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
 class one_node {
     using s = shape<V>;
     static constexpr int N = s::size;
@@ -114,7 +115,7 @@ class one_node {
 
 public:
     /// `like` has the dimension of the states to come.
-    one_node(tableau<S> const& t, S const& h, V const& /*like*/) { prepare(t, h); }
+    one_node(tableau<S> const& t, S const& h, V const& /*like*/, Extra extra = {}) : extra_(std::move(extra)) { prepare(t, h); }
     /// Steps of another length.
     void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
@@ -132,6 +133,7 @@ public:
         known_ = 1;
     }
     [[nodiscard]] bool needs_guess() const { return known_ == 0; }
+    [[nodiscard]] Extra& extra() { return extra_; }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
@@ -164,7 +166,7 @@ private:
     HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
         using std::abs;
-        components_ const q{s::component(x.q, K)...}, p{s::component(x.p, K)...};
+        components_ const q{s::component(x.q, K)...}, p{start<K>(x.p)...};
         // One name for one number, where the type says so: what is computed from it twice is then computed once.
         S const w = w_, c = at_end ? w : c_, f = at_start ? w : f_, t = x.t + node_;
         // Sizes: a step may go back in time.
@@ -180,11 +182,13 @@ private:
             components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
+            if constexpr (has_step_force<Extra>) ((r[K] = r[K] - half_resistance<K>() * v[K]), ...);
             matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
                                                 : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
             matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
                                      : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
                             at_end ? S(0) : times(f, D[M]))...};
+            if constexpr (has_step_force<Extra>) ((J[static_cast<std::size_t>(K * N + K)] += half_resistance<K>()), ...);
             d = r;
             if (not small_solve(J, d)) {
                 singular = true;
@@ -222,11 +226,12 @@ private:
             }
             // A finite v and g may still lead beyond the largest number.
             if constexpr (not exact)
-                if (S const nan = S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + w * g[K])) + ...)); not(nan == S(0))) {
+                if (S const nan = S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
+                    not(nan == S(0))) {
                     r[0] = nan;
                     break;
                 }
-            ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), S(w * g[K]), K)), ...);
+            ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v), K)), ...);
             x.t = x.t + h_;
             remember(v);
             return;
@@ -242,6 +247,27 @@ private:
             ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
         }
         (all{});
+    }
+    /// What of the momentum at the start does not depend on v.
+    template <int K>
+    HILGER_ALWAYS_INLINE S start(V const& p) const {
+        if constexpr (has_step_force<Extra>)
+            return S(s::component(p, K) + h_ / S(2) * s::component(extra_.constant, K));
+        else
+            return s::component(p, K);
+    }
+    /// -h/2 dF/dv
+    template <int K>
+    HILGER_ALWAYS_INLINE S half_resistance() const {
+        return S(h_ / S(2) * w_ * s::component(extra_.slope, K));
+    }
+    /// The change of the momentum in the step.
+    template <int K>
+    HILGER_ALWAYS_INLINE S gained(S const& w, components_ const& g, components_ const& v) const {
+        if constexpr (has_step_force<Extra>)
+            return S(w * g[K] + h_ * extra_.at(S(w * v[K]), K));
+        else
+            return S(w * g[K]);
     }
     /// 0 for a number, NaN for NaN and infinity.
     HILGER_ALWAYS_INLINE static S overflow(S const& x) { return x - x; }
@@ -309,6 +335,7 @@ private:
     };
 
     S h_, w_, node_, c_, f_;
+    [[no_unique_address]] Extra extra_;
     std::array<components_, history> past_{};
     int known_ = 0;
     [[no_unique_address]] summation<Compensated, S, N> sum_q_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hilger/integrator/state.hpp"
+#include "hilger/integrator/step_force.hpp"
 #include "hilger/integrator/structured_solvers.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
@@ -13,16 +14,33 @@
 namespace hilger::detail {
 
 /// What one trajectory remembers from step to step.
-template <class L, embedding_facts Facts, bool Compensated, class S, class V>
+template <class L, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
 class structured {
     using s = shape<V>;
-    using Mass = std::remove_cvref_t<decltype(std::declval<L const&>().mass())>;
+    static constexpr bool resisted = has_step_force<Extra>;
+    /// The mass, and to its diagonal what a force that grows with the step adds to it.
+    static decltype(auto) inertia(L const& l, tableau<S> const& t, S const& h, Extra const& extra) {
+        if constexpr (resisted) {
+            V const more = extra.slope * S(h / S(2) * t.w(0));
+            if constexpr (L::is_matrix) {
+                block_of<V> m = l.mass().template cast<S>();
+                if (m.rows() == more.size() and m.cols() == more.size()) m.diagonal() += more;
+                return m;
+            } else if constexpr (requires { l.mass().size(); })
+                return l.mass().size() == more.size() ? V(l.mass().template cast<S>() + more) : V(l.mass().template cast<S>());
+            else
+                return V(more.array() + S(l.mass()));
+        } else
+            return l.mass();
+    }
+    using Mass = std::remove_cvref_t<decltype(inertia(std::declval<L const&>(), std::declval<tableau<S> const&>(), std::declval<S const&>(),
+                                                      std::declval<Extra const&>()))>;
     static constexpr int history = Facts.at_start or Facts.at_end ? 1 : 8;
 
 public:
-    structured(tableau<S> const& t, S const& h, L const& l, V const& like)
-        : mass_(l.mass(), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like), room_(like.size() + 1),
-          sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+    structured(tableau<S> const& t, S const& h, L const& l, V const& like, Extra extra = {})
+        : extra_(std::move(extra)), mass_(inertia(l, t, h, extra_), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like),
+          room_(like.size() + 1), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
         l.potential().check(like.size());
         past_.fill(V(like));
         prepare(t, h);
@@ -35,6 +53,7 @@ public:
         if (known_ > 1) known_ = 0;
     }
     [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] Extra& extra() { return extra_; }
 
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
@@ -52,11 +71,12 @@ public:
 
     void advance(L const& l, state<S, V>& x) {
         auto const& U = l.potential();
+        if constexpr (resisted) start_ = x.p + S(h_ / S(2)) * extra_.constant;
         if constexpr (Facts.at_start) {
             force(U, x.q);
-            mass_.solve(x.p - w_ * g_, v_);
+            mass_.solve(start(x) - w_ * g_, v_);
         } else if constexpr (Facts.at_end) {
-            mass_.solve(x.p, v_);
+            mass_.solve(start(x), v_);
             A_ = x.q + c_ * v_;
             force(U, A_);
         } else {
@@ -69,17 +89,22 @@ public:
         }
         // A finite v and g may still lead beyond the largest number; where v comes from the new momentum it shows that one.
         S sum = (x.q + w_ * v_).sum();
-        if constexpr (not Facts.at_start) sum += (x.p - w_ * g_).sum();
+        if constexpr (resisted) r_ = S(w_ * h_) * extra_.slope.cwiseProduct(v_) - h_ * extra_.constant; // taken beside w U'
+        if constexpr (resisted)
+            sum += (x.p - w_ * g_ - r_).sum();
+        else if constexpr (not Facts.at_start)
+            sum += (x.p - w_ * g_).sum();
         if (not is_finite(sum)) [[unlikely]]
             refuse_overflow(x);
         if constexpr (Compensated)
             for (int k = 0; k < s::dimension(x.q); ++k) {
                 sum_q_.add(x.q(k), S(w_ * v_(k)), k);
-                sum_p_.add(x.p(k), S(-(w_ * g_(k))), k);
+                sum_p_.add(x.p(k), gained(k), k);
             }
         else {
             x.q += w_ * v_;
             x.p -= w_ * g_;
+            if constexpr (resisted) x.p -= r_;
         }
         x.t = x.t + h_;
         if constexpr (history > 1) {
@@ -93,9 +118,27 @@ private:
     static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
     /// @throws error::not_finite, unless it was the sum alone that overflowed
     [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
-        r_ = (x.q + w_ * v_) - (x.q + w_ * v_);
+        if constexpr (resisted)
+            r_ -= r_;
+        else
+            r_.setZero();
+        r_ += (x.q + w_ * v_) - (x.q + w_ * v_);
         r_ += (x.p - w_ * g_) - (x.p - w_ * g_);
         if (not all_finite(r_)) give_up(name, false, v_, r_, S(0));
+    }
+    /// The momentum at the start, with what of the extra force does not depend on v.
+    [[nodiscard]] V const& start(state<S, V> const& x) const {
+        if constexpr (resisted)
+            return start_;
+        else
+            return x.p;
+    }
+    /// The change of the momentum, after which r_ is what the extra force has taken.
+    [[nodiscard]] S gained(index_type k) const {
+        if constexpr (resisted)
+            return S(-(w_ * g_(k)) - r_(k));
+        else
+            return S(-(w_ * g_(k)));
     }
     [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
     template <class U>
@@ -111,7 +154,7 @@ private:
         else if (known_ == 1)
             v_ = past(0);
         else
-            mass_.solve(x.p, v_);
+            mass_.solve(start(x), v_);
     }
     template <int... I>
     void extrapolate(std::integer_sequence<int, I...>) {
@@ -124,7 +167,7 @@ private:
         for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(potential, A_);
-            mass_.solve(x.p - f_ * g_, next_);
+            mass_.solve(start(x) - f_ * g_, next_);
             S const size = largest_difference(), reach = largest_of(next_);
             hand_over(next_, v_);
             // What is left is the rate times this correction, and the rate is the ratio of two corrections.
@@ -168,7 +211,7 @@ private:
             size = largest_of(next_);
             if (not is_finite(S(next_.sum()))) give_up(name, false, v_, next_, size);
             if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
-                (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(x.p) + magnitude(f_) * largest_of(g_)))) {
+                (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
                 force(U, A_);
                 return;
@@ -178,11 +221,12 @@ private:
     }
     void residual(L const& l, state<S, V> const& x) {
         if constexpr (L::is_matrix)
-            r_ = x.p - f_ * g_ - l.mass().template cast<S>() * v_;
+            r_ = start(x) - f_ * g_ - l.mass().template cast<S>() * v_;
         else if constexpr (requires { l.mass().size(); })
-            r_ = x.p - f_ * g_ - l.mass().template cast<S>().cwiseProduct(v_);
+            r_ = start(x) - f_ * g_ - l.mass().template cast<S>().cwiseProduct(v_);
         else
-            r_ = x.p - f_ * g_ - S(l.mass()) * v_;
+            r_ = start(x) - f_ * g_ - S(l.mass()) * v_;
+        if constexpr (resisted) r_ -= S(w_ * h_ / S(2)) * extra_.slope.cwiseProduct(v_);
     }
     /// Gives `to` the numbers of `from`, which are not needed there any more: the cheapest way.
     static void hand_over(V& from, V& to) {
@@ -195,6 +239,8 @@ private:
     S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 
+    [[no_unique_address]] Extra extra_;
+    [[no_unique_address]] std::conditional_t<resisted, V, no_step_force> start_;
     S h_, w_, c_, f_;
     mass_solver<Mass, V> mass_;
     pattern_solver<V> kernel_;

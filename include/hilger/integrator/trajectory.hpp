@@ -59,6 +59,16 @@ private:
     typename Path::checkpoint_type from_;
 };
 
+namespace detail {
+
+/// Whether a step of a method depends on all steps before it: such methods have a member has_history.
+template <class Method>
+inline constexpr bool has_history = requires {
+    requires Method::has_history;
+};
+
+} // namespace detail
+
 template <class Method, time_scale_like Scale, class V>
 class trajectory {
     using S = typename Scale::root_type::scalar_type;
