@@ -48,10 +48,14 @@ constexpr auto digits() {
     }
 }
 
-/// What the wrong use of a library function instantiates: the sentence appears in the message because it is the template argument.
-template <fixed_text Sentence>
+/// What the wrong use of a library function makes. The line with `error:` shows the sentence: g++ as text, clang 14 as the expression that
+/// it is written as. So it is written where the object is made, and names come from template parameters,
+///   does_not_compile<"a sum needs one scale, and these live on " + D::name() + " and on " + E::name()>{}
+/// A variable with the sentence would be shown as the variable's name. Types that the sentence is about may follow it: a sentence that
+/// depends on nothing would be an error before anything was used wrongly.
+template <fixed_text Sentence, class...>
 struct does_not_compile {
-    static_assert(sizeof(Sentence) == 0, "hilger: read the sentence above");
+    does_not_compile() = delete;
 };
 
 } // namespace hilger

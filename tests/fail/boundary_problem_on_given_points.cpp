@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a fractional boundary value problem is solved on a uniform scale T, and this one is a scale of given points
+// expect-clang: "a fractional boundary value problem is solved on a uniform scale T, and this one is " + time_scale<double>::kind()
 // Fractional differences are convolutions; on unequal steps they are none.
 #include "hilger/integrator/boundary.hpp"
 #include "hilger/scale/time_scale.hpp"

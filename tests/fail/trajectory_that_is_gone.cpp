@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: deleted function
+// expect: an iterator refers to its trajectory, which ends here: keep the trajectory in a variable first
 // An iterator walks the trajectory that it is from, which must still be there.
 #include "hilger/integrator/flow.hpp"
 

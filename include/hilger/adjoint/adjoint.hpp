@@ -53,6 +53,11 @@ constexpr auto sum_outside(F const& f, G const& g, Domain const& inner) {
     return total;
 }
 
+template <class A, class Image, class Domain>
+constexpr auto unpaired() {
+    return does_not_compile<"the end terms of " + A::name() + " need g where A f lives, on " + Image::name() + ", and it lives on " +
+                            Domain::name()>{};
+}
 /// The rows of the transposed operator at the points that the adjoint leaves out.
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
@@ -61,8 +66,7 @@ constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
     using G_domain = typename G::domain_type;
     if constexpr (G_domain::front < image_type::front or G_domain::back < image_type::back)
         // adjoint(A) would use values of g that <A f, g> does not have
-        return does_not_compile<"the end terms of " + A::name() + " need g where A f lives, on " + image_type::name() +
-                                ", and it lives on " + G_domain::name()>{};
+        return unpaired<A, image_type, G_domain>();
     else {
         auto const& T = f.root();
         auto const inner = intersect(a.adjoint().image(g.domain()), f.domain());

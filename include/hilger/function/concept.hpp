@@ -64,6 +64,13 @@ constexpr value_of<F> zero_of(F const& f) {
 template <class F>
 using base_of = typename F::domain_type::base_type;
 
+namespace detail {
+template <class Domain>
+constexpr auto takes_a_number() {
+    return does_not_compile<"f[i] takes the number i of a point of " + Domain::name() + "; the value at t is f(t)">{};
+}
+} // namespace detail
+
 /// Evaluation and iteration, common to all functions that have values. A function is a random-access range of its values.
 template <class Derived>
 class function_interface {
@@ -77,8 +84,7 @@ public:
     }
     template <std::floating_point S>
     constexpr auto operator[](S) const {
-        return does_not_compile<fixed_text("f[i] takes the number i of a point of ") + Derived::domain_type::name() +
-                                "; the value at t is f(t)">{};
+        return detail::takes_a_number<typename Derived::domain_type>();
     }
     /// The value at t. @throws error::outside_domain when t is not a point of the function's scale.
     template <class S>

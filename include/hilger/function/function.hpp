@@ -48,10 +48,12 @@ struct by_array {
 
 namespace detail {
 template <class Domain>
+constexpr void made_from_something_else() {
+    does_not_compile<"a function on " + Domain::name() +
+                     " is made from a formula that takes its points, or from a std::vector of its values">{};
+}
+template <class Domain>
 struct no_formula {
-    does_not_compile<fixed_text("a function on ") + Domain::name() +
-                     " is made from a formula that takes its points, or from a std::vector of its values">
-        wrong;
     template <class Root>
     constexpr auto get(Root const&, Domain const&, index_type) const {
         return typename Root::scalar_type(0);
@@ -88,7 +90,9 @@ public:
     /// Anything else is refused in one sentence.
     template <time_scale_like Scale, class Other>
         requires(not formula_on<Other, Scale>)
-    constexpr function_on(Scale const& scale, Other const&) : function_on(scale.root(), scale.domain(), Rule{}) {}
+    constexpr function_on(Scale const& scale, Other const&) : function_on(scale.root(), scale.domain(), Rule{}) {
+        detail::made_from_something_else<typename Scale::domain_type>();
+    }
 
     [[nodiscard]] constexpr Root const& root() const { return root_; }
     [[nodiscard]] constexpr Domain const& domain() const { return domain_; }

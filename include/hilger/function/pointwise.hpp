@@ -17,15 +17,41 @@ template <class F, class G>
 inline constexpr bool same_family =
     std::conjunction_v<std::is_same<base_of<F>, base_of<G>>, std::is_same<typename F::root_type, typename G::root_type>>;
 
+struct a_sum {
+    static constexpr auto name() { return fixed_text("a sum"); }
+};
+struct a_difference {
+    static constexpr auto name() { return fixed_text("a difference"); }
+};
+struct a_product {
+    static constexpr auto name() { return fixed_text("a product"); }
+};
+struct a_quotient {
+    static constexpr auto name() { return fixed_text("a quotient"); }
+};
+struct a_euclidean_product {
+    static constexpr auto name() { return fixed_text("a Euclidean product"); }
+};
+struct pointwise_application {
+    static constexpr auto name() { return fixed_text("apply_pointwise"); }
+};
+template <class What, class Domain, class Other>
+constexpr auto live_on_two() {
+    return does_not_compile<What::name() + " needs both functions on one scale, and they live on " + Domain::name() + " and on " +
+                            Other::name()>{};
+}
+template <class What, class Root, class Other>
+constexpr auto live_on_two_kinds() {
+    return does_not_compile<What::name() + " needs both functions on one scale, and one lives on " + Root::kind() + ", the other on " +
+                            Other::kind() + " of another type">{};
+}
 /// The error for operands that do not meet, as one sentence.
-template <fixed_text What, class F, class G>
+template <class What, class F, class G>
 constexpr auto apart() {
     if constexpr (not std::same_as<base_of<F>, base_of<G>>)
-        return does_not_compile<What + " needs both functions on one scale, and they live on " + F::domain_type::name() + " and on " +
-                                G::domain_type::name()>{};
+        return live_on_two<What, typename F::domain_type, typename G::domain_type>();
     else
-        return does_not_compile<What + " needs both functions on one scale, and one lives on " + F::root_type::kind() + ", the other on " +
-                                G::root_type::kind() + " of another type">{};
+        return live_on_two_kinds<What, typename F::root_type, typename G::root_type>();
 }
 
 template <discrete_function F, discrete_function G>
@@ -75,7 +101,7 @@ public:
 };
 
 namespace detail {
-template <fixed_text What, class F, class G, class... Gs>
+template <class What, class F, class G, class... Gs>
 constexpr auto first_apart() {
     if constexpr (not same_family<F, G>)
         return apart<What, F, G>();
@@ -91,7 +117,7 @@ struct apply_to_values {
         if constexpr ((same_family<F, Gs> and ...))
             return pointwise<Map, F, Gs...>(std::move(map), std::move(f), std::move(gs)...);
         else
-            return first_apart<"apply_pointwise", F, Gs...>();
+            return first_apart<pointwise_application, F, Gs...>();
     }
 };
 } // namespace detail
@@ -104,28 +130,28 @@ constexpr auto operator+(F f, G g) {
     if constexpr (detail::same_family<F, G>)
         return pointwise<std::plus<>, F, G>({}, std::move(f), std::move(g));
     else
-        return detail::apart<"a sum", F, G>();
+        return detail::apart<detail::a_sum, F, G>();
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator-(F f, G g) {
     if constexpr (detail::same_family<F, G>)
         return pointwise<std::minus<>, F, G>({}, std::move(f), std::move(g));
     else
-        return detail::apart<"a difference", F, G>();
+        return detail::apart<detail::a_difference, F, G>();
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator*(F f, G g) {
     if constexpr (detail::same_family<F, G>)
         return pointwise<std::multiplies<>, F, G>({}, std::move(f), std::move(g));
     else
-        return detail::apart<"a product", F, G>();
+        return detail::apart<detail::a_product, F, G>();
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator/(F f, G g) {
     if constexpr (detail::same_family<F, G>)
         return pointwise<std::divides<>, F, G>({}, std::move(f), std::move(g));
     else
-        return detail::apart<"a quotient", F, G>();
+        return detail::apart<detail::a_quotient, F, G>();
 }
 template <discrete_function F>
 constexpr auto operator-(F f) {
@@ -137,7 +163,7 @@ constexpr auto dot(F f, G g) {
     if constexpr (detail::same_family<F, G>)
         return apply_pointwise([](auto const& x, auto const& y) { return dot_product(x, y); }, std::move(f), std::move(g));
     else
-        return detail::apart<"a Euclidean product", F, G>();
+        return detail::apart<detail::a_euclidean_product, F, G>();
 }
 
 /// A constant that multiplies: a number, or a fraction in the type.

@@ -61,7 +61,7 @@ auto make_history(automatic const& policy, S const& alpha, V const& like) {
     using value = plain_t<V>;
     if (policy.steps < 1) error::raise<error::invalid_parameter>("a history has one step or more, not ", policy.steps);
     if constexpr (not detail::memory::same_scalar<S, V>)
-        return detail::memory::refused<S, detail::memory::scalars_differ>();
+        return detail::memory::scalars_differ<S, V>();
     else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, value>(alpha, like);
     else if constexpr (strongly_damped<G>) {

@@ -139,7 +139,7 @@ private:
 template <generating_function G, class S, class V>
 auto make_history(blocks const&, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
-        return detail::memory::refused<S, detail::memory::scalars_differ>();
+        return detail::memory::scalars_differ<S, V>();
     else if constexpr (std::numeric_limits<S>::is_exact)
         return direct_history<G, plain_t<V>>(alpha, like);
     else

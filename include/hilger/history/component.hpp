@@ -99,10 +99,9 @@ void visit_values(Engine& engine, V const& like, ValueOf const& value_of, Visit&
 /// What make_history returns for an order and values that differ in their scalar.
 template <class S, class V>
 inline constexpr bool same_scalar = std::is_same_v<S, component_t<plain_t<V>>>;
-template <class S, fixed_text Sentence>
-auto refused() { // depends on S: instantiated where it is reached only
-    return does_not_compile<Sentence>{};
+template <class S, class V>
+auto scalars_differ() {
+    return does_not_compile<"the order of a fractional difference and the values of its history have the same scalar", S, V>{};
 }
-inline constexpr fixed_text scalars_differ{"the order of a fractional difference and the values of its history have the same scalar"};
 
 } // namespace hilger::detail::memory

@@ -86,7 +86,7 @@ private:
 template <generating_function G, class S, class V>
 auto make_history(direct const& policy, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
-        return detail::memory::refused<S, detail::memory::scalars_differ>();
+        return detail::memory::scalars_differ<S, V>();
     else {
         if (policy.steps > direct::many and history_warning())
             history_warning()("the direct sum over " + std::to_string(policy.steps) +

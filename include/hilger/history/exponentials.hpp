@@ -189,12 +189,12 @@ private:
 template <generating_function G, class S, class V>
 auto make_history(exponentials const& policy, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
-        return detail::memory::refused<S, detail::memory::scalars_differ>();
+        return detail::memory::scalars_differ<S, V>();
     else if constexpr (not strongly_damped<G>)
-        return detail::memory::refused<
-            S, "exponentials know Gruenwald-Letnikov and the BDF, for this generating function there are direct and blocks">();
+        return does_not_compile<
+            "exponentials know Gruenwald-Letnikov and the BDF, for this generating function there are direct and blocks", G>{};
     else if constexpr (std::numeric_limits<S>::is_exact)
-        return detail::memory::refused<S, "exponentials are accurate to a tolerance, for exact scalars there is direct">();
+        return does_not_compile<"exponentials are accurate to a tolerance, for exact scalars there is direct", S>{};
     else
         return exponentials_history<G, plain_t<V>>(policy, alpha, like);
 }

@@ -106,7 +106,7 @@ private:
 template <generating_function G, class S, class V>
 auto make_history(window const& policy, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
-        return detail::memory::refused<S, detail::memory::scalars_differ>();
+        return detail::memory::scalars_differ<S, V>();
     else
         return window_history<G, plain_t<V>>(policy, alpha, like);
 }

@@ -28,8 +28,8 @@ auto solve_boundary(fractional_problem<F, Order> const& problem, uniform_scale<S
 template <class F, class Order, time_scale_like Scale, class First, class Last>
     requires(not Scale::root_type::is_uniform)
 auto solve_boundary(fractional_problem<F, Order> const&, Scale const&, First const&, Last const&, boundary_options const& = {}) {
-    return does_not_compile<fixed_text("a fractional boundary value problem is solved on a uniform scale T, and this one is ") +
-                            Scale::root_type::kind()>{};
+    using Root = typename Scale::root_type;
+    return detail::solved_elsewhere<Root>();
 }
 
 } // namespace hilger

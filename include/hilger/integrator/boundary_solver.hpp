@@ -27,6 +27,11 @@ struct boundary_solution {
 
 namespace detail {
 
+template <class Root>
+auto solved_elsewhere() {
+    return does_not_compile<"a fractional boundary value problem is solved on a uniform scale T, and this one is " + Root::kind()>{};
+}
+
 /// What a boundary value is: an Eigen vector as it is, any number in the scalar of the scale.
 template <class Value, class S>
 struct boundary_value {

@@ -115,7 +115,11 @@ public:
     };
     event_range(Path path, G g, crossing which) : path_(std::move(path)), g_(std::move(g)), which_(which) {}
     [[nodiscard]] iterator begin() const& { return iterator(*this); }
-    iterator begin() const&& = delete; // it would outlive the trajectory that it walks
+    template <class Kept = Path>
+    iterator begin() const&& {
+        trajectory_ends_here<Kept>();
+        return iterator(*this);
+    }
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
     [[nodiscard]] auto const& scale() const { return path_.scale(); }
 

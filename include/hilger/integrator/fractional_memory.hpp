@@ -60,11 +60,15 @@ S power(S const& h, S const& beta) {
     }
 }
 
-/// Why there is no trajectory on steps of different lengths, and no single step. They depend on a type, so that only a use of them fails.
-template <class>
-inline constexpr auto uneven_steps = fixed_text("fractional damping lives on a uniform T, and this one has steps of different lengths");
-template <class>
-inline constexpr auto no_single_step = fixed_text("a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
+/// There is no trajectory on steps of different lengths, and no single step.
+template <class Scale>
+auto uneven_steps() {
+    return does_not_compile<"fractional damping lives on a uniform T, and this one has steps of different lengths", Scale>{};
+}
+template <class S>
+auto no_single_step() {
+    return does_not_compile<"a step with fractional damping depends on all steps before it: walk along(T, q0, p0)", S>{};
+}
 
 /// @throws error::invalid_parameter
 template <class S>

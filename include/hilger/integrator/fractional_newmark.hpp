@@ -121,7 +121,7 @@ public:
     template <time_scale_like Scale, class V>
     auto along(Scale const& T, V q0, V p0) const {
         if constexpr (not(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>))
-            return does_not_compile<detail::uneven_steps<Scale>>{};
+            return detail::uneven_steps<Scale>();
         else {
             index_type const d = detail::rows_of(structure_.mass);
             if (detail::shape<V>::dimension(q0) != d)
@@ -137,7 +137,7 @@ public:
     /// One step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
-        return does_not_compile<detail::no_single_step<S>>{};
+        return detail::no_single_step<S>();
     }
     /// u' = M^-1 p
     template <class V>

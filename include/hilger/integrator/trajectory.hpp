@@ -43,13 +43,25 @@ struct checkpoint {
     index_type number;
 };
 
+namespace detail {
+template <class Kept>
+constexpr void trajectory_ends_here() {
+    static_assert(not std::same_as<Kept, Kept>,
+                  "an iterator refers to its trajectory, which ends here: keep the trajectory in a variable first");
+}
+} // namespace detail
+
 /// A trajectory from one of its checkpoints on.
 template <class Path>
 class resumed {
 public:
     resumed(Path path, typename Path::checkpoint_type from) : path_(std::move(path)), from_(std::move(from)) {}
     [[nodiscard]] auto begin() const& { return typename Path::iterator(path_, from_); }
-    void begin() const&& = delete; // it would outlive the trajectory that it walks
+    template <class Kept = Path>
+    typename Kept::iterator begin() const&& {
+        detail::trajectory_ends_here<Kept>();
+        return {path_, from_};
+    }
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
     [[nodiscard]] auto const& scale() const { return path_.scale(); }
     [[nodiscard]] auto const& method() const { return path_.method(); }
@@ -145,7 +157,11 @@ public:
         detail::require_same_dimension(start_.q, start_.p, "the initial position and momentum");
     }
     [[nodiscard]] iterator begin() const& { return iterator(*this); }
-    iterator begin() const&& = delete; // it would outlive the trajectory that it walks
+    template <class Kept = trajectory>
+    iterator begin() const&& {
+        detail::trajectory_ends_here<Kept>();
+        return iterator(*this);
+    }
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
     [[nodiscard]] Scale const& scale() const { return T_; }
     [[nodiscard]] Method const& method() const { return method_; }

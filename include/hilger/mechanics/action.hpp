@@ -45,6 +45,10 @@ constexpr auto seen_on(between<Lambda> const& base, A a) {
         return a;
 }
 constexpr auto seen_on(nodes, linear_map auto a) { return a; }
+template <class Lives, class Domain>
+constexpr auto integrated_elsewhere() {
+    return does_not_compile<"this Lagrangian lives on " + Lives::name() + ", and the integral is over " + Domain::name()>{};
+}
 } // namespace detail
 
 /// int L(A[q], B[q]) over T (weights mu, Cresson-Safi (7)), half(T) or at_lambda(T) ((32)).
@@ -59,7 +63,7 @@ constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const&
     using SeenB = decltype(detail::seen_on(scale.domain().base, density.velocity));
     using Root = typename Scale::root_type;
     if constexpr (not std::same_as<typename SeenA::to, Base>)
-        return does_not_compile<fixed_text("this Lagrangian lives on ") + SeenA::to::name() + ", and the integral is over " + D::name()>{};
+        return detail::integrated_elsewhere<typename SeenA::to, D>();
     else {
         using W = std::conditional_t<std::same_as<Base, nodes>, delta_weight, step_weight>;
         return action<F, SeenA, SeenB, W, Root>{density.function, a, b, scale.root()};
@@ -74,7 +78,7 @@ constexpr auto nabla_integral(lagrangian_density<F, A, B> const& density, Scale 
     using Root = typename Scale::root_type;
     static_assert(std::same_as<D, domain<nodes>>, "the nabla integral of a Lagrangian is over T");
     if constexpr (not std::same_as<typename A::to, nodes>)
-        return does_not_compile<fixed_text("this Lagrangian lives on ") + A::to::name() + ", and the integral is over " + D::name()>{};
+        return detail::integrated_elsewhere<typename A::to, D>();
     else if constexpr ((A::needs_uniform or B::needs_uniform) and not Root::is_uniform)
         return does_not_compile<B::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
     else

@@ -17,6 +17,14 @@ struct lagrangian_density {
     [[no_unique_address]] B velocity;
 };
 
+namespace detail {
+template <class A, class B>
+constexpr auto seen_on_two() {
+    return does_not_compile<"a Lagrangian takes position and velocity on one scale, and these live on " + A::name() + " and on " +
+                            B::name()>{};
+}
+} // namespace detail
+
 template <class F>
 struct lagrangian {
     [[no_unique_address]] F function;
@@ -41,8 +49,7 @@ struct lagrangian {
         using A = decltype(operator_of(q));
         using B = decltype(operator_of(v));
         if constexpr (not std::same_as<typename A::to, typename B::to>)
-            return does_not_compile<fixed_text("a Lagrangian takes position and velocity on one scale, and these live on ") +
-                                    A::to::name() + " and on " + B::to::name()>{};
+            return detail::seen_on_two<typename A::to, typename B::to>();
         else
             return lagrangian_density<F, A, B>{function, a, b};
     }

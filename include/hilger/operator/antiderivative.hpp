@@ -53,8 +53,7 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
         if constexpr (F > 0)
-            does_not_compile<fixed_text("antiderivative starts at the first point, and this function lives on ") +
-                             domain<from, F, B>::name()>{};
+            does_not_compile<"antiderivative starts at the first point, and this function lives on " + domain<from, F, B>::name()>{};
         return domain<nodes, 0, B>{};
     }
     template <class F>

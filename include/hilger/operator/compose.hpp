@@ -178,22 +178,37 @@ constexpr auto adjoint_between(A const& a) {
         return outer(a.adjoint() * reweight<typename A::to, Q, Aq>{});
 }
 
+namespace detail {
+template <class A, class From, class B, class To>
+constexpr auto do_not_meet() {
+    return does_not_compile<A::name() + " acts on functions on " + From::name() + ", and " + B::name() + " makes functions on " +
+                            To::name()>{};
+}
+template <class A, class From, class B, class Other>
+constexpr auto act_on_two() {
+    return does_not_compile<"a sum of operators needs one scale to act on, and " + A::name() + " acts on " + From::name() + ", " +
+                            B::name() + " on " + Other::name()>{};
+}
+template <class A, class To, class B, class Other>
+constexpr auto map_to_two() {
+    return does_not_compile<"a sum of operators needs one scale to map to, and " + A::name() + " maps to " + To::name() + ", " + B::name() +
+                            " to " + Other::name()>{};
+}
+} // namespace detail
+
 template <linear_map A, linear_map B>
 constexpr auto operator*(A a, B b) {
     if constexpr (composes_with<A, B>)
         return composition<A, B>(std::move(a), std::move(b));
     else
-        return does_not_compile<A::name() + " acts on functions on " + A::from::name() + ", and " + B::name() + " makes functions on " +
-                                B::to::name()>{};
+        return detail::do_not_meet<A, typename A::from, B, typename B::to>();
 }
 template <linear_map A, linear_map B>
 constexpr auto operator+(A a, B b) {
     if constexpr (not std::same_as<typename A::from, typename B::from>)
-        return does_not_compile<"a sum of operators needs one scale to act on, and " + A::name() + " acts on " + A::from::name() + ", " +
-                                B::name() + " on " + B::from::name()>{};
+        return detail::act_on_two<A, typename A::from, B, typename B::from>();
     else if constexpr (not std::same_as<typename A::to, typename B::to>)
-        return does_not_compile<"a sum of operators needs one scale to map to, and " + A::name() + " maps to " + A::to::name() + ", " +
-                                B::name() + " to " + B::to::name()>{};
+        return detail::map_to_two<A, typename A::to, B, typename B::to>();
     else
         return operator_sum<A, B>(std::move(a), std::move(b));
 }

@@ -67,6 +67,25 @@ struct applied<A, F> : function_interface<applied<A, F>> {
 template <class A, class F>
 applied(A, F) -> applied<A, F>;
 
+namespace detail {
+
+// Functions of their own, so that a message has the names of these types and not how they were found.
+template <class A, class From, class Domain>
+constexpr auto acts_elsewhere() {
+    return does_not_compile<A::name() + " acts on functions on " + From::name() + ", and this one lives on " + Domain::name()>{};
+}
+template <class A, class Domain, unsigned Points>
+constexpr auto leaves_none() {
+    return does_not_compile<A::name() + " leaves no point: the function lives on " + Domain::name() + ", and T has only " +
+                            digits<Points>() + " points">{};
+}
+template <class A, class Root>
+constexpr auto needs_one_step() {
+    return does_not_compile<A::name() + " has the weights of one step h, and this function lives on " + Root::kind()>{};
+}
+
+} // namespace detail
+
 /// What every operator inherits: application and composition by brackets. The nested name marks an operator; a common base class
 /// would give compositions of empty operators a size.
 template <class A>
@@ -78,13 +97,11 @@ struct linear_operator {
     template <function_expression F>
     constexpr auto operator[](F f) const {
         if constexpr (not acts_on<A, F>)
-            return does_not_compile<A::name() + " acts on functions on " + A::from::name() + ", and this one lives on " +
-                                    F::domain_type::name()>{};
+            return detail::acts_elsewhere<A, typename A::from, typename F::domain_type>();
         else if constexpr (leaves_no_point<F>())
-            return does_not_compile<A::name() + " leaves no point: the function lives on " + F::domain_type::name() + ", and T has only " +
-                                    digits<static_cast<unsigned>(F::root_type::extent) + 1>() + " points">{};
+            return detail::leaves_none<A, typename F::domain_type, static_cast<unsigned>(F::root_type::extent) + 1>();
         else if constexpr (lacks_uniform<F>())
-            return does_not_compile<A::name() + " has the weights of one step h, and this function lives on " + F::root_type::kind()>{};
+            return detail::needs_one_step<A, typename F::root_type>();
         else
             return applied<A, F>(self(), std::move(f));
     }

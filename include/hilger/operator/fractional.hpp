@@ -71,6 +71,15 @@ struct order_name<fraction<P, Q>> {
     static constexpr auto name() { return digits<P>() + "/" + digits<Q>(); }
 };
 
+template <class A, class Domain>
+constexpr void sums_from_the_first() {
+    does_not_compile<A::name() + " sums from the first point on, and this function lives on " + Domain::name()>{};
+}
+template <class A, class Domain>
+constexpr void sums_to_the_last() {
+    does_not_compile<A::name() + " sums up to the last point, and this function lives on " + Domain::name()>{};
+}
+
 } // namespace detail
 
 template <generating_function G, class Order, side Side>
@@ -100,12 +109,10 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const&) const {
         if constexpr (Side == side::minus) {
-            if constexpr (F > 0)
-                does_not_compile<name() + " sums from the first point on, and this function lives on " + domain<nodes, F, B>::name()>{};
+            if constexpr (F > 0) detail::sums_from_the_first<fractional_difference, domain<nodes, F, B>>();
             return domain<nodes, 0, B>{};
         } else {
-            if constexpr (B > 0)
-                does_not_compile<name() + " sums up to the last point, and this function lives on " + domain<nodes, F, B>::name()>{};
+            if constexpr (B > 0) detail::sums_to_the_last<fractional_difference, domain<nodes, F, B>>();
             return domain<nodes, F, 0>{};
         }
     }
@@ -115,7 +122,7 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
         using root = typename F::root_type;
         using S = typename root::scalar_type;
         if constexpr (not root::is_uniform)
-            return does_not_compile<name() + " has the weights of one step h, and this function lives on " + root::kind()>{};
+            return detail::needs_one_step<fractional_difference, root>();
         else {
             index_type const last = Side == side::minus ? k - f.domain().first(f.root()) : f.domain().last(f.root()) - k;
             index_type const count = std::min(last + 1, ends > 0 ? ends : last + 1);
@@ -190,7 +197,7 @@ struct from_start : linear_operator<from_start> {
     template <int F, int B>
     constexpr auto image(domain<nodes, F, B> const& d) const {
         if constexpr (F > 0)
-            does_not_compile<fixed_text("from_start subtracts the value at the first point, and this function lives on ") +
+            does_not_compile<"from_start subtracts the value at the first point, and this function lives on " +
                              domain<nodes, F, B>::name()>{};
         return d;
     }

@@ -21,11 +21,6 @@ constexpr auto weighted_sum(F const& f) {
     return total.value();
 }
 
-template <class W, fixed_text Sentence>
-constexpr auto weighted_sum(does_not_compile<Sentence> wrong) { // it has been reported already
-    return wrong;
-}
-
 namespace detail {
 
 /// f at the points numbered first to last of Base, as a function: no copy.
@@ -41,11 +36,15 @@ struct part : function_interface<part<F, Domain>> {
     constexpr auto get(index_type i) const { return f.get(i); }
 };
 
+template <class Wanted, class Domain>
+constexpr auto lives_elsewhere() {
+    return does_not_compile<"this needs a function on " + Wanted::name() + ", and the one given lives on " + Domain::name()>{};
+}
 template <class Wanted, discrete_function F>
 constexpr auto restrict_to(F f, Wanted wanted) {
     using D = typename F::domain_type;
     if constexpr (not std::same_as<typename D::base_type, typename Wanted::base_type> or D::front > Wanted::front or D::back > Wanted::back)
-        return does_not_compile<fixed_text("this needs a function on ") + Wanted::name() + ", and the one given lives on " + D::name()>{};
+        return lives_elsewhere<Wanted, D>();
     else {
         if (not(f.domain().base == wanted.base))
             error::raise<error::mismatch>("a function is used on its own scale: it lives on ", derived_scale(f.root(), f.domain()),
@@ -74,17 +73,15 @@ constexpr auto sum_between(F const& f, index_type from, index_type to) {
     return from <= to ? total.value() : value_of<F>(-total.value());
 }
 
-/// A wrong integrand has been reported already.
-template <class W, fixed_text Sentence, class... Bounds>
-constexpr auto sum_between(does_not_compile<Sentence> wrong, Bounds const&...) {
-    return wrong;
+template <class Root, class Wanted>
+constexpr void used_elsewhere() {
+    does_not_compile<"a function is used on its own scale, and this one lives on " + Root::kind() + " and is needed on " + Wanted::kind() +
+                     " of another type">{};
 }
-
 template <class F, class Scale>
 constexpr void require_root(F const& f, Scale const& scale) {
     if constexpr (not std::same_as<typename F::root_type, typename Scale::root_type>)
-        does_not_compile<fixed_text("a function is used on its own scale, and this one lives on ") + F::root_type::kind() +
-                         " and is needed on " + Scale::root_type::kind() + " of another type">{};
+        used_elsewhere<typename F::root_type, typename Scale::root_type>();
     else if (not f.root().same_points(scale.root()))
         error::raise<error::mismatch>("a function is used on its own scale: it lives on ", f.scale(), ", and is needed on ", scale);
 }

@@ -16,7 +16,7 @@ public:
 
     constexpr derived_scale(Root root, Domain domain) : root_(std::move(root)), domain_(std::move(domain)) {
         if constexpr (static_size<Domain, Root> == 0)
-            does_not_compile<fixed_text("no point is left: ") + Domain::name() + " is empty when T has only " +
+            does_not_compile<"no point is left: " + Domain::name() + " is empty when T has only " +
                              digits<static_cast<unsigned>(Root::extent) + 1>() + " points">{};
     }
     [[nodiscard]] constexpr Root const& root() const { return root_; }
@@ -37,11 +37,11 @@ constexpr auto cut(Scale const& scale) {
     using D = typename Scale::domain_type;
     return derive(scale, domain<typename D::base_type, D::front + Front, D::back + Back>{scale.domain().base});
 }
-template <class Scale>
+template <class Domain>
 constexpr void require_nodes() {
-    if constexpr (not std::same_as<typename Scale::domain_type, domain<nodes>>)
-        does_not_compile<fixed_text("half, circ and their lambda siblings are made from T, and this scale is ") +
-                         Scale::domain_type::name() + "; for the points of a derived scale as a T of its own write time_scale(scale)">{};
+    if constexpr (not std::same_as<Domain, domain<nodes>>)
+        does_not_compile<"half, circ and their lambda siblings are made from T, and this scale is " + Domain::name() +
+                         "; for the points of a derived scale as a T of its own write time_scale(scale)">{};
 }
 template <class S>
 constexpr void require_lambda(S const& lambda, bool zero_allowed) {
@@ -86,26 +86,26 @@ constexpr auto interior(Scale const& scale) {
 /// T_half, the mid-points of T.
 template <time_scale_like Scale>
 constexpr auto half(Scale const& T) {
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     return detail::derive(T, domain<between<fraction<1, 2>>>{});
 }
 /// T_o = T u T_half.
 template <time_scale_like Scale>
 constexpr auto circ(Scale const& T) {
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     return detail::derive(T, domain<joined<fraction<1, 2>>>{});
 }
 /// T_lambda with lambda = P/Q in the type.
 template <int P, int Q, time_scale_like Scale>
 constexpr auto at_lambda(Scale const& T) {
     static_assert(detail::lambda_in_range<fraction<P, Q>>, "lambda lies in [0, 1[");
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     return detail::derive(T, domain<between<reduced<P, Q>>>{});
 }
 /// T_lambda with lambda known at run time. @throws error::invalid_parameter when lambda is outside [0, 1[.
 template <time_scale_like Scale, class S = typename Scale::root_type::scalar_type>
 constexpr auto at_lambda(Scale const& T, std::type_identity_t<S> lambda) {
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     detail::require_lambda(lambda, true);
     return detail::derive(T, domain<between<run_time<S>>>{{{std::move(lambda)}}});
 }
@@ -113,14 +113,14 @@ constexpr auto at_lambda(Scale const& T, std::type_identity_t<S> lambda) {
 template <int P, int Q, time_scale_like Scale>
 constexpr auto circ(Scale const& T) {
     static_assert(detail::lambda_inside<fraction<P, Q>>, "lambda lies in ]0, 1[");
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     return detail::derive(T, domain<joined<reduced<P, Q>>>{});
 }
 /// The same with lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[, error::invalid_scale when it is
 /// so close to 0 or 1 that points of T and T_lambda would be the same number.
 template <time_scale_like Scale, class S = typename Scale::root_type::scalar_type>
 constexpr auto circ(Scale const& T, std::type_identity_t<S> lambda) {
-    detail::require_nodes<Scale>();
+    detail::require_nodes<typename Scale::domain_type>();
     detail::require_lambda(lambda, false);
     detail::require_between(T, lambda);
     return detail::derive(T, domain<joined<run_time<S>>>{{{std::move(lambda)}}});

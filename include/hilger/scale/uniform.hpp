@@ -92,21 +92,22 @@ constexpr auto uniform(S a, std::type_identity_t<S> h) {
 
 namespace detail {
 template <class A>
-constexpr auto why_not_a_scalar() {
+constexpr auto not_a_scalar() {
     if constexpr (std::integral<A>)
-        return fixed_text("a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0");
+        return does_not_compile<"a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0", A>{};
     else
-        return fixed_text("a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
-                          "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them");
+        return does_not_compile<"a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
+                                "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them",
+                                A>{};
 }
 } // namespace detail
 
 /// A start that is no scalar is refused in one sentence.
 template <class A, class H>
     requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&, index_type) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
+constexpr auto uniform(A const&, H const&, index_type) { return detail::not_a_scalar<A>(); }
 template <index_type Steps, class A, class H>
     requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&) { return does_not_compile<detail::why_not_a_scalar<A>()>{}; }
+constexpr auto uniform(A const&, H const&) { return detail::not_a_scalar<A>(); }
 
 } // namespace hilger
