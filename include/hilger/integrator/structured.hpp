@@ -118,10 +118,8 @@ private:
     static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
     /// @throws error::not_finite, unless it was the sum alone that overflowed
     [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
-        if constexpr (resisted)
-            r_ -= r_;
-        else
-            r_.setZero();
+        next_ = resisted ? r_ : V(zero_like(r_));
+        r_ = next_ - next_;
         r_ += (x.q + w_ * v_) - (x.q + w_ * v_);
         r_ += (x.p - w_ * g_) - (x.p - w_ * g_);
         if (not all_finite(r_)) give_up(name, false, v_, r_, S(0));

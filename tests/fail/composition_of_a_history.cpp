@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect: flows with a history (fractional damping, Newmark) walk steps of one length from their first point on: they are not composed of parts of a step
+// Each part would remember the points of its own kind alone.
+#include "hilger/integrator/composition_methods.hpp"
+#include "hilger/integrator/fractional_flow.hpp"
+
+using namespace hilger;
+
+int main() {
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+#ifdef MUST_NOT_COMPILE
+    auto const flow = compose(suzuki<4>, embed(with_fractional_damping(L, 0.1, fraction<1, 2>{}), mid_point));
+#else
+    auto const flow = compose(suzuki<4>, embed(L, mid_point));
+#endif
+    for (auto const& x : flow.along(uniform(0.0, 0.1, 10), 1.0, 0.0)) (void)x;
+}
