@@ -14,6 +14,7 @@ namespace hilger {
 /// The last `length` values.
 struct window {
     index_type length;
+    static constexpr bool keeps_everything = false;
 };
 
 template <class G, class V>

@@ -5,8 +5,10 @@
 //   riemann_liouville   y = x. The curve is taken to be 0 before t_0, so that it jumps there: Jimenez, Ober-Bloebaum (15), (20) as printed.
 //   caputo              y = x - x_0 for beta < 1, y = x - x_0 - (t - t_0) v_0 for beta > 1: a constant is not damped, nor is, for beta > 1,
 //                       uniform motion. For beta = 1 the curve is continued before t_0 by its tangent: the derivative at t_0 is v_0.
-// Only components with a coefficient keep a history, and none of a whole order does: the differences of Jimenez, Ober-Bloebaum (22) need
-// as many values as omega has powers of z.
+// Differences of order beta of positions would enlarge their rounding, and that of the weights, by h^-beta. So the sum is made of
+// increments: omega(z)^beta = omega(z)^m omega(z)^(beta - m), m the whole number next to beta; the m differences of order one need as many
+// values as omega has powers of z (Jimenez, Ober-Bloebaum (22)), and only the rest, of an order in ]-1/2, 1/2], a history. Components
+// without a coefficient have none, and whole orders neither.
 #pragma once
 
 #include <optional>
@@ -14,6 +16,7 @@
 
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
+#include "hilger/history/whole_difference.hpp"
 #include "hilger/mechanics/shape.hpp"
 
 namespace hilger {
@@ -22,14 +25,6 @@ namespace hilger {
 enum class initial_history { caputo, riemann_liouville };
 
 namespace detail {
-
-/// The number of values before the present one that the whole power omega(z)^1 needs; -1 where it needs all.
-template <class G>
-inline constexpr int terms_of = -1;
-template <>
-inline constexpr int terms_of<grunwald_letnikov> = 1;
-template <int K>
-inline constexpr int terms_of<bdf<K>> = K;
 
 template <class Order>
 inline constexpr bool is_fraction = false;
@@ -77,41 +72,6 @@ void require_order(S const& beta) {
         error::raise<error::invalid_parameter>("the order of a fractional damping lies in ]0, 2[, and this one is ", beta);
 }
 
-/// The last Terms values of a difference of order 1, with the interface of a history.
-template <generating_function G, int Terms, class S, class V>
-class last_values {
-public:
-    explicit last_values(V const& like)
-        : w_(first_weights<G>(S(1), Terms + 1)), zero_(zero_like(like)), sum_(zero_), x_(static_cast<std::size_t>(Terms), zero_) {}
-    V const& past() {
-        sum_ = x_[0] * w_[1];
-        for (std::size_t n = 1; n < x_.size(); ++n) sum_ = sum_ + x_[n] * w_[n + 1];
-        return sum_;
-    }
-    void push(V const& x) {
-        for (std::size_t n = x_.size() - 1; n > 0; --n) x_[n] = x_[n - 1];
-        x_[0] = x;
-        ++count_;
-    }
-    [[nodiscard]] index_type count() const { return count_; }
-    void reset() {
-        for (V& x : x_) x = zero_;
-        count_ = 0;
-    }
-    /// Everything that later differences depend on, for checkpoints.
-    template <class Visit>
-    void visit(Visit& each) {
-        each("values", count_);
-        for (V& x : x_) memory::visit_components("value", x, each);
-    }
-
-private:
-    std::vector<S> w_;
-    V zero_, sum_;
-    std::vector<V> x_;
-    index_type count_ = 0;
-};
-
 /// Does not exist: where the order is 1 by its type, there is no engine.
 struct no_history {};
 
@@ -124,26 +84,39 @@ struct engine_of<G, Policy, S, V, true> {
     using type = no_history;
 };
 
+/// Whether a history with this policy keeps all of the past, and not the last values only.
+template <class Policy>
+inline constexpr bool keeps_everything = true;
+template <class Policy>
+    requires requires { Policy::keeps_everything; }
+inline constexpr bool keeps_everything<Policy> = Policy::keeps_everything;
+
+/// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
+/// order in ]-1/2, 1/2]. What cannot be cut off is an order below 0, whose weights have no finite sum.
+template <class Policy, class S>
+int whole_part(S const& beta) {
+    if (not keeps_everything<Policy>) return beta < S(1) ? 0 : 1;
+    return S(2) * beta <= S(1) ? 0 : S(2) * beta <= S(3) ? 1 : 2;
+}
+
 /// The derivative of one trajectory of values V (numbers or vectors, in which all components have one).
 template <generating_function G, class Order, class Policy, class S, class V>
 class fractional_memory {
-    static constexpr int terms = terms_of<G>;
-    static constexpr bool always_local = is_one<Order> and terms > 0;
+    static constexpr bool always_local = is_one<Order>;
     using engine = typename engine_of<G, Policy, S, V, always_local>::type;
-    using local = last_values<G, (terms > 0 ? terms : 1), S, V>;
+    using difference = whole_difference<G, S, V>;
 
 public:
     /// @throws error::invalid_parameter for an order outside ]0, 2[, or a power of h that the scalar does not have
     fractional_memory(Order const& order, Policy const& policy, initial_history initial, S const& h, V const& like)
-        : beta_(order.template as<S>()), h_(h), initial_(initial), x0_(zero_like(like)), v0_(x0_), y_(x0_), derivative_(x0_) {
+        : beta_(order.template as<S>()), h_(h), initial_(initial), start_(zero_like(like)), last_(start_), step_(start_), drift_(start_),
+          later_drift_(start_), increment_(start_), first_(start_), change_(start_), derivative_(start_) {
         require_order(beta_);
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
-        if constexpr (always_local)
-            local_.emplace(like);
-        else if (terms > 0 and beta_ == S(1))
-            local_.emplace(like);
-        else
-            engine_.emplace(make_history<G>(policy, beta_, like));
+        int const whole = whole_part<Policy>(beta_);
+        whole_.assign(static_cast<std::size_t>(whole), difference(like));
+        if constexpr (not always_local)
+            if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
     }
     /// Whether v_0 will be asked for.
     [[nodiscard]] bool needs_velocity() const { return initial_ == initial_history::caputo and not(beta_ < S(1)); }
@@ -151,68 +124,96 @@ public:
     [[nodiscard]] S const& present_weight() const { return scale_; }
     /// The number of values that are kept.
     [[nodiscard]] index_type kept() const {
-        if (local_) return terms;
-        if constexpr (not always_local) return engine_->count();
-        return 0;
+        if constexpr (not always_local)
+            if (engine_) return engine_->count();
+        return difference::terms;
     }
     /// The number of components with a history: none where the order is whole.
-    [[nodiscard]] index_type histories() const { return local_ ? 0 : shape<V>::dimension(x0_); }
-    /// What their engine takes. The local values of a whole order are not counted.
+    [[nodiscard]] index_type histories() const {
+        if constexpr (not always_local)
+            if (engine_) return shape<V>::dimension(last_);
+        return 0;
+    }
+    /// What their engine takes. The few values of the whole part are not counted.
     [[nodiscard]] std::size_t bytes() const {
         if constexpr (not always_local)
             if (engine_) return engine_->bytes();
         return 0;
     }
     void begin(V const& x0, V const& v0) {
-        if (initial_ == initial_history::caputo) {
-            if (local_)
-                for (int k = terms; k > 0; --k) local_->push(V(x0 - v0 * S(S(k) * h_)));
-            else {
-                x0_ = x0;
-                if (S(1) < beta_) v0_ = v0;
-            }
-        }
+        if (initial_ == initial_history::riemann_liouville) return;
+        start_ = x0;
+        last_ = x0;
+        if (beta_ == S(1)) { // the tangent's increments before t_0, and at it
+            whole_[0].begin(V(v0 * h_));
+            drift_ = v0 * S(-h_);
+        } else if (S(1) < beta_)
+            later_drift_ = v0 * h_;
     }
     /// The derivative at the next point if the value there is x.
     V const& at_next(V const& x) {
-        measure_from_start(x);
-        if (local_)
-            derivative_ = (y_ + local_->past()) * scale_;
-        else if constexpr (not always_local)
-            derivative_ = (y_ + engine_->past()) * scale_;
+        step_ = x - last_;
+        return at_next(x, step_);
+    }
+    /// The same where x is known to be `increment` further than the last value: better than rounded values say.
+    V const& at_next(V const& x, V const& increment) {
+        derivative_ = term_at_next(x, increment);
+        if constexpr (not always_local)
+            if (engine_) derivative_ = derivative_ + engine_->past();
+        derivative_ = derivative_ * scale_;
         return derivative_;
     }
     /// Takes x as the value at the next point. @returns the derivative there
     V const& arrive(V const& x) {
-        at_next(x);
+        step_ = x - last_;
+        return arrive(x, step_);
+    }
+    V const& arrive(V const& x, V const& increment) {
+        at_next(x, increment);
         // Into the history at once: nothing waits for its sums until the next value is there, and the processor makes them meanwhile.
-        if (local_)
-            local_->push(y_);
-        else if constexpr (not always_local)
-            engine_->push(y_);
+        if constexpr (not always_local)
+            if (engine_) engine_->push(value());
+        if (whole_.size() > 1) {
+            first_ = whole_[0].value();
+            whole_[1].push(change_);
+        }
+        if (not whole_.empty()) whole_[0].push(increment_);
+        last_ = x;
+        drift_ = later_drift_;
         return derivative_;
     }
 
     /// Everything that later derivatives depend on, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
-        memory::visit_components("start", x0_, each);
-        memory::visit_components("slope", v0_, each);
-        if (local_) local_->visit(each);
+        memory::visit_components("start", start_, each);
+        memory::visit_components("last", last_, each);
+        memory::visit_components("drift", drift_, each);
+        memory::visit_components("drift", later_drift_, each);
+        memory::visit_components("difference", first_, each);
+        for (difference& d : whole_) d.visit(each);
         if constexpr (not always_local)
             if (engine_) engine_->visit(each);
     }
 
 private:
-    void measure_from_start(V const& x) {
-        y_ = x - x0_;
-        if constexpr (not always_local)
-            if (not local_ and S(1) < beta_) y_ = y_ - v0_ * S(h_ * S(static_cast<long long>(engine_->count())));
+    V const& value() const { return whole_.empty() ? increment_ : whole_.back().value(); }
+    /// What the weights of the rest of the order meet: the value from the start, or its difference of the whole part of the order.
+    V const& term_at_next(V const& x, V const& increment) {
+        if (whole_.empty()) {
+            increment_ = x - start_;
+            return increment_;
+        }
+        increment_ = increment - drift_;
+        if (whole_.size() == 1) return whole_[0].at_next(increment_);
+        change_ = whole_[0].at_next(increment_) - first_;
+        return whole_[1].at_next(change_);
     }
     S beta_, h_, scale_{};
     initial_history initial_;
-    V x0_, v0_, y_, derivative_;
-    std::optional<local> local_;
+    V start_, last_, step_, drift_, later_drift_; // drift_: what the start gives each increment
+    V increment_, first_, change_, derivative_;
+    std::vector<difference> whole_;
     [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
 };
 

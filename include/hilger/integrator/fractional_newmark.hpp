@@ -3,13 +3,15 @@
 // acceleration. With the momentum p = M u' and the total force r = M u'' it reads
 //   M (u_{n+1} - u_n) = h p_n + h^2 ((1/2 - beta) r_n + beta r_{n+1}),   p_{n+1} = p_n + (h/2) (r_n + r_{n+1}),
 // r_n being the load f(t_n) less the internal force, in which fractional derivatives have the weights of any generating function.
-// The unknown of a step is the increment u_{n+1} - u_n: second differences of positions, whose rounding grows like n^2, are nowhere formed.
+// The unknown of a step is the increment u_{n+1} - u_n, which is also what histories are given, and the sums of positions and momenta are
+// compensated: differences of positions, whose rounding grows like n^2, are nowhere formed.
 // u_0 and u'_0 need not be zero, and no start-up step is: with weights of order two the order is two for all alpha in ]0, 2[.
 //   auto const scheme = newmark<bdf<2>>(fractional_structure{M, C, K, tau, alpha}, load);            the G^alpha-Newmark scheme
 //   for (auto const& [t, u, p] : scheme.along(uniform(0.0, h, N), initial_velocity{u0, v0})) ...
 #pragma once
 
 #include "hilger/integrator/fractional_structure.hpp"
+#include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/trajectory.hpp"
 
 namespace hilger {
@@ -42,7 +44,7 @@ public:
         /// @throws error::singular when M + beta h^2 (K + what memory adds to it) is
         memory(newmark_flow const& f, S const& h, V const& like)
             : h_(h), response_(f.structure_, f.policy_, h, like), A_(matrix_of_a_step(f), "the matrix of a Newmark step"),
-              r_(zero_like(like)), d_(r_), u_(r_) {}
+              r_(zero_like(like)), d_(r_), u_(r_), by_(r_), zero_(r_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {}
 
         /// One step h further. @throws error::mismatch when h is not the length that the history has or the load has another dimension,
         /// error::not_finite; x is then as it was.
@@ -55,7 +57,7 @@ public:
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
             response_.begin(x.q, f.velocity(x.p));
-            force(f, x.t, x.q, true);
+            force(f, x.t, x.q, zero_, true);
             r_ = d_;
             begun_ = true;
         }
@@ -71,6 +73,8 @@ public:
             begun_ = begun != 0;
             response_.visit(each);
             detail::memory::visit_components("force", r_, each);
+            sum_q_.visit(each);
+            sum_p_.visit(each);
         }
         /// The total force M u'' at the point reached last.
         [[nodiscard]] V const& total_force() const { return r_; }
@@ -84,13 +88,16 @@ public:
         void move(newmark_flow const& f, state<S, V>& x) {
             S const beta = Beta::template as<S>();
             S const t = x.t + h_, hh = h_ * h_, half_h = h_ / S(2);
-            force(f, t, x.q, false); // what the force would be if u stayed
+            force(f, t, x.q, zero_, false); // what the force would be if u stayed
             d_ = x.p * h_ + r_ * S(hh * (S(1) / S(2) - beta)) + d_ * S(hh * beta);
-            A_.solve(d_, u_);
-            u_ = u_ + x.q;
+            A_.solve(d_, by_);
+            u_ = x.q;
+            add(sum_q_, u_, by_);
             if (not is_finite(u_)) error::raise<error::not_finite>("the Newmark step meets NaN or infinity");
-            force(f, t, u_, true);
-            r_ = x.p + (r_ + d_) * half_h;
+            force(f, t, u_, by_, true);
+            by_ = (r_ + d_) * half_h;
+            r_ = x.p;
+            add(sum_p_, r_, by_);
             if (not is_finite(r_)) error::raise<error::not_finite>("the Newmark step meets NaN or infinity in its momentum");
             x.q = u_;
             x.p = r_;
@@ -98,13 +105,17 @@ public:
             x.t = t;
         }
         /// d_ = f(t) - internal force at the next point of the history, which takes u or not.
-        void force(newmark_flow const& f, S const& t, V const& u, bool taken) {
+        void force(newmark_flow const& f, S const& t, V const& u, V const& increment, bool taken) {
             detail::tally<S>::add(detail::work::force);
             d_ = f.load_(t);
             if (s::dimension(d_) != s::dimension(u))
                 error::raise<error::mismatch>("a load has one component for each degree of freedom, and this one has ", s::dimension(d_),
                                               " for ", s::dimension(u));
-            response_.resist(f.structure_, d_, u, taken);
+            response_.resist(f.structure_, d_, u, increment, taken);
+        }
+        template <class Sum>
+        static void add(Sum& sum, V& to, V const& increment) {
+            for (int k = 0; k < s::dimension(to); ++k) sum.add(s::component(to, k), s::component(increment, k), k);
         }
         B matrix_of_a_step(newmark_flow const& f) const {
             return f.structure_.mass + response_.stiffness(f.structure_) * S(Beta::template as<S>() * h_ * h_);
@@ -112,7 +123,8 @@ public:
         S h_;
         typename Structure::template response<G, Policy, S, V> response_;
         detail::factorized<B> A_;
-        V r_, d_, u_;
+        V r_, d_, u_, by_, zero_;
+        detail::summation<not std::numeric_limits<S>::is_exact, S, s::size> sum_q_, sum_p_;
         bool begun_ = false;
     };
 

@@ -160,12 +160,14 @@ struct fractional_structure {
                     k.col(damped_[j]) += C_.col(static_cast<index_type>(j)) * history_.present_weight();
             return k;
         }
-        /// d less the internal force at the next point if the displacement there is u; `taken` says that it is.
-        void resist(fractional_structure const& on, V& d, V const& u, bool taken) {
+        /// d less the internal force at the next point if the displacement there is u, `increment` further; `taken` says that it is.
+        void resist(fractional_structure const& on, V& d, V const& u, V const& increment, bool taken) {
             m::add_product(d, on.stiffness, u, S(-1));
             if (damped_.empty()) return;
+            take(increment);
+            by_ = x_;
             take(u);
-            m::add_product(d, C_, taken ? history_.arrive(x_) : history_.at_next(x_), S(-1));
+            m::add_product(d, C_, taken ? history_.arrive(x_, by_) : history_.at_next(x_, by_), S(-1));
         }
         /// Everything that later forces depend on, for checkpoints.
         template <class Visit>
@@ -202,7 +204,7 @@ struct fractional_structure {
             }
         }
         std::vector<int> damped_;
-        kept x_;
+        kept x_, by_ = x_;
         detail::fractional_memory<G, order_type, Policy, S, kept> history_;
         typename m::columns C_;
     };

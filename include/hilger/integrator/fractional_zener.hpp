@@ -62,7 +62,7 @@ struct zener_structure {
     public:
         response(zener_structure const& on, Policy const& policy, S const& h, V const& like)
             : history_(detail::checked_order(on.order), policy, initial_history::caputo, h, like), anelastic_(zero_like(like)),
-              zero_(anelastic_), difference_(anelastic_), ratio_(S(on.unrelaxed_modulus) / S(on.relaxed_modulus)),
+              next_(anelastic_), zero_(anelastic_), difference_(anelastic_), ratio_(S(on.unrelaxed_modulus) / S(on.relaxed_modulus)),
               tau_(detail::power(S(on.relaxation_time), detail::checked_order(on.order).template as<S>())),
               present_(S(1) + tau_ * history_.present_weight()) {}
         void begin(V const& u0, V const&) {
@@ -71,17 +71,20 @@ struct zener_structure {
             history_.arrive(zero_);
         }
         [[nodiscard]] B stiffness(zener_structure const& on) const { return on.stiffness * S(ratio_ - (ratio_ - S(1)) / present_); }
-        void resist(zener_structure const& on, V& d, V const& u, bool taken) {
+        void resist(zener_structure const& on, V& d, V const& u, V const&, bool taken) {
             if (first_) { // t_0, where q_a = 0 is known
                 m::add_product(d, on.stiffness, u, S(-ratio_));
                 first_ = not taken;
                 return;
             }
-            // eps_a (1 + tau^alpha h^-alpha omega(0)^alpha) + tau^alpha (its difference without the present) = (E_inf - E_o) / E_inf eps
-            anelastic_ = ((u + jump_) * S((ratio_ - S(1)) / ratio_) - history_.at_next(zero_) * tau_) * S(S(1) / present_);
-            difference_ = u - anelastic_;
+            // What eps_a grows by, times 1 + tau^alpha h^-alpha omega(0)^alpha, is
+            //   (E_inf - E_o) / E_inf eps - eps_a - tau^alpha (the derivative if eps_a stayed).
+            next_ = (u + jump_) * S((ratio_ - S(1)) / ratio_) - anelastic_ - history_.at_next(anelastic_) * tau_;
+            next_ = anelastic_ + next_ * S(S(1) / present_);
+            difference_ = u - next_;
             m::add_product(d, on.stiffness, difference_, S(-ratio_));
             if (taken) {
+                anelastic_ = next_;
                 history_.arrive(anelastic_);
                 jump_ = zero_;
             }
@@ -103,7 +106,7 @@ struct zener_structure {
 
     private:
         detail::fractional_memory<G, order_type, Policy, S, V> history_;
-        V anelastic_, zero_, difference_;
+        V anelastic_, next_, zero_, difference_;
         V jump_{zero_}; ///< half of q(t_0), until t_1 is reached
         S ratio_, tau_, present_;
         bool first_ = true;
