@@ -2,6 +2,10 @@
 // What a scalar and a value must offer. Nothing here knows Eigen or Boost: the scalar is a template parameter everywhere.
 #pragma once
 
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error hilger does not support -ffast-math, -Ofast and -fassociative-math, which lose small terms and NaN; -O3 -march=native is supported
+#endif
+
 #include <concepts>
 #include <cstddef>
 #include <limits>

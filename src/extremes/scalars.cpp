@@ -34,7 +34,7 @@ row weights_of(std::string const& name) {
     auto const exact = first_weights<bdf<2>>(wide(wide(3) / 8), 200);
     double worst = 0;
     for (std::size_t n = 0; n < w.size(); ++n) worst = std::max(worst, in_epsilons(w[n], exact[n]));
-    // Without twofold numbers a recurrence rounds three times at each of its steps.
+    // Without double-double numbers a recurrence rounds three times at each of its steps.
     return kept("200 weights of bdf<2>, order 3/8, in " + name, worst, std::is_floating_point_v<S> ? 1 : 600);
 }
 template <class S>

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 
 set(order
   "inlining.hpp"
-  "error.hpp fixed_text.hpp scalar.hpp version.hpp"
+  "error.hpp error_free.hpp fixed_text.hpp scalar.hpp version.hpp"
   "scale"
   "function"
   "operator"
@@ -16,7 +16,7 @@ set(order
   "integrator identity"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
-set(lean error.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp scale function operator adjoint)
+set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp scale function operator adjoint)
 
 set(rank 0)
 foreach(line IN LISTS order)

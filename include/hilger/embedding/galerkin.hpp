@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hilger/error.hpp"
-#include "hilger/operator/twofold.hpp"
+#include "hilger/operator/double_double.hpp"
 
 namespace hilger {
 

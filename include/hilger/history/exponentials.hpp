@@ -26,7 +26,7 @@ class exponential_weights {
     using W = modes_scalar<S>;
 
 public:
-    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no twofold.
+    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no double-double.
     static constexpr int least = std::is_floating_point_v<W> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T

@@ -35,7 +35,7 @@ concept strongly_damped = generating_function<G> and requires {
 
 namespace detail::memory {
 
-/// Where modes are computed: float in double; the others in themselves, with nodes by twofold products.
+/// Where modes are computed: float in double; the others in themselves, with nodes by double-double products.
 template <class S>
 struct modes_in {
     using type = std::conditional_t<std::is_same_v<S, float>, double, S>;

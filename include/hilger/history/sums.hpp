@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "hilger/error_free.hpp"
 #include "hilger/history/simd.hpp"
 
 namespace hilger::detail::memory {
@@ -44,10 +45,13 @@ HILGER_DETAIL_INLINE void relax_pack(S const* rate, S const* coefficient, S* sta
         load(l, low);
         change = change + l;
     }
-    P const next = s + change;
-    store(next, state);
-    if constexpr (Compensated) store(P(change - (next - s)), low);
-    sum = sum + c * next;
+    if constexpr (Compensated) {
+        fast_two_sum(s, change, s, change);
+        store(change, low);
+    } else
+        s = s + change;
+    store(s, state);
+    sum = sum + c * s;
 }
 /// One step of all n exponentials, those from the `brief`-th on with `low`, which begins with theirs; returns sum_j coefficient_j state_j.
 template <class S, int Bytes>

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "hilger/error_free.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
@@ -38,12 +39,7 @@ struct summation<true, S, N> {
     }
     HILGER_ALWAYS_INLINE void add(S& x, S const& increment, int k) {
         S& carry = rest[static_cast<std::size_t>(k)];
-        S const y = increment + carry;
-        S const z = x + y;
-        // Two-sum: z + carry = x + y exactly, whichever is larger.
-        S const part = z - x;
-        carry = (x - (z - part)) + (y - part);
-        x = z;
+        two_sum(x, S(increment + carry), x, carry);
     }
     /// Everything that later sums depend on, for checkpoints.
     template <class Visit>

@@ -3,6 +3,7 @@
 // t to b, and definite integrals between any two points of T, in either order.
 #pragma once
 
+#include "hilger/error_free.hpp"
 #include "hilger/operator/transfer.hpp"
 
 namespace hilger {
@@ -19,10 +20,9 @@ public:
     constexpr explicit running_sum(V const& zero) : sum_(zero), rest_(zero) {}
     constexpr void add(V const& y) {
         if constexpr (rounds) {
-            V const z = sum_ + y;
-            V const part = z - sum_;
-            rest_ = rest_ + ((sum_ - (z - part)) + (y - part));
-            sum_ = z;
+            V rest = y;
+            two_sum(sum_, rest, sum_, rest);
+            rest_ = rest_ + rest;
         } else
             sum_ = sum_ + y;
     }

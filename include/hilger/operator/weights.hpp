@@ -13,7 +13,8 @@
 
 #include "hilger/error.hpp"
 #include "hilger/fixed_text.hpp"
-#include "hilger/operator/twofold.hpp"
+#include "hilger/operator/double_double.hpp"
+#include "hilger/scalar.hpp"
 
 namespace hilger {
 
@@ -96,7 +97,7 @@ S leading_weight(S const& alpha) {
 
 /// The weights divided by the leading one, w_0 = 1, w_1, w_2, ..., one at a time: each from the last few by the linear recurrence that
 /// omega(z)^alpha satisfies, n a_0 w_n = sum_j (b_{j-1} - (n - j) a_j) w_{n-j} with a = p q, b = alpha (p' q - p q') for omega = p / q. The
-/// recurrence of processor floats runs in twofold precision, where the cancellation near alpha = 0 and 1 costs nothing.
+/// recurrence of processor floats runs in double-double numbers, where the cancellation near alpha = 0 and 1 costs nothing.
 template <generating_function G, class S>
 class weight_sequence {
     using wide = typename detail::wider<S>::type;

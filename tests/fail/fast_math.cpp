@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect: hilger does not support -ffast-math, -Ofast and -fassociative-math, which lose small terms and NaN; -O3 -march=native is
+// supported What the compiler defines there; other flags are not given to these cases.
+#ifdef MUST_NOT_COMPILE
+#define __FAST_MATH__ 1
+#endif
+#include "hilger/scalar.hpp"
+
+int main() {}
