@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSL-1.0
+// judge <scene> <rows> <epsilon>: whether the rows that `hilger run` has written, one for each step, solve the discrete equation that the
+// scene's method was derived from. It is evaluated in 50 digits, at numbers as they are written, without anything of what steps are made
+// by; what rounding with this epsilon may leave of it is computed beside it. The exit status is 0 where they do.
+#include <fstream>
+#include <iostream>
+
+#include "hilger/integrator/residual.hpp"
+#include "hilger/multiprecision.hpp"
+#include "outer_solar_system_data.hpp"
+#include "scenes/structures.hpp"
+#include "scenes/systems.hpp"
+
+namespace {
+
+using namespace hilger;
+using S = float50;
+using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Times, positions and momenta.
+struct rows {
+    std::vector<S> t;
+    std::vector<vector> q, p;
+
+    rows(std::string const& file, int d, int momenta) {
+        std::ifstream in(file);
+        std::string line;
+        std::getline(in, line);
+        while (std::getline(in, line)) {
+            std::istringstream cells(line);
+            std::string cell;
+            auto const next = [&] {
+                if (not std::getline(cells, cell, ',')) error::raise<error::unreadable>("a row of '", file, "' is too short: ", line);
+                return detail::number_from<S>(cell);
+            };
+            t.push_back(next());
+            for (auto* x : {&q, &p}) {
+                x->emplace_back(x == &q ? d : momenta);
+                for (S& component : x->back()) component = next();
+            }
+        }
+        if (t.size() < 10) error::raise<error::unreadable>("'", file, "' has ", t.size(), " rows only");
+    }
+    [[nodiscard]] index_type steps() const { return static_cast<index_type>(t.size()) - 1; }
+    [[nodiscard]] auto scale() const { return uniform(interval<S>{t.front(), t.back()}, steps()); }
+    /// The largest of a component; of all of them.
+    static S largest(std::vector<vector> const& x, index_type k) {
+        S worst(0);
+        for (vector const& y : x) worst = std::max(worst, S(abs(y(k))));
+        return worst;
+    }
+    static S largest(std::vector<vector> const& x) {
+        S worst(0);
+        for (vector const& y : x) worst = std::max(worst, S(magnitude(y)));
+        return worst;
+    }
+};
+
+/// What is left of an equation, and what may be.
+struct judgement {
+    S residual{0}, bound{0};
+    void add(S const& r, S const& b) {
+        if (bound == 0 or not(abs(r) * bound <= residual * b)) residual = abs(r), bound = b; // the worst in units of its bound
+    }
+};
+
+/// Mid-point's equation. In each component numbers of the sizes p / h and m q / h^2 cancel, and a step is solved to epsilon of its largest
+/// velocity; m is p / v.
+template <class L>
+judgement of_midpoint(L const& l, rows const& x, S const& epsilon) {
+    auto const T = x.scale();
+    S const h = T.h();
+    auto const path = embed(l, mid_point);
+    auto const residual = equation_of(path, T).residual(function_on(T, x.q));
+    std::vector<vector> v;
+    for (std::size_t i = 0; i + 1 < x.q.size(); ++i) v.push_back((x.q[i + 1] - x.q[i]) / h);
+    S const fastest = rows::largest(v);
+    vector bound(x.q[0].size());
+    for (index_type k = 0; k < bound.size(); ++k) {
+        S const p = rows::largest(x.p, k), m = p / rows::largest(v, k);
+        bound(k) = 32 * epsilon / h * (p + m * (rows::largest(x.q, k) / h + fastest));
+    }
+    judgement all;
+    for (auto const& r : residual)
+        for (index_type k = 0; k < bound.size(); ++k) all.add(r(k), bound(k));
+    return all;
+}
+
+/// The sums of a fractional difference of Caputo from rest, as they are written.
+struct difference {
+    std::vector<S> w;
+    difference(S const& alpha, S const& h, index_type count) : w(first_weights<bdf<2>>(alpha, count)) {
+        S const factor = leading_weight<bdf<2>>(alpha) * pow(h, S(-alpha));
+        for (S& weight : w) weight *= factor;
+    }
+    /// From the value n - first on.
+    [[nodiscard]] vector at(std::vector<vector> const& y, std::size_t n, std::size_t first = 0) const {
+        vector sum = vector::Zero(y[0].size());
+        for (std::size_t k = first; k <= n; ++k) sum += w[k] * y[n - k];
+        return sum;
+    }
+};
+/// Newmark's equation in positions, M (u_{n+1} - 2 u_n + u_{n-1}) / h^2 = (r_{n+1} + 2 r_n + r_{n-1}) / 4.
+judgement of_newmark(matrix const& M, std::vector<vector> const& r, rows const& x, S const& stiffness, S const& epsilon) {
+    S const h = x.scale().h();
+    S const size = M.cwiseAbs().rowwise().sum().maxCoeff() / (h * h) + stiffness;
+    judgement all;
+    for (std::size_t n = 1; n + 1 < x.q.size(); ++n) {
+        vector const left = M * (x.q[n + 1] - 2 * x.q[n] + x.q[n - 1]) / (h * h) - (r[n + 1] + 2 * r[n] + r[n - 1]) / 4;
+        all.add(S(magnitude(left)), S(64 * epsilon * (size * rows::largest(x.q) + rows::largest(r))));
+    }
+    return all;
+}
+judgement of_oscillator(program::fractional_oscillator_system const& system, rows const& x, S const& epsilon) {
+    auto const on = system.structure<S>();
+    difference const D(on.order, x.scale().h(), x.steps() + 1);
+    std::vector<vector> r;
+    for (std::size_t n = 0; n < x.q.size(); ++n)
+        r.push_back(vector::Constant(1, system.load()(x.t[n])) - on.damping * D.at(x.q, n) - on.stiffness * x.q[n]);
+    return of_newmark(matrix::Constant(1, 1, on.mass), r, x, S(on.stiffness + on.damping * D.w[0]), epsilon);
+}
+/// sigma = E_inf (eps - eps_a), eps_a + tau^alpha D^alpha eps_a = (E_inf - E_o) / E_inf eps, at every point and from rest.
+judgement of_beam(rows const& x, S const& epsilon) {
+    program::viscoelastic_beam_system const beam;
+    auto const on = beam.structure();
+    matrix const M = on.mass.cast<S>(), K = on.stiffness.cast<S>();
+    S const ratio = S(on.unrelaxed_modulus) / S(on.relaxed_modulus), tau = sqrt(S(on.relaxation_time));
+    difference const D(S(1) / 2, x.scale().h(), x.steps() + 1);
+    std::vector<vector> anelastic{vector::Zero(x.q[0].size())}, r;
+    for (std::size_t n = 0; n < x.q.size(); ++n) {
+        if (n > 0) {
+            anelastic.push_back(anelastic[0]);
+            anelastic[n] = (x.q[n] * ((ratio - 1) / ratio) - tau * D.at(anelastic, n, 1)) / (1 + tau * D.w[0]);
+        }
+        r.push_back(beam.load()(S(double(x.t[n]))) - K * (x.q[n] - anelastic[n]) * ratio);
+    }
+    return of_newmark(M, r, x, S(ratio * K.cwiseAbs().rowwise().sum().maxCoeff()), epsilon);
+}
+/// The two-sided equation, whose differences are of the size h^{-2 alpha}.
+judgement of_dirichlet(rows const& x, S const& epsilon) {
+    std::vector<S> q;
+    for (vector const& y : x.q) q.push_back(y(0));
+    auto const T = x.scale();
+    fractional_problem const problem(papers::dirichlet, fraction<3, 4>{});
+    judgement all;
+    for (auto const& r : problem.residual(function_on(T, q))) all.add(r, S(32 * epsilon * pow(T.h(), S(-1.5))));
+    return all;
+}
+/// A Lagrangian of numbers as one of vectors of one.
+template <class L>
+auto of_one(L const& l) {
+    return [l](auto const& q, auto const& v) { return l(q(0), v(0)); };
+}
+
+judgement judged(std::string const& scene, std::string const& file, S const& epsilon) {
+    using namespace program;
+    auto const as = [&](auto const& l, int d) { return of_midpoint(l, rows(file, d, d), epsilon); };
+    if (scene == "pendulum") return as(of_one(pendulum_system{}.lagrangian<S>()), 1);
+    if (scene == "double-pendulum") return as(double_pendulum_system{}.lagrangian<S>(), 2);
+    if (scene == "kepler") return as(kepler_system{}.lagrangian<S>(), 2);
+    if (scene == "henon-heiles") return as(henon_heiles_system{}.lagrangian<S>(), 2);
+    if (scene == "charged-particle") return as(charged_particle_system{}.lagrangian<S>(), 2);
+    if (scene == "fermi-pasta-ulam") return as(fermi_pasta_ulam_system{}.lagrangian<S>(), fermi_pasta_ulam_system::size);
+    if (scene == "fractional-oscillator") return of_oscillator(damped_by_half_a_derivative, rows(file, 1, 1), epsilon);
+    if (scene == "bagley-torvik") return of_oscillator(plate_in_a_fluid, rows(file, 1, 1), epsilon);
+    if (scene == "viscoelastic-beam") return of_beam(rows(file, viscoelastic_beam_system::degrees_of_freedom, 0), epsilon);
+    if (scene == "fractional-dirichlet") return of_dirichlet(rows(file, 1, 0), epsilon);
+    if (scene == "outer-solar-system") {
+        std::istringstream data(outer_solar_system_csv);
+        return as(read_solar_system(data, "the built-in data").lagrangian<S>(), dimension);
+    }
+    error::raise<error::invalid_parameter>("there is no equation for the scene '", scene, "'");
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    try {
+        if (count != 4) error::raise<error::invalid_parameter>("judge <scene> <rows> <epsilon>");
+        judgement const v = judged(arguments[1], arguments[2], detail::number_from<S>(arguments[3]));
+        std::cout << arguments[1] << ": the largest residual is " << v.residual.str(3) << ", and rounding may leave " << v.bound.str(3)
+                  << '\n';
+        return v.residual <= v.bound ? 0 : 1;
+    } catch (std::exception const& e) {
+        std::cerr << e.what() << '\n';
+        return 2;
+    }
+}
