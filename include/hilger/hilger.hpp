@@ -45,6 +45,7 @@
 #include "hilger/integrator/events.hpp"
 #include "hilger/integrator/recording.hpp"
 #include "hilger/integrator/requirements.hpp"
+#include "hilger/integrator/fractional_residual.hpp"
 #include "hilger/integrator/residual.hpp"
 
 // Identities as checks, for your own scales and operators too

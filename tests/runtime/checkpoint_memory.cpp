@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What remembers all of its past is resumed bit for bit, with every history, before its first step and after many.
 #include "hilger/history/history.hpp"
+#include "hilger/integrator/fractional_flow.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
 #include "hilger/integrator/fractional_zener.hpp"
 #include "resuming.hpp"
@@ -11,6 +12,7 @@ using namespace hilger::testing;
 namespace {
 
 constexpr auto push = []<class S>(S const& t) { return S(1) - t / S(16); };
+constexpr auto friction = [](auto const& q, auto const& v) { return -v / 8 + 0 * q; };
 constexpr auto push_two = [](double const& t) { return Eigen::VectorXd(Eigen::Vector2d(1 - t, t / 2)); };
 auto const T = uniform(0.0, 1.0 / 16, 160);
 
@@ -43,8 +45,19 @@ TEST_CASE("structures of two degrees of freedom, one of them damped; and of a vi
     Eigen::MatrixXd const M = Eigen::Matrix2d::Identity(), C = Eigen::Vector2d(0.5, 0).asDiagonal(), K = 2 * M;
     Eigen::VectorXd const q = Eigen::Vector2d(1, 0.5), p = Eigen::Vector2d(0, -1);
     goes_on(newmark<bdf<2>>(fractional_structure{M, C, K, 1.0, 0.5}, push_two, average_acceleration, blocks{}).along(T, q, p));
-    goes_on(newmark<bdf<2>>(zener_structure{M, K, 1.0, 5.0, 0.25, 0.5}, push_two, average_acceleration, exponentials{0, 200})
-                .along(T, q, p));
+    goes_on(
+        newmark<bdf<2>>(zener_structure{M, K, 1.0, 5.0, 0.25, 0.5}, push_two, average_acceleration, exponentials{0, 200}).along(T, q, p));
+}
+TEST_CASE("damped flows: a mean over the step with one term and two, and impulses at each end") {
+    goes_on(embed(with_fractional_damping<bdf<2>>(pendulum, 0.3, fraction<1, 2>{}, exponentials{0, 200}), mid_point).along(T, 1.0, 0.5));
+    goes_on(embed(with_fractional_damping(pendulum, {{0.3, 0.5}, {0.1, 1.5}}), mid_point, compensated).along(T, 1.0, 0.5));
+    damping_options const jump{.history = initial_history::riemann_liouville};
+    goes_on(embed(with_fractional_damping(with_force(pendulum, friction), 0.3, 1.0, direct{}, jump), mid_point).along(T, 1.0, 0.5));
+    for (auto const at : {damping_at::start, damping_at::end, damping_at::both})
+        goes_on(embed(with_fractional_impulses(pendulum, 0.3, 0.75, blocks{}, {.at = at}), mid_point).along(T, 1.0, 0.5));
+    Eigen::VectorXd const rho = Eigen::Vector2d(0.25, 0), q = Eigen::Vector2d(1, 0.5), p = Eigen::Vector2d(0.5, -1);
+    auto const springs = [](auto const& x, auto const& v) { return v.dot(v) / 2 - x.dot(x) / 2 - x(0) * x(1) / 4; };
+    goes_on(embed(with_fractional_damping(springs, rho, 0.5, window{20}), mid_point).along(T, q, p));
 }
 TEST_CASE("a checkpoint of one history does not read into another") {
     auto const with = [](auto const& policy) {

@@ -78,6 +78,11 @@ public:
     [[nodiscard]] index_type histories() const { return history_.histories(); }
     [[nodiscard]] std::size_t history_bytes() const { return history_.bytes(); }
     [[nodiscard]] bool needs_velocity() const { return count() > 0 and history_.needs_velocity(); }
+    /// Everything that later derivatives depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        if (count() > 0) history_.visit(each);
+    }
     /// These components of q.
     kept const& of(V const& q) {
         for (int k = 0; k < count(); ++k) shape<kept>::component(taken_, k) = s::component(q, at(k));

@@ -52,6 +52,15 @@ public:
         void advance_equally(damped_flow const& f, state<S, V>& x) {
             saying_where(x, h_, [&] { move(f, x); });
         }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(damped_flow const& f, Visit& each) {
+            int begun = begun_ ? 1 : 0;
+            each("begun", begun);
+            begun_ = begun != 0;
+            history_.visit(each);
+            step_.visit(f.undamped_, each);
+        }
         /// The force of the damping, -rho D^beta q, at the point reached last, or with `back` at the one before.
         [[nodiscard]] V damping_force(bool back = false) const {
             V force = zero_like(before_.q);

@@ -87,6 +87,12 @@ public:
         take(q);
         watch();
     }
+    /// Everything that later impulses depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        on_.visit(each);
+        for (kept* x : {&now_, &before_, &impulse_, &began_}) memory::visit_components("impulse", *x, each);
+    }
     /// p less the impulse at the point that was arrived at last.
     void damp(V& p) const { on_.add(p, S(-1), impulse_); }
     void add_force(V& f, bool back) const {
@@ -185,6 +191,11 @@ struct impulses_at_points {
             if (at_ == damping_at::start) return; // the next step looks at what comes out
             impulse_.damp(x.p);
             if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
+        }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            impulse_.visit(each);
         }
         void add_force(V& force, bool back) const { impulse_.add_force(force, back); }
         template <class What>

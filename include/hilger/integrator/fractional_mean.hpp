@@ -92,6 +92,12 @@ public:
             to = to - share * h_ * theta_ * s::component(rho_, k) * s::component(first(), k);
         }
     }
+    /// Everything that later forces depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        on_.visit(each);
+        for (kept* x : {&now_, &before_, &earlier_}) memory::visit_components("derivative", *x, each);
+    }
     /// -rho D^beta q to order two at the point reached last, or with `back` at the one before.
     void add_force(V& f, bool back) const {
         kept const &here = back ? before_ : now_, &there = back ? earlier_ : before_;
@@ -182,6 +188,14 @@ struct mean_over_step {
             }
             detail::for_each_in(means_, [&](auto& m) { m.arrive(x.q); });
             first_ = false;
+        }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            int first = first_ ? 1 : 0;
+            each("first", first);
+            first_ = first != 0;
+            detail::for_each_in(means_, [&](auto& m) { m.visit(each); });
         }
         void add_force(V& force, bool back) const {
             detail::for_each_in(means_, [&](auto const& m) { m.add_force(force, back); });
