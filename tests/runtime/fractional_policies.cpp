@@ -96,3 +96,24 @@ TEST_CASE("the oscillator and the cantilever of Galucio, Deue, Dubois") {
         CHECK(apart(beam(policy), bent) < tolerance);
     });
 }
+
+TEST_CASE("a run that goes further than its history says at which step and time") {
+    auto const walk = [](auto const& path) {
+        double last = 0;
+        try {
+            for (auto const& x : path) last = x.t;
+        } catch (error::outside_domain const& e) {
+            CHECK(last == 1.5);
+            CHECK(dynamic_cast<interrupted<double, double> const&>(e).last.t == 1.5);
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    auto const T = uniform(0.0, 0.5, 10);
+    char const* const sentence = "the step from t = 1.5 with h = 0.5 failed: these exponentials were made for 3 steps, and this is step 4";
+    exponentials const few{1e-6, 3};
+    CHECK(walk(embed(with_fractional_damping(pendulum, 0.3, 0.5, few), mid_point).along(T, 1.0, 0.5)) == sentence);
+    auto const still = [](double) { return 0.0; };
+    CHECK(walk(newmark<bdf<2>>(fractional_structure{1.0, 1.0, 1.0, 1.0, 0.5}, still, average_acceleration, few).along(T, 1.0, 0.5)) ==
+          sentence);
+}

@@ -91,6 +91,7 @@ TEST_CASE("memory sums that are overwritten instead of added: of constant values
 TEST_CASE("the transform has the values of the polynomial at the roots of i, each once, and the way back is the inverse") {
     for (std::size_t const length : {1, 2, 4, 8, 32, 256, 2048, 8192}) {
         detail::memory::fourier<double> transform;
+        transform.reserve(length);
         detail::memory::spectrum<double> x;
         noise source;
         for (std::size_t j = 0; j < length; ++j) {

@@ -66,7 +66,7 @@ TEST_CASE("parameters out of range") {
     CHECK_THROWS_AS((void)make_history<GL>(automatic{0}, 0.5, 0.0), error::invalid_parameter);
     auto short_run = make_history<GL>(exponentials{0, 2}, 0.5, 0.0);
     for (int n = 0; n <= 2; ++n) short_run.push(1); // at t_0, t_1, t_2
-    CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps", error::outside_domain);
+    CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps, and this is step 3", error::outside_domain);
 }
 
 TEST_CASE("the direct sum over more than 100 000 values warns once when it is made, where the caller wants it") {
@@ -90,6 +90,9 @@ TEST_CASE("automatic says which one it took") {
     CHECK(make_history<bdf<2>>(automatic{10'000, 1e-8}, 0.5, 0.0).name() == "exponentials");
     CHECK(make_history<bdf<2>>(automatic{10'000, 1e-16}, 0.5, 0.0).name() == "blocks"); // finer than modes can be
     CHECK(make_history<GL>(automatic{10'000}, 2.5, 0.0).name() == "blocks");
+    // Next to whole orders the recurrence that exponentials are compared with has fewer digits than its smallest weights ask for.
+    CHECK_THROWS_AS((void)make_history<bdf<6>>(exponentials{}, 2 - 3e-13, 0.0), error::invalid_parameter);
+    CHECK(make_history<bdf<6>>(automatic{10'000}, 2 - 3e-13, 0.0).name() == "blocks");
     CHECK(make_history<trapezoid>(automatic{10'000}, 0.5, 0.0).name() == "blocks");
     CHECK(make_history<GL>(automatic{10'000}, Q(1, 2), Q(0)).name() == "direct");
 }

@@ -10,7 +10,7 @@
 namespace hilger {
 
 /// `steps` values; without a tolerance as accurate as the direct sum. Exact scalars and few steps: direct. Many steps: exponentials where
-/// there are some for the generating function, the order and the tolerance, else blocks.
+/// there are some for the generating function and the order that reach the tolerance, else blocks.
 struct automatic {
     index_type steps;
     double tolerance = 0;
@@ -25,9 +25,9 @@ public:
     explicit one_of_histories(Engine engine) : engine_(std::move(engine)) {}
 
     /// As the engine's; the same holds for the others.
-    auto const& past() const {
+    auto const& past() {
         return std::visit(
-            [](auto const& e) -> auto const& { return e.past(); }, engine_);
+            [](auto& e) -> auto const& { return e.past(); }, engine_);
     }
     template <class V>
     void push(V const& x) {
@@ -68,8 +68,12 @@ auto make_history(automatic const& policy, S const& alpha, V const& like) {
         using engine = one_of_histories<direct_history<G, value>, blocks_history<G, value>, exponentials_history<G, value>>;
         if (policy.steps <= automatic::few) return engine(direct_history<G, value>(alpha, like));
         using weights = detail::memory::exponential_weights<G, S>;
-        if (weights::has(alpha) and weights::holds(policy.tolerance))
-            return engine(exponentials_history<G, value>(exponentials{policy.tolerance, policy.steps}, alpha, like));
+        if (weights::has(alpha) and weights::holds(policy.tolerance)) {
+            try {
+                return engine(exponentials_history<G, value>(exponentials{policy.tolerance, policy.steps}, alpha, like));
+            } catch (error::invalid_parameter const&) { // they looked at themselves, and do not reach the tolerance
+            }
+        }
         return engine(blocks_history<G, value>(alpha, like));
     } else {
         using engine = one_of_histories<direct_history<G, value>, blocks_history<G, value>>;

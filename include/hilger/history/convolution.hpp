@@ -13,7 +13,8 @@
 namespace hilger {
 
 /// Convolution with one kernel, many times: x -> the first n values of kernel * x for n = kernel.size() values x. As a matrix: lower
-/// triangular Toeplitz. The kernel's transform is kept, which leaves two transforms for each use.
+/// triangular Toeplitz. The kernel's transform is kept, which leaves two transforms for each use. A const one may be used by several
+/// threads.
 template <class S>
 class toeplitz_triangle {
 public:
@@ -23,6 +24,7 @@ public:
                 S const scale = S(1) / S(static_cast<long long>(length_));
                 transformed_ = padded(kernel_);
                 for (S& w : transformed_.re) w = w * scale;
+                transform_.reserve(length_);
                 transform_.forward(transformed_, length_);
             }
     }
@@ -61,7 +63,7 @@ private:
     std::vector<S> kernel_;
     std::size_t length_;
     std::conditional_t<has_transform, detail::memory::spectrum<S>, nothing> transformed_;
-    mutable std::conditional_t<has_transform, detail::memory::fourier<S>, nothing> transform_; // makes its roots when they are needed
+    std::conditional_t<has_transform, detail::memory::fourier<S>, nothing> transform_;
 };
 
 /// y_k = sum_{n=0..k} w_n x_{k-n}, scalars or vectors, without the leading weight and h^-alpha.

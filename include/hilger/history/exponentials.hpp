@@ -26,7 +26,8 @@ class exponential_weights {
     using W = modes_scalar<S>;
 
 public:
-    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no double-double.
+    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no
+    /// double-double.
     static constexpr int least = std::is_floating_point_v<W> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
@@ -133,7 +134,8 @@ public:
     /// @throws error::mismatch, error::not_finite, error::outside_domain after one value more than the policy has steps
     void push(V const& x) {
         detail::memory::check_value(x, size_, count_);
-        if (count_ > steps_) error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps");
+        if (count_ > steps_)
+            error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps, and this is step ", count_);
         for (index_type c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
             S const& value = detail::memory::component(x, c);

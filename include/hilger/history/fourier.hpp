@@ -63,9 +63,10 @@ struct spectrum {
 template <class S>
 class fourier {
 public:
+    /// Makes the roots for transforms of this length, which must be there before one is made: const transforms may be shared by threads.
+    void reserve(std::size_t length) { roots_.reserve(length); }
     /// In place, length a power of two.
-    void forward(spectrum<S>& x, std::size_t length) {
-        roots_.reserve(length);
+    void forward(spectrum<S>& x, std::size_t length) const {
         std::size_t n = length;
         if (odd_power(length)) {
             halve(x.re.data(), x.im.data(), n /= 2);
@@ -74,8 +75,7 @@ public:
             split(x.re.data(), x.im.data(), n, 2);
     }
     /// `length` times the inverse.
-    void backward(spectrum<S>& x, std::size_t length) {
-        roots_.reserve(length);
+    void backward(spectrum<S>& x, std::size_t length) const {
         std::size_t n = length;
         if (odd_power(length)) {
             n /= 2;

@@ -54,6 +54,8 @@ void saying_where(state<S, V> const& at, S const& h, Work const& work) {
         detail::stop_at(at, h, cause);
     } catch (error::not_finite const& cause) {
         detail::stop_at(at, h, cause);
+    } catch (error::outside_domain const& cause) { // more steps than a history was made for
+        detail::stop_at(at, h, cause);
     }
 }
 
