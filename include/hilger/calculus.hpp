@@ -30,3 +30,6 @@
 // Adjoints, equality of operators, integration by parts
 #include "hilger/adjoint/adjoint.hpp"
 #include "hilger/adjoint/normal_form.hpp"
+
+// Operators as text: std::cout << Delta_plus, latex(adjoint(extend))
+#include "hilger/printing/notation.hpp"

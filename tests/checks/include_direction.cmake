@@ -10,13 +10,14 @@ set(order
   "function"
   "operator"
   "adjoint"
+  "printing"
   "history"
   "embedding"
   "mechanics"
   "integrator identity"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
-set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp scale function operator adjoint)
+set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp scale function operator adjoint printing)
 
 set(rank 0)
 foreach(line IN LISTS order)

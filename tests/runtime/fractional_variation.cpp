@@ -106,9 +106,9 @@ TEST_CASE("fractional equations are written down") {
          << variation(integral(quadratic(q_o, Delta_o_plus[q_o]), half(T)) -
                       0.25 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T));
     CHECK(text.str() == "∂L/∂q(⋆) + Δ₊^(3/4)[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₋^(3/4)[q])\n"
-                        "∂L/∂q(⋆) + bdf<2>₊^(1/2)[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, bdf<2>₋^(1/2)[q])\n"
-                        "[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = ρ Δ₋^(1/2)[q]   on T½⁻,   ⋆ = (q∘, Δ∘,₊[q∘])\n"
-                        "the same of y = ρ Δ₊^(1/2)[y],   ρ = 0.25\n");
+                        "∂L/∂q(⋆) + BDF2₊^(1/2)[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, BDF2₋^(1/2)[q])\n"
+                        "[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = ρ π⁻¹[Δ₋^(1/2)[q]]   on T½⁻,   ⋆ = (q∘, Δ∘,₊[q∘])\n"
+                        "the same of y = ρ π⁻¹[Δ₊^(1/2)[y]],   ρ = 0.25\n");
     CHECK(latex(variation(nabla_integral(quadratic(q, Delta_minus_alpha<1, 3>[q]), T))).find("\\Delta_{+}^{1/3}\\left[") !=
           std::string::npos);
 }

@@ -22,6 +22,7 @@ public:
         x.residue_ = reduce(n);
         return x;
     }
+    [[nodiscard]] constexpr std::uint64_t value() const { return residue_; } ///< from 0 to prime - 1
     friend constexpr prime_field operator+(prime_field a, prime_field b) { return residue(a.residue_ + b.residue_); }
     friend constexpr prime_field operator-(prime_field a, prime_field b) { return residue(a.residue_ + prime - b.residue_); }
     friend constexpr prime_field operator-(prime_field a) { return residue(prime - a.residue_); }

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <ostream>
 
-#include "hilger/mechanics/notation.hpp"
 #include "hilger/mechanics/symbol.hpp"
+#include "hilger/printing/expression.hpp"
 
 namespace hilger {
 

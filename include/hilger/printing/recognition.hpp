@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSL-1.0
+// What an operator makes of one generic function (adjoint/normal_form.hpp), kept at run time, so that operators can be compared with many
+// others, up to a rational factor, when they are written down.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "hilger/adjoint/normal_form.hpp"
+#include "hilger/operator/fractional.hpp"
+
+namespace hilger::detail {
+
+/// p/q with small numbers, when the residue is one.
+struct small_ratio {
+    long long numerator = 0, denominator = 1;
+};
+/// By Euclid's algorithm, stopped half-way: the quotient is the only one with both numbers below a million, if there is one.
+inline std::optional<small_ratio> ratio_of_residue(prime_field x) {
+    constexpr std::int64_t small = 1'000'000;
+    std::int64_t r0 = static_cast<std::int64_t>(prime_field::prime), r1 = static_cast<std::int64_t>(x.value()), s0 = 0, s1 = 1;
+    while (r1 > small) {
+        std::int64_t const quotient = r0 / r1, r = r0 - quotient * r1, s = s0 - quotient * s1;
+        r0 = r1, s0 = s1;
+        r1 = r, s1 = s;
+    }
+    if (s1 == 0 or s1 > small or s1 < -small) return std::nullopt;
+    return s1 < 0 ? small_ratio{-r1, -s1} : small_ratio{r1, s1};
+}
+
+/// True when an operator works over a finite field: nothing is known at run time only, and no fractional power of the step is in it.
+template <class A>
+inline constexpr bool is_algebraic = true;
+template <class G, class Order, side Side>
+inline constexpr bool is_algebraic<fractional_difference<G, Order, Side>> = (weights_end<G, Order> > 0);
+template <class C, class A>
+inline constexpr bool is_algebraic<multiple<C, A>> = is_algebraic<A>;
+template <class A, class B>
+inline constexpr bool is_algebraic<composition<A, B>> = is_algebraic<A>and is_algebraic<B>;
+template <class A, class B>
+inline constexpr bool is_algebraic<operator_sum<A, B>> = is_algebraic<A>and is_algebraic<B>;
+template <class A>
+inline constexpr bool has_residues = known_by_type<A>and is_algebraic<A>;
+
+/// A = c B with the numbers c that are known at run time only taken out of compositions, so that B may be a known operator.
+template <class A>
+auto without_numbers(A const& a) {
+    return a;
+}
+template <class C, class A>
+auto without_numbers(multiple<C, A> const& a);
+template <class A, class B>
+auto without_numbers(composition<A, B> const& ab) {
+    return without_numbers(ab.a) * without_numbers(ab.b);
+}
+template <class C, class A>
+auto without_numbers(multiple<C, A> const& a) {
+    if constexpr (requires { C::denominator; } or std::integral<C>)
+        return a.c * without_numbers(a.a);
+    else
+        return without_numbers(a.a);
+}
+
+/// The points that an operator acts on, with the lambda that it carries.
+template <class A>
+auto base_of_argument(A const& a) {
+    using from = typename A::from;
+    if constexpr (std::is_empty_v<from>)
+        return from{};
+    else if constexpr (requires { a.b; })
+        return base_of_argument(a.b);
+    else if constexpr (requires { a.a; })
+        return base_of_argument(a.a);
+    else if constexpr (requires { from{a.lambda}; })
+        return from{a.lambda};
+    else
+        return from{};
+}
+
+/// A function on a scale of generic steps, given by its values: one type for all, so that an operator is compiled once.
+template <bool Uniform, class Base>
+struct residues : discrete_function_tag {
+    using root_type = generic_scale<Uniform, 16>;
+    using domain_type = hilger::domain<Base>;
+    Base base{};
+    std::vector<prime_field> values{};
+
+    /// Random values, or 1 at one point and 0 elsewhere.
+    explicit residues(Base b, std::optional<index_type> unit = {}) : base(b), values(static_cast<std::size_t>(Base::last(16)) + 1) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = not unit ? random_element(2 * i + 1'000'002) : prime_field(static_cast<index_type>(i) == *unit ? 1 : 0);
+    }
+    static constexpr root_type root() { return {}; }
+    [[nodiscard]] constexpr domain_type domain() const { return {base}; }
+    [[nodiscard]] prime_field get(index_type i) const { return values[static_cast<std::size_t>(i)]; }
+};
+/// Where A[f] lives.
+template <class A>
+auto image_of(A const& a) {
+    return a.image(domain<typename A::from>{base_of_argument(a)});
+}
+/// Its values there.
+template <bool Uniform, class A>
+std::vector<prime_field> values_of(A const& a, residues<Uniform, typename A::from> const& f) {
+    auto const image = image_of(a);
+    std::vector<prime_field> values;
+    for (index_type i = image.first(f.root()); i <= image.last(f.root()); ++i) values.push_back(a.evaluate(f, i));
+    return values;
+}
+
+/// What an operator makes of a generic function, and how many points it loses.
+struct fingerprint {
+    int front = 0, back = 0;
+    std::vector<prime_field> values{};
+};
+template <bool Uniform, class A>
+fingerprint fingerprint_of(A const& a) {
+    using D = std::remove_cvref_t<decltype(image_of(a))>;
+    return {D::front, D::back, values_of<Uniform>(a, residues<Uniform, typename A::from>(base_of_argument(a)))};
+}
+/// c with a = c b, when there is one.
+inline std::optional<small_ratio> times(fingerprint const& a, fingerprint const& b) {
+    if (a.front != b.front or a.back != b.back or a.values.size() != b.values.size()) return std::nullopt;
+    prime_field const zero(0);
+    std::size_t k = 0;
+    while (k < b.values.size() and b.values[k] == zero) ++k;
+    if (k == b.values.size()) return std::nullopt;
+    prime_field const c = a.values[k] / b.values[k];
+    for (k = 0; k < b.values.size(); ++k)
+        if (not(a.values[k] == c * b.values[k])) return std::nullopt;
+    auto const ratio = ratio_of_residue(c);
+    return ratio and ratio->numerator == 0 ? std::nullopt : ratio;
+}
+
+/// One term of an operator on equal steps: p/q h^power f(t + offset h).
+struct shifted_term {
+    small_ratio factor;
+    int power = 0, offset = 0;
+};
+/// A local operator from one family into itself as a sum of shifts, when T has equal steps; nothing when its coefficients are no rational
+/// multiples of powers of h, or are not the same everywhere.
+template <class A>
+std::optional<std::vector<shifted_term>> as_shifts(A const& a) {
+    constexpr reach reads = A::reads;
+    if constexpr (not reads.is_local() or not std::same_as<typename A::from, typename A::to>)
+        return std::nullopt;
+    else {
+        auto const base = base_of_argument(a);
+        auto const here = image_of(a);
+        prime_field const h = generic_scale<true, 16>::step(0), zero(0);
+        index_type const first = here.first(generic_scale<true, 16>{}), last = here.last(generic_scale<true, 16>{}),
+                         middle = (first + last) / 2;
+        auto const with_power = [&](prime_field c, int power) {
+            for (int k = 0; k < power; ++k) c = c * h;
+            for (int k = 0; k < -power; ++k) c = c / h;
+            return c;
+        };
+        std::vector<shifted_term> terms;
+        std::vector<prime_field> sum(static_cast<std::size_t>(std::max<index_type>(last - first + 1, 0)), zero);
+        residues<true, typename A::from> const f(base);
+        index_type const end = static_cast<index_type>(f.values.size());
+        for (index_type j = last; j >= first - middle; --j) {
+            if (middle + j < 0 or middle + j >= end) continue;
+            prime_field const c = a.evaluate(residues<true, typename A::from>(base, middle + j), middle);
+            if (c == zero) continue;
+            bool found = false;
+            for (int power : {0, -1, 1, -2, 2, -3, 3, -4, 4})
+                if (auto const ratio = ratio_of_residue(with_power(c, -power)); ratio and not found) {
+                    terms.push_back({*ratio, power, static_cast<int>(j)});
+                    found = true;
+                }
+            if (not found) return std::nullopt;
+            for (index_type i = first; i <= last; ++i) {
+                if (i + j < 0 or i + j >= end) return std::nullopt;
+                sum[static_cast<std::size_t>(i - first)] = sum[static_cast<std::size_t>(i - first)] + c * f.get(i + j);
+            }
+        }
+        if (not(sum == values_of<true>(a, f))) return std::nullopt;
+        return terms;
+    }
+}
+
+} // namespace hilger::detail

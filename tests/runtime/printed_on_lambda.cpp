@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSL-1.0
+// Printed equations of actions over T_lambda: what is printed is what runs.
+#include "hilger/embedding/embedding.hpp"
+#include "hilger/scale/uniform.hpp"
+#include "read_back.hpp"
+
+using namespace hilger;
+using reading::L;
+using reading::read_back;
+
+namespace {
+
+constexpr unknown q;
+constexpr auto q_l = extend_lambda<1, 3>[q];
+
+auto const T = uniform(Q(1, 3), Q(2, 5), 9);
+
+} // namespace
+
+TEST_CASE("any lambda") {
+    read_back(integral(L(q_l, Delta_plus_on<joined<fraction<1, 3>>>[q_l]), at_lambda<1, 3>(T)));
+    read_back(integral(L(fraction<2>{} * on_lambda<1, 3>[q_l], pi_lambda_inverse<1, 3>[Delta_plus[q]]), at_lambda<1, 3>(T)));
+    read_back(integral(L(pi_lambda_inverse<3, 7>[Delta_plus[q]], on_lambda<3, 7>[extend_lambda<3, 7>[q]]), at_lambda<3, 7>(T)));
+    auto const at_run_time = theta_at(Q(2, 5));
+    read_back(integral(L(at_run_time.position[q], at_run_time.velocity[q]), at_lambda(T, Q(2, 5))));
+}
