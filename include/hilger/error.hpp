@@ -51,6 +51,10 @@ struct no_formula : exception {
 struct no_convergence : exception {
     using exception::exception;
 };
+/// An equation with branches that has no solution on any of them: where a Lagrangian compares its arguments, its derivatives jump.
+struct no_branch : no_convergence {
+    using no_convergence::no_convergence;
+};
 
 /// Throws Error with the arguments streamed into its message.
 template <class Error, class... Parts>

@@ -32,6 +32,7 @@ public:
     struct point {
         values v, q;
         std::vector<expansion<V>> at{};
+        branch_path path{};   ///< which branches L took
         bool coupled = false; ///< some second derivative by the position is not zero
         block_of<V> stiffness{};
         values forces{}; ///< -(p + A^-T F)
@@ -81,6 +82,7 @@ public:
     }
     /// Everything at (v, q); at.at[i].vv becomes its own inverse.
     void evaluate(point& at) const {
+        branch_watch const watch;
         at.at.clear();
         at.at.reserve(count_);
         values force;
@@ -96,6 +98,7 @@ public:
             finite =
                 finite and detail::all_finite(e.by_q) and detail::all_finite(e.by_v) and largest_entry(e.vv) - largest_entry(e.vv) == S(0);
         }
+        at.path = watch.path();
         at.rest.assign(count_, zero_like(first_));
         if (not finite) {
             at.rest[0] = at.at[0].by_v / S(0);

@@ -71,8 +71,9 @@ public:
             size = relative_size(correction, at.v);
             // The error left is accuracy times size, for the linear equation, and size^2, for what is not linear.
             bool const last = not exact and size * std::max(size, accuracy) <= small() * small();
+            branch_path const path = at.path;
             if (not advance(at, correction, last)) fail(at, size, iteration);
-            if (last) break;
+            if (last and at.path == path) break; // what a correction proves, it proves of the branches it was made on
         }
         values all = equation_.whole(at);
         if (not equation::all_finite(all)) error::raise<error::not_finite>("the solution of a boundary value problem is NaN or infinite");
@@ -155,9 +156,9 @@ private:
             add_multiple(next.v, part, correction);
             next.q = equation_.position(next.v);
             equation_.hold_end(at, next);
-            if (not last) equation_.evaluate(next);
-            bool const better =
-                last or exact or (equation::all_finite(next.rest) and equation_.natural(at, next) <= (S(1) - part / S(4)) * before);
+            if (not last or not(at.path == branch_path{})) equation_.evaluate(next);
+            bool const better = (last and next.path == at.path) or exact or
+                                (equation::all_finite(next.rest) and equation_.natural(at, next) <= (S(1) - part / S(4)) * before);
             if (better) {
                 at = std::move(next);
                 return true;

@@ -11,6 +11,7 @@
 #include "hilger/integrator/galerkin_table.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/integrator/step_force.hpp"
+#include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/contraction.hpp"
 #include "hilger/mechanics/gradients.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
@@ -57,6 +58,7 @@ public:
         S reach = magnitude(start);
         for (V const& v : velocity) reach = std::max(reach, S(magnitude(v)));
         contraction<S> convergence(epsilon<S>() * reach, small);
+        branch_watch const watch;
         for (;;) {
             place(h);
             evaluate(what, x, h);
@@ -74,17 +76,22 @@ public:
                 return false;
             case progress::done:
                 evaluate_at_last(what, x, h);
-                return true;
+                return not(has_force<Problem> or watch.saw_any()) or convergence.is_rounding(last_correction(x, h));
             }
         }
     }
-    /// @throws newton_failure, error::singular, error::not_finite
+    /// @throws newton_failure, with error::no_branch where an L with branches has no solution; error::singular, error::not_finite
     void newton(Problem const& what, state<S, V> const& x, S const& h, S const& small) {
         prepare_newton();
         bool singular = false;
         S size(0);
+        branch_watch const watch;
         for (int round = 0; round < most_iterations<S>; ++round) {
             S const forces = assemble(what, x, h);
+            if (watch.saw_any()) {
+                search(what, x, h, small);
+                return;
+            }
             for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
             for (int k = 0; k < r_.size(); ++k)
                 if (not is_finite(r_(k))) give_up(name, false, x.q, constant(r_(k)), size);
@@ -113,6 +120,43 @@ public:
     static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
 
 private:
+    /// The same for an L with branches.
+    void search(Problem const& what, state<S, V> const& x, S const& h, S const& small) {
+        vector y(r_.size()), rest = r_;
+        for (std::size_t j = 0; j < R; ++j)
+            for (int c = 0; c < d_; ++c) y(row(j, c)) = s::component(velocity[j], c);
+        auto const evaluate_at = [&](vector const& v, vector& r) {
+            for (std::size_t j = 0; j < R; ++j)
+                for (int c = 0; c < d_; ++c) s::component(velocity[j], c) = v(row(j, c));
+            S const forces = assemble(what, x, h);
+            r = r_;
+            return S(magnitude(x.p) + forces + S(static_cast<int>(r_.size())) * magnitude(J_) * magnitude(v) +
+                     S(d_) * bends_ * (magnitude(x.q) + magnitude(h) * magnitude(v)));
+        };
+        auto const correct = [&](vector const& r, vector& d) {
+            for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
+            lu_.compute(J_);
+            if (not is_regular(lu_)) return false;
+            d = lu_.solve(r);
+            return true;
+        };
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small));
+        if (how != branch_search::found) {
+            V residual = zero_;
+            for (int c = 0; c < d_; ++c) s::component(residual, c) = rest(c);
+            give_up_on_branches(name, how, V(x.q + velocity[0] * h), residual);
+        }
+        evaluate_at_last(what, x, h);
+    }
+    /// The correction that would be next.
+    S last_correction(state<S, V> const& x, S const& h) {
+        S size(0);
+        for (std::size_t j = 0; j < R; ++j) {
+            residual(x, h, j);
+            size = std::max(size, S(magnitude(times(j, room_))));
+        }
+        return size;
+    }
     static Table const& table() { return Table::here(); }
     [[nodiscard]] int row(std::size_t j, int c) const { return static_cast<int>(j) * d_ + c; }
     [[nodiscard]] S time(state<S, V> const& x, S const& h, std::size_t k) const { return x.t + table().node[k] * h; }
@@ -214,10 +258,13 @@ private:
             for (int c = 0; c < d_; ++c) r_(row(j, c)) = s::component(x.p, c);
         if constexpr (has_step_force<Extra>) put_extra(h);
         S forces(0);
+        bends_ = S(0);
         for (std::size_t k = 0; k < N; ++k) {
             node_table<V> e = expand_at(what, time(x, h, k), V(x.q + D_[k]), at_node(k));
             if constexpr (has_step_force<Extra>) e.e.by_q = e.e.by_q + room_;
-            forces = forces + magnitude(S(h * T.weight[k])) * magnitude(e.e.by_q) + magnitude(e.e.by_v);
+            S const w = magnitude(S(h * T.weight[k]));
+            forces = forces + w * magnitude(e.e.by_q) + magnitude(e.e.by_v);
+            bends_ = bends_ + w * magnitude(e.e.qq);
             for (std::size_t j = 0; j < R; ++j) {
                 S const by_q = h * T.momentum[j][k], by_v = T.weight[k] * T.beta[k][j] / T.gamma[j];
                 if constexpr (has_step_force<Extra>)
@@ -245,6 +292,7 @@ private:
     }
 
     int d_;
+    S bends_{0}; ///< sum_k |h w_k| |d2L/dq2|: what rounding of a position does
     V zero_, room_;
     std::array<V, N> D_, B_, m_;
     std::array<block_of<V>, R> inverse_;

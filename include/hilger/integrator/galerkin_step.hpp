@@ -110,6 +110,7 @@ private:
         for (V const& D : D_) reach = std::max(reach, S(magnitude(D)));
         contraction<S> convergence(epsilon<S>() * reach, small());
         progress end = progress::going;
+        std::uint64_t const compared = comparisons_made();
         for (;;) {
             for (std::size_t k = 0; k < N; ++k) {
                 room_ = x.q + D_[k];
@@ -118,8 +119,12 @@ private:
             if constexpr (has_step_force<Extra>)
                 for (V& f : F_) f = f + extra_force_;
             if (not is_separable) return progress::going;
-            if (end != progress::going) return end;
-            end = convergence.after(move_nodes());
+            bool const was_done = end == progress::done;
+            if (end != progress::going and not(was_done and comparisons_made() != compared)) return end;
+            S const size = move_nodes();
+            // Between branches the forces at the last positions say whether these were the last.
+            if (was_done and convergence.is_rounding(size)) return end;
+            end = convergence.after(size);
         }
     }
     /// A_k - q_0 from the forces, and how far the nodes have moved.

@@ -14,6 +14,7 @@
 #include "hilger/integrator/step_force.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
+#include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 #include "hilger/mechanics/problem.hpp"
 
@@ -65,8 +66,15 @@ public:
         bool singular = false;
         S size(0);
         S const small = square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4);
+        branch_watch const watch;
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             assemble(problem, x);
+            if (watch.saw_any()) {
+                search(problem, x, small);
+                finish(x);
+                steps_ = made + 1;
+                return;
+            }
             for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
             for (int k = 0; k < d_; ++k)
                 if (not is_finite(r_(k))) give_up(name, false, x.q, value_of_nan(x.q, r_(k)), size);
@@ -120,6 +128,32 @@ private:
             r_(c) = r_(c) + half * extra_.at(s::component(moved_, c), c);
             J_(c, c) = J_(c, c) - half * s::component(extra_.slope, c);
         }
+    }
+    /// The same for an L with branches: moved_ and the derivatives there.
+    void search(Problem const& problem, state<S, V> const& x, S const& small) {
+        auto const evaluate_at = [&](V const& y, V& r) {
+            moved_ = y;
+            assemble(problem, x);
+            for (int c = 0; c < d_; ++c) s::component(r, c) = r_(c);
+            S const reach = magnitude(x.q) + magnitude(y);
+            S bends(0);
+            for (int k = 0; k < t_.nodes; ++k) bends = bends + magnitude(t_.w(k)) * magnitude(nodes_[at(k)].e.qq);
+            return S(magnitude(x.p) + forces() + S(d_) * (bends * reach + magnitude(J_) * magnitude(y)));
+        };
+        auto const correct = [&](V const& r, V& d) {
+            for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
+            lu_.compute(J_);
+            if (not is_regular(lu_)) return false;
+            for (int c = 0; c < d_; ++c) r_(c) = s::component(r, c);
+            correction_ = lu_.solve(r_);
+            for (int c = 0; c < d_; ++c) s::component(d, c) = -correction_(c);
+            return true;
+        };
+        V rest = moved_;
+        V y = moved_;
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, small);
+        if (how != branch_search::found) give_up_on_branches(name, how, V(x.q + y), rest);
+        correction_.setZero();
     }
     /// a_k0 + a_k1 = 1 and b_k0 + b_k1 = 0 at every node, to rounding.
     [[nodiscard]] bool reproduces_constants() const {

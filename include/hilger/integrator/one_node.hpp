@@ -10,6 +10,7 @@
 #include "hilger/integrator/step_force.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
+#include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 #include "hilger/mechanics/problem.hpp"
 
@@ -152,18 +153,25 @@ public:
 private:
     template <bool SayWhere>
     HILGER_ALWAYS_INLINE void chosen_advance(Problem const& problem, state<S, V>& x) {
-        if constexpr (std::is_floating_point_v<S>)
-            flat_advance<SayWhere>(problem, x);
-        else
-            advance<SayWhere>(problem, x, all{}, every{});
+        if (not flat_or_not<SayWhere>(problem, x)) [[unlikely]]
+            advance_on_branches<SayWhere>(problem, x, all{});
     }
     template <bool SayWhere>
-    HILGER_FLATTEN void flat_advance(Problem const& problem, state<S, V>& x) {
-        advance<SayWhere>(problem, x, all{}, every{});
+    HILGER_ALWAYS_INLINE bool flat_or_not(Problem const& problem, state<S, V>& x) {
+        if constexpr (std::is_floating_point_v<S>)
+            return flat_advance<SayWhere>(problem, x);
+        else
+            return advance<SayWhere>(problem, x, all{}, every{});
+    }
+    template <bool SayWhere>
+    HILGER_FLATTEN bool flat_advance(Problem const& problem, state<S, V>& x) {
+        return advance<SayWhere>(problem, x, all{}, every{});
     }
 
+    /// False, and nothing has happened, where L has branches: what is proved is a root on the branch of the last round, and that may not be
+    /// the branch of the root.
     template <bool SayWhere, int... K, int... M>
-    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
+    HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
         using std::abs;
         components_ const q{s::component(x.q, K)...}, p{start<K>(x.p)...};
@@ -176,9 +184,12 @@ private:
         components_ r{};
         components_ d{};
         bool singular = false;
+        std::uint64_t const compared_before = comparisons_made();
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+            std::uint64_t const compared = comparisons_made();
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
+            bool const branched = comparisons_made() != compared;
             components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
@@ -224,22 +235,39 @@ private:
             if (not done) {
                 if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
             }
+            if (branched) [[unlikely]]
+                return false;
             // A finite v and g may still lead beyond the largest number.
             if constexpr (not exact)
-                if (S const nan = S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
-                    not(nan == S(0))) {
+                if (S const nan = overflow_in<K...>(q, p, w, v, g); not(nan == S(0))) {
                     r[0] = nan;
                     break;
                 }
-            ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v), K)), ...);
-            x.t = x.t + h_;
-            remember(v);
-            return;
+            take<K...>(x, w, v, g);
+            return true;
         }
+        if (comparisons_made() != compared_before) [[unlikely]]
+            return false;
         if constexpr (SayWhere)
             failure<K...>::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
         else
             failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
+    }
+    /// The same from the beginning for an L with branches.
+    template <bool SayWhere, int... K>
+    HILGER_ALWAYS_INLINE void advance_on_branches(Problem const& problem, state<S, V>& x,
+                                                  std::integer_sequence<int, K...> every_component) {
+        S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
+        components_ const v = first_guess(every_component);
+        auto const found = on_branches<K...>::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
+                                                                      start<K>(x.p)..., v[K]..., half_resistance<K>()...);
+        take<K...>(x, w_, found.v, found.g);
+    }
+    template <int... K>
+    HILGER_ALWAYS_INLINE void take(state<S, V>& x, S const& w, components_ const& v, components_ const& g) {
+        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v), K)), ...);
+        x.t = x.t + h_;
+        remember(v);
     }
     template <int J>
     HILGER_ALWAYS_INLINE static void add_row(components_& g, matrix_ const& D, components_ const& d) {
@@ -259,7 +287,10 @@ private:
     /// -h/2 dF/dv
     template <int K>
     HILGER_ALWAYS_INLINE S half_resistance() const {
-        return S(h_ / S(2) * w_ * s::component(extra_.slope, K));
+        if constexpr (not has_step_force<Extra>)
+            return S(0);
+        else
+            return S(h_ / S(2) * w_ * s::component(extra_.slope, K));
     }
     /// The change of the momentum in the step.
     template <int K>
@@ -271,6 +302,11 @@ private:
     }
     /// 0 for a number, NaN for NaN and infinity.
     HILGER_ALWAYS_INLINE static S overflow(S const& x) { return x - x; }
+    template <int... K>
+    HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v,
+                                       components_ const& g) const {
+        return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
+    }
     /// Convergence is quadratic: after this correction the error is of the size of epsilon.
     HILGER_ALWAYS_INLINE static bool at_the_floor(S const& size, components_ const& v) {
         return size <= square_root_of_epsilon<S>() * small() * largest(v);
@@ -327,6 +363,76 @@ private:
         }
 
     private:
+        static V vector(number<K>... x) {
+            V y;
+            ((s::component(y, K) = x), ...);
+            return y;
+        }
+    };
+
+    struct node_values {
+        components_ v, g;
+    };
+    /// The step of a Lagrangian with branches: from the iterate v on, until the equation holds at what is returned. Numbers one by one, as
+    /// above.
+    template <int... K>
+    class on_branches {
+        template <int>
+        using number = S;
+
+    public:
+        template <bool SayWhere>
+        [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
+                                                             number<K>... p, number<K>... v, number<K>... resistance) {
+            node_values found{};
+            auto const search = [&] { found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), {resistance...}); };
+            if constexpr (SayWhere)
+                saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
+            else
+                search();
+            return found;
+        }
+
+    private:
+        static node_values searched(Problem const& problem, S const& t, S const& w, S const& c, S const& f, components_ const& q,
+                                    V const& p, V v, components_ const& resistance) {
+            matrix_ J{};
+            components_ g{};
+            // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
+            auto const evaluate_at = [&](V const& y, V& r) {
+                components_ const B{s::component(y, K)...}, A{S(q[K] + c * B[K])...};
+                auto const e = evaluate<s::is_scalar, false>(problem, t, A, B, all{});
+                g = {S(e.template by_q<K>())...};
+                ((s::component(r, K) = s::component(p, K) + f * g[K] - e.template by_v<K>() - resistance[K] * B[K]), ...);
+                matrix_ D{};
+                S sizes(0);
+                auto const row = [&]<int I>(std::integral_constant<int, I>) {
+                    ((D[I * N + K] = c * e.template qq<I, K>() + e.template qv<I, K>(),
+                      J[I * N + K] = e.template vv<I, K>() + c * e.template vq<I, K>() - f * D[I * N + K],
+                      sizes = std::max(sizes, S(magnitude(S(f * e.template qq<I, K>()))))),
+                     ...);
+                };
+                (row(std::integral_constant<int, K>{}), ...);
+                ((J[K * N + K] = J[K * N + K] + resistance[K]), ...);
+                return S(magnitude(p) + magnitude(f) * largest(g) + S(N) * (sizes * largest(A) + largest(J) * magnitude(y)));
+            };
+            auto const correct = [&](V const& r, V& d) {
+                components_ x{s::component(r, K)...};
+                matrix_ copy = J;
+                if (not small_solve(copy, x)) return false;
+                d = vector(x[K]...);
+                return true;
+            };
+            V residual = v;
+            branch_search const how = search_branches(v, residual, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+            if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
+            node_values const found{{s::component(v, K)...}, g};
+            components_ const at_p{s::component(p, K)...};
+            if (S const nan = exact ? S(0) : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(at_p[K] + w * g[K])) + ...));
+                not(nan == S(0)))
+                give_up_on_branches("the step p = -d_1 L_h(q, y)", branch_search::not_finite, v, v);
+            return found;
+        }
         static V vector(number<K>... x) {
             V y;
             ((s::component(y, K) = x), ...);

@@ -12,7 +12,8 @@
 
 namespace hilger::detail {
 
-/// Of any Lagrangian: its jets say whether it has these parts.
+/// Of any Lagrangian: its jets say whether it has these parts. What they say of one branch does not hold on others, so that a Lagrangian
+/// with branches has none.
 template <class Problem, class S, class V>
 class separable {
     using s = shape<V>;
@@ -33,7 +34,9 @@ public:
     HILGER_ALWAYS_INLINE void solve(V const& f, V& v) const { times_inverse(f, v); }
     /// f = dL/dq at q. False where L turns out to have other parts there.
     HILGER_ALWAYS_INLINE bool force(Problem const& what, S const& t, V const& q, V& f) {
-        return is_separable(gradients_at(what, t, q, at_rest_, f, unused_));
+        std::uint64_t const compared = comparisons_made();
+        dependence const on = gradients_at(what, t, q, at_rest_, f, unused_);
+        return is_separable(on) and comparisons_made() == compared;
     }
 
 private:
@@ -49,8 +52,9 @@ private:
         if constexpr (is_timed<F, no_force, S, V>)
             return false; // the mass might change with time
         else {
+            branch_watch const watch;
             auto const e = hilger::expand(at_time{what.lagrangian, x.t}, x.q, zero_like(x.q));
-            if (not is_separable(e.on)) return false;
+            if (not is_separable(e.on) or watch.saw_any()) return false;
             at_rest_ = e.by_v;
             if constexpr (s::is_scalar) {
                 if (e.vv == S(0)) return false;

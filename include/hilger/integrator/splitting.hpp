@@ -65,7 +65,8 @@ struct turns<composed_flow<Parts, First, Others...>> {
     }
 };
 
-/// The velocity and the force of a small Lagrangian, from its jets: what the types say to be zero is not computed.
+/// The velocity and the force of a small Lagrangian, from its jets: what the types say to be zero is not computed. Where it compares
+/// positions, M and a have to be the same at both ends of a drift; where it compares velocities, v = 0 says nothing of others.
 template <class Problem, class S, class V>
 class small_parts {
     using s = shape<V>;
@@ -80,10 +81,14 @@ public:
         for (std::size_t k = 0; k < N; ++k) s::component(to, static_cast<int>(k)) = x[k];
     }
     /// False where L has other parts, or no velocity.
-    HILGER_ALWAYS_INLINE static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v) {
+    HILGER_ALWAYS_INLINE bool velocity(Problem const& what, vector const& q, vector const& p, vector& v) {
         return velocity(what, q, p, v, all{}, std::make_index_sequence<N * N>{});
     }
-    HILGER_ALWAYS_INLINE static bool force(Problem const& what, vector const& q, vector& g) { return force(what, q, g, all{}); }
+    HILGER_ALWAYS_INLINE bool force(Problem const& what, vector const& q, vector& g) {
+        return force(what, q, g, all{}, std::make_index_sequence<N * N>{});
+    }
+    /// A step begins, with no drift before its first kick.
+    void begin() { has_drifted_ = false; }
     template <class Sum>
     HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum) {
         add(x, w, y, sum, all{});
@@ -98,17 +103,32 @@ private:
         return {s::component(x, K)...};
     }
     template <int... K, std::size_t... M>
-    HILGER_ALWAYS_INLINE static bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
-                                              std::integer_sequence<int, K...> every, std::index_sequence<M...>) {
+    HILGER_ALWAYS_INLINE bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
+                                       std::integer_sequence<int, K...> every, std::index_sequence<M...>) {
+        std::uint64_t const compared = comparisons_made(), of_velocity = comparisons_of_velocity();
         auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
-        std::array<S, N * N> inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
+        matrix inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
         v = {S(minus(p[K], e.template by_v<K>()))...};
+        if (comparisons_made() != compared) [[unlikely]] {
+            if (comparisons_of_velocity() != of_velocity) return false;
+            inertia_ = inertia;
+            at_rest_ = {S(e.template by_v<K>())...};
+            has_drifted_ = true;
+        }
         return not e.on().coupled and e.on().v <= 2 and small_solve(inertia, v);
     }
-    template <int... K>
-    HILGER_ALWAYS_INLINE static bool force(Problem const& what, vector const& q, vector& g, std::integer_sequence<int, K...> every) {
+    template <int... K, std::size_t... M>
+    HILGER_ALWAYS_INLINE bool force(Problem const& what, vector const& q, vector& g, std::integer_sequence<int, K...> every,
+                                    std::index_sequence<M...>) {
+        std::uint64_t const compared = comparisons_made(), of_velocity = comparisons_of_velocity();
         auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
         g = {S(e.template by_q<K>())...};
+        if (comparisons_made() != compared) [[unlikely]] {
+            matrix const inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
+            vector const at_rest{S(e.template by_v<K>())...};
+            if (comparisons_of_velocity() != of_velocity or (has_drifted_ and not(inertia == inertia_ and at_rest == at_rest_)))
+                return false;
+        }
         return not e.on().coupled;
     }
     template <class Sum, int... K>
@@ -119,6 +139,10 @@ private:
     HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
         return S((S(q[K] - q[K]) + ...) + (S(p[K] - p[K]) + ...));
     }
+    using matrix = std::array<S, N * N>;
+    matrix inertia_{}; ///< M and a where the last drift began
+    vector at_rest_{};
+    bool has_drifted_ = false;
 };
 /// The same of a system that says so, of any size.
 template <class Problem, class S, class V>
@@ -130,6 +154,7 @@ public:
     large_parts(Problem const& what, V const& like) : of_(what, like) {}
     static V const& taken(V const& x) { return x; }
     static void give(V const& x, V& to) { to = x; }
+    void begin() {}
     bool velocity(Problem const&, V const&, V const& p, V& v) const {
         of_.velocity(p, v);
         return true;
@@ -214,6 +239,7 @@ private:
         next_p_ = sum_p_;
         q_ = parts_.taken(x.q);
         p_ = parts_.taken(x.p);
+        parts_.begin();
         std::size_t k = 0;
         if constexpr (of::starts_with_kick) {
             if (not(known_ and last_ == q_) and not parts_.force(what, q_, g_)) return false;

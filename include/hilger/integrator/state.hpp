@@ -25,8 +25,8 @@ struct interrupted {
     state<S, V> last;
 };
 
-/// A step that could not be made, as the error that it met (no_convergence, singular, not_finite) and as interrupted<S, V>. The Newton
-/// iterate and its residual, where there are any, are in the nested exception (std::rethrow_if_nested).
+/// A step that could not be made, as the error that it met (no_convergence, no_branch, singular, not_finite) and as interrupted<S, V>. The
+/// Newton iterate and its residual, where there are any, are in the nested exception (std::rethrow_if_nested).
 template <class Cause, class S, class V>
 struct step_failure : Cause, interrupted<S, V> {
     step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
@@ -48,6 +48,8 @@ template <class S, class V, class Work>
 void saying_where(state<S, V> const& at, S const& h, Work const& work) {
     try {
         work();
+    } catch (error::no_branch const& cause) {
+        detail::stop_at(at, h, cause);
     } catch (error::no_convergence const& cause) {
         detail::stop_at(at, h, cause);
     } catch (error::singular const& cause) {

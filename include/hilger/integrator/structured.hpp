@@ -9,6 +9,7 @@
 #include "hilger/integrator/structured_solvers.hpp"
 #include "hilger/integrator/summation.hpp"
 #include "hilger/integrator/tableau.hpp"
+#include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
 namespace hilger::detail {
@@ -142,7 +143,21 @@ private:
     template <class U>
     void force(U const& potential, V const& q) {
         tally<S>::add(work::force);
+        branch_watch const watch;
         potential.gradient(q, g_, room_);
+        path_before_ = path_;
+        path_ = watch.saw_any() ? watch.path() : branch_path{};
+    }
+    [[nodiscard]] bool has_branches() const { return not(path_ == branch_path{}); }
+    /// Whether the force was the same formula the last two times: then what an iteration has concluded from the one holds of the other.
+    [[nodiscard]] bool on_one_branch() const { return path_ == path_before_; }
+    /// The same of the next force, at the velocity that is to be returned; a force without branches is none.
+    template <class U>
+    bool stays_on_its_branch(U const& potential, state<S, V> const& x) {
+        if (not has_branches()) return true;
+        A_ = x.q + c_ * v_;
+        force(potential, A_);
+        return on_one_branch();
     }
     void first_guess(state<S, V> const& x) {
         if (known_ == history)
@@ -170,9 +185,10 @@ private:
             hand_over(next_, v_);
             // What is left is the rate times this correction, and the rate is the ratio of two corrections.
             S const floor = epsilon<S>() * reach;
-            if (size <= floor * S(8) or (round > 8 and size <= floor * S(64))) return true;
+            bool const converged = size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
+                                   (previous > S(0) and size * (size / previous) <= floor * small());
+            if (converged and stays_on_its_branch(potential, x)) return true;
             if (previous > S(0)) {
-                if (size * (size / previous) <= floor * small()) return true;
                 if (not(S(4) * size < previous) and S(1024) * floor < size) { // and not among rounding errors, which do not shrink
                     stiff_ = true;
                     return false;
@@ -204,18 +220,51 @@ private:
             // M v rounds; r = p - f U' - M v with the same mass that the kernel has
             residual(l, x);
             next_ = r_;
-            if (not kernel_.solve(next_)) give_up(name, true, v_, r_, size);
+            bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
+            if (has_branches() and not(regular and is_number)) break;
+            if (not regular) give_up(name, true, v_, r_, size);
             v_ += next_;
             size = largest_of(next_);
-            if (not is_finite(S(next_.sum()))) give_up(name, false, v_, next_, size);
+            if (not is_number) give_up(name, false, v_, next_, size);
             if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
                 (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
                 force(U, A_);
-                return;
+                if (on_one_branch()) return;
             }
         }
-        give_up(name, false, v_, r_, size);
+        if (not has_branches()) give_up(name, false, v_, r_, size);
+        first_guess(x);
+        search(l, x);
+    }
+    /// For a U with branches, where full steps of Newton's method go round between them.
+    [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
+        auto const& U = l.potential();
+        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
+        S const scale = f_ * c_;
+        auto const evaluate_at = [&](V const& y, V& r) {
+            v_ = y;
+            A_ = x.q + c_ * v_;
+            kernel_.zero();
+            mass_.put(put);
+            S bends(0);
+            U.hessian(A_, [&](index_type j, index_type k, S const& b) {
+                bends = std::max(bends, S(magnitude(b)));
+                kernel_.add(j, k, S(scale * tally<S>::second(b)));
+            });
+            force(U, A_);
+            residual(l, x);
+            r = r_;
+            return S(largest_of(x.p) * S(2) + magnitude(f_) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
+        };
+        auto const correct = [&](V const& r, V& d) {
+            tally<S>::add(work::newton_round);
+            d = r;
+            return kernel_.solve(d);
+        };
+        V y = v_, rest = v_;
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+        if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {
         if constexpr (L::is_matrix)
@@ -245,6 +294,7 @@ private:
     bool prepared_ = false, stiff_ = false;
     V v_, r_, g_, A_, next_;
     Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
+    branch_path path_, path_before_; ///< of the last force and of the one before
     std::array<V, history> past_;
     int newest_ = 0, known_ = 0;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;

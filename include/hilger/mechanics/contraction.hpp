@@ -24,13 +24,16 @@ public:
         if (rounds_ > 1) {
             if (size * (size / previous_) <= rounding_ * small_) return progress::done; // a quotient: squares of small sizes are zero
             if (not(S(2) * size < previous_)) {
-                if (size <= S(64) * rounding_) return progress::done;
+                if (is_rounding(size)) return progress::done;
                 if (rounds_ > 3) return progress::lost;
             }
         }
         previous_ = size;
         return progress::going;
     }
+
+    /// Whether a correction of this size is one of the rounding errors that are left at the end.
+    [[nodiscard]] bool is_rounding(S const& size) const { return size <= S(64) * rounding_; }
 
 private:
     S rounding_, small_, previous_{0};

@@ -113,6 +113,21 @@ auto with_variables(V const& x, int first, int at, dependence on) {
     return y;
 }
 
+/// The vector x in jets without variables. Callables are given these where numbers would do: max(q(0), 0.0) is found for them, and what
+/// they compare is written down.
+template <class V>
+auto in_constants(V const& x) {
+    return with_variables<jet<scalar_of<V>, 0, 1, 1>, 1>(x, shape<V>::dimension(x), 0, {});
+}
+/// f(x, y), a number; plain numbers are what a callable with its own derivatives takes.
+template <class F, class V, class W>
+scalar_of<V> number_from(F const& f, V const& x, W const& y) {
+    if constexpr (requires { f.expand(x, y); })
+        return scalar_of<V>(f(x, y));
+    else
+        return as_jet<jet<scalar_of<V>, 0, 1, 1>>(call(f, in_constants(x), in_constants(y))).value;
+}
+
 /// The gradient of f by the variables that `make` puts into its arguments.
 template <class V, class Evaluate>
 V gradient_by(V const& x, Evaluate const& evaluate) {
@@ -245,7 +260,7 @@ V gradient_first(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_q;
     else
-        return detail::gradient_by(x, [&](auto const& z) { return detail::call(f, z, y); });
+        return detail::gradient_by(x, [&, constant = detail::in_constants(y)](auto const& z) { return detail::call(f, z, constant); });
 }
 /// df/dy (x, y)
 template <class F, class V, class W>
@@ -253,7 +268,7 @@ W gradient_second(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_v;
     else
-        return detail::gradient_by(y, [&](auto const& z) { return detail::call(f, x, z); });
+        return detail::gradient_by(y, [&, constant = detail::in_constants(x)](auto const& z) { return detail::call(f, constant, z); });
 }
 
 /// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets.

@@ -47,7 +47,7 @@ HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& wha
         by_q = gradient_first(at_time{what.lagrangian, t}, q, v);
         by_v = gradient_second(at_time{what.lagrangian, t}, q, v);
     }
-    if constexpr (not std::same_as<Force, no_force>) by_q = by_q + evaluated(at_time{what.force, t}(q, v));
+    if constexpr (not std::same_as<Force, no_force>) by_q = by_q + force_at(what.force, t, q, v);
     return on;
 }
 

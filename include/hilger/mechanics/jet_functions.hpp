@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-// The elementary functions of jets, comparisons (which look at values, so that branches work), and what Eigen must know to make vectors of
-// jets.
+// The elementary functions of jets, and what Eigen must know to make vectors of jets.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "hilger/inlining.hpp"
 #include "hilger/mechanics/jet_arithmetic.hpp"
+#include "hilger/mechanics/jet_comparisons.hpp"
+#include "hilger/mechanics/jet_pairs.hpp"
 
 namespace hilger {
 
@@ -86,8 +87,43 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atan(jet<S, F, C, O> const& x) {
     return chain_rule(x, S(atan(x.value)), slope, S(-(x.value + x.value) * slope * slope));
 }
 template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> abs(jet<S, F, C, O> const& x) {
-    return x.value < S(0) ? -x : x;
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> cbrt(jet<S, F, C, O> const& x) {
+    using std::cbrt;
+    S const root = cbrt(x.value);
+    S const i = S(1) / root;
+    S const ii = i * i;
+    return chain_rule(x, root, ii, S(ii * ii * i), S(S(1) / S(3)), S(S(-2) / S(3)));
+}
+template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> expm1(jet<S, F, C, O> const& x) {
+    using std::exp, std::expm1;
+    S const e = exp(x.value);
+    return chain_rule(x, S(expm1(x.value)), e, e);
+}
+template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log1p(jet<S, F, C, O> const& x) {
+    using std::log1p;
+    S const i = S(1) / S(S(1) + x.value);
+    return chain_rule(x, S(log1p(x.value)), i, S(-i * i));
+}
+namespace detail {
+/// 2 / sqrt(pi)
+template <class S>
+S two_over_root_of_pi() {
+    if constexpr (std::is_floating_point_v<S>)
+        return S(1.1283791670955125738961589031215451717L);
+    else {
+        using std::atan, std::sqrt;
+        static S const value = S(1) / S(sqrt(S(atan(S(1)))));
+        return value;
+    }
+}
+} // namespace detail
+template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> erf(jet<S, F, C, O> const& x) {
+    using std::erf, std::exp;
+    S const slope = detail::two_over_root_of_pi<S>() * S(exp(S(-x.value * x.value)));
+    return chain_rule(x, S(erf(x.value)), slope, S(-(x.value + x.value) * slope));
 }
 /// x^n with a whole n is exact for every x; other powers need x > 0.
 template <class S, int F, int C, int O, constant_for<S> K>
@@ -112,66 +148,13 @@ template <class S, int F, int C, int G, int D, int O>
 HILGER_ALWAYS_INLINE inline auto pow(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     return exp(y * log(x));
 }
-/// The angle of (x, y), continuous across the axes where atan(y / x) is not.
-template <class S, int F, int C, int G, int D, int O>
-HILGER_ALWAYS_INLINE inline auto atan2(jet<S, F, C, O> const& y, jet<S, G, D, O> const& x) {
-    using std::abs, std::atan2;
-    auto angle = abs(x.value) < abs(y.value) ? -atan(x / y) : atan(y / x);
-    angle.value = atan2(y.value, x.value);
-    return angle;
-}
-template <class S, int F, int C, int G, int D, int O>
-HILGER_ALWAYS_INLINE inline auto hypot(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return sqrt(x * x + y * y);
-}
-
-template <class S, int F, int C, int G, int D, int O>
-constexpr bool operator==(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return x.value == y.value;
-}
-template <class S, int F, int C, int G, int D, int O>
-constexpr bool operator<(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return x.value < y.value;
-}
-template <class S, int F, int C, int G, int D, int O>
-constexpr bool operator>(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return y.value < x.value;
-}
-template <class S, int F, int C, int G, int D, int O>
-constexpr bool operator<=(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return x.value <= y.value;
-}
-template <class S, int F, int C, int G, int D, int O>
-constexpr bool operator>=(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return x.value >= y.value;
-}
 template <class S, int F, int C, int O, constant_for<S> K>
-constexpr bool operator==(jet<S, F, C, O> const& x, K const& c) {
-    return x.value == S(c);
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator<(jet<S, F, C, O> const& x, K const& c) {
-    return x.value < S(c);
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator<(K const& c, jet<S, F, C, O> const& x) {
-    return S(c) < x.value;
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator>(jet<S, F, C, O> const& x, K const& c) {
-    return c < x;
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator>(K const& c, jet<S, F, C, O> const& x) {
-    return x < c;
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator<=(jet<S, F, C, O> const& x, K const& c) {
-    return x.value <= S(c);
-}
-template <class S, int F, int C, int O, constant_for<S> K>
-constexpr auto operator>=(jet<S, F, C, O> const& x, K const& c) {
-    return x.value >= S(c);
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> pow(K const& base, jet<S, F, C, O> const& x) {
+    using std::log, std::pow;
+    S const b(base);
+    S const p = pow(b, x.value);
+    S const slope = p == S(0) ? S(0) : S(p * S(log(b))); // 0^x is 0 for all x > 0
+    return chain_rule(x, p, slope, p == S(0) ? S(0) : S(slope * S(log(b))));
 }
 
 } // namespace hilger

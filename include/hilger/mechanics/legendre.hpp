@@ -45,7 +45,7 @@ public:
     template <class V>
     scalar_of<V> operator()(V const& p, V const& q) const {
         V const v = velocity_of(lagrangian_, q, p);
-        return scalar_of<V>(dot_product(p, v) - lagrangian_(q, v));
+        return scalar_of<V>(dot_product(p, v) - detail::number_from(lagrangian_, q, v));
     }
     template <class V>
     V by_momentum(V const& p, V const& q) const {

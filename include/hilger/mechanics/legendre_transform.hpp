@@ -35,7 +35,7 @@ public:
     template <class V>
     scalar_of<V> operator()(V const& q, V const& v) const {
         V const p = momentum(q, v);
-        return scalar_of<V>(dot_product(p, v) - hamiltonian_(p, q));
+        return scalar_of<V>(dot_product(p, v) - detail::number_from(hamiltonian_, p, q));
     }
     template <class V>
     [[nodiscard]] expansion<V> expand(V const& q, V const& v) const {

@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
 namespace hilger {
@@ -40,11 +41,36 @@ V sizes(V const& x) {
     else
         return magnitude(x);
 }
+/// The root of a system with branches.
+template <class V, class System>
+V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> const& small, char const* what) {
+    using S = scalar_of<V>;
+    block_of<V> J;
+    auto const evaluate_at = [&](V const& y, V& r) {
+        auto const at = system(y);
+        r = at.residual;
+        J = at.jacobian;
+        return S(magnitude(given) + S(shape<V>::dimension(y)) * magnitude(J) * magnitude(y));
+    };
+    auto const correct = [&](V const& r, V& d) {
+        if constexpr (shape<V>::is_scalar) {
+            if (J == V(0)) return false;
+        } else if (not is_regular(Eigen::PartialPivLU<block_of<V>>(J)))
+            return false;
+        d = -solve(J, r, what);
+        return true;
+    };
+    V residual = x;
+    branch_search const how = search_branches(x, residual, evaluate_at, correct, small);
+    if (how != branch_search::found) give_up_on_branches(what, how, x, residual);
+    return x;
+}
 } // namespace detail
 
 /// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
-/// the equation in messages. In an exact scalar the root must be reached exactly, which linear equations do in one iteration.
-/// @throws newton_failure, error::singular, error::not_finite
+/// the equation in messages. In an exact scalar the root must be reached exactly, which linear equations do in one iteration. A system
+/// with branches (mechanics/branches.hpp) is solved at what is returned; inside of a callable none of its branches count.
+/// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
 V newton(System const& system, V guess, V const& given, char const* what) {
     using S = scalar_of<V>;
@@ -55,8 +81,10 @@ V newton(System const& system, V guess, V const& given, char const* what) {
     V x = std::move(guess);
     S previous(-1), size(0);
     V residual = zero_like(x);
+    detail::unwatched const inside;
     for (int iteration = 0; iteration < most; ++iteration) {
         auto const at = system(x);
+        if (inside.before.saw_any()) return detail::newton_on_branches(system, std::move(x), given, small, what);
         if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
         residual = at.residual;
         // A guess that happens to solve a singular system is one of many solutions.

@@ -12,9 +12,9 @@
 namespace hilger {
 
 /// A Newton iteration that failed: how far it came.
-template <class V>
-struct newton_failure : error::no_convergence {
-    newton_failure(std::string const& what, V last, V rest) : no_convergence(what), iterate(std::move(last)), residual(std::move(rest)) {}
+template <class V, class Cause = error::no_convergence>
+struct newton_failure : Cause {
+    newton_failure(std::string const& what, V last, V rest) : Cause(what), iterate(std::move(last)), residual(std::move(rest)) {}
     V iterate;
     V residual;
 };

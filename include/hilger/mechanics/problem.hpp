@@ -93,6 +93,16 @@ decltype(auto) component_of(X const& x, int k) {
         return x;
 }
 
+/// The force at (t, q, v), a state like q.
+template <class Force, class S, class V>
+V force_at(Force const& force, S const& t, V const& q, V const& v) {
+    auto const f = at_time{force, t}(in_constants(q), in_constants(v));
+    V x = zero_like(q);
+    for (int k = 0; k < shape<V>::dimension(q); ++k)
+        shape<V>::component(x, k) = as_jet<jet<scalar_of<V>, 0, 1, 1>>(component_of(f, k)).value;
+    return x;
+}
+
 /// The numbers that a Lagrangian of states V meets.
 template <class V>
 struct jets_for {

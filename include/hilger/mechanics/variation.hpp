@@ -119,9 +119,8 @@ public:
     /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
     constexpr auto residual(X const& x, Force const& force) const {
-        auto const f = action_.at_nodes(x, [force](auto const& t, auto const& q, auto const& v) {
-            return evaluated(detail::at_time{force, t}(q, v));
-        });
+        auto const f = action_.at_nodes(
+            x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
         return at_inner_points(residual(x) + adjoint_on_T(action_.position)[f]);
     }
 

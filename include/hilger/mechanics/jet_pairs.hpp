@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSL-1.0
+// Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
+#pragma once
+
+#include "hilger/inlining.hpp"
+#include "hilger/mechanics/jet_comparisons.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+template <class S>
+struct derivatives_of_two {
+    S x, y, xx, xy, yy;
+};
+struct of_two {
+    template <int J, class X, class P>
+    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, X const& y, P const& f) {
+        return plus(times(f.x, x.template by<J>()), times(f.y, y.template by<J>()));
+    }
+    template <int J, int K, class X, class P>
+    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, X const& y, P const& f) {
+        auto const xj = x.template by<J>(), yj = y.template by<J>();
+        return plus(plus(times(f.x, x.template by<J, K>()), times(f.y, y.template by<J, K>())),
+                    plus(times(plus(times(f.xx, xj), times(f.xy, yj)), x.template by<K>()),
+                         times(plus(times(f.xy, xj), times(f.yy, yj)), y.template by<K>())));
+    }
+};
+template <class Jet, class S>
+HILGER_ALWAYS_INLINE constexpr Jet function_of_two(Jet const& x, Jet const& y, S const& value, derivatives_of_two<S> const& f) {
+    return build<Jet, of_two>::from(value, (x.on + y.on).of_function(), x, y, f);
+}
+
+} // namespace detail
+
+/// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar.
+template <class X, class Y>
+HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const& y) {
+    using std::hypot;
+    using both = detail::pair_of_jets<X, Y>;
+    using S = typename both::scalar_type;
+    both const a(x), b(y);
+    S const r = hypot(a.value, b.value), c = a.value / r, s = b.value / r;
+    return detail::function_of_two(a, b, r, {c, s, S(s * s / r), S(-c * s / r), S(c * c / r)});
+}
+/// The angle of (x, y), continuous across the axes where atan(y / x) is not.
+template <class X, class Y>
+HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> atan2(Y const& y, X const& x) {
+    using std::atan2, std::hypot;
+    using both = detail::pair_of_jets<X, Y>;
+    using S = typename both::scalar_type;
+    both const a(x), b(y);
+    S const r = hypot(a.value, b.value);
+    S const c = a.value / r, s = b.value / r;
+    S const dx = -s / r, dy = c / r; // squares of r need not be numbers of the scalar
+    S const twice = S(-2) * dx * dy;
+    return detail::function_of_two(a, b, S(atan2(b.value, a.value)), {dx, dy, twice, S((dx - dy) * (dx + dy)), S(-twice)});
+}
+
+} // namespace hilger
