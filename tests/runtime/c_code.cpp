@@ -35,6 +35,10 @@ constexpr auto driven = [](auto const& t, auto const& x, auto const& v) {
     return v * v * (2 + cos(t)) / 2 - x * x * x * x / 4 + x * sin(t);
 };
 constexpr auto friction = [](auto const& x, auto const& v) { return -v * (1 + x * x) / 10; };
+constexpr auto one_sided = [](auto const& x, auto const& v) {
+    return v * v / 2 - 4 * x * max(x, 0.0) - abs(x) * x * x / 3 - erf(x) * x / 8 - hypot(x, 3.0) - cbrt(2 + x * x) - log1p(x * x) -
+           pow(2.0, -x * x);
+};
 constexpr auto free_particle = [](auto const&, auto const& v) { return v * v / 2; };
 using driven_with_friction = problem<std::remove_const_t<decltype(driven)>, std::remove_const_t<decltype(friction)>>;
 
@@ -47,9 +51,10 @@ std::string all_the_code() {
            c_code<vector>(embed(double_pendulum, theta<1, 3>), "double_pendulum_third") +
            c_code<vector8>(embed(chain, mid_point), "chain") + c_code(embed(massless, mid_point), "massless") +
            c_code<vector>(embed(rigid, mid_point), "rigid") + c_code(embed(cubic, mid_point), "cubic") +
-           c_code(embed(driven_with_friction{driven, friction}, theta<1, 3>), "driven") +
-           c_code(embed(free_particle, mid_point), "free_particle") + detail::c_solve("three", 3) +
-           "int three(double K[3][3], double x[3]);\n" + "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
+           c_code(embed(driven_with_friction{driven, friction}, theta<1, 3>), "driven") + c_code(embed(one_sided, mid_point), "one_sided") +
+           c_code(embed(one_sided, order_one_left), "one_sided_left") + c_code(embed(free_particle, mid_point), "free_particle") +
+           detail::c_solve("three", 3) + "int three(double K[3][3], double x[3]);\n" +
+           "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
 }
 
 /// C compiled into a shared object in a folder that goes away with it.
@@ -161,6 +166,8 @@ TEST_CASE("1000 steps of the C are those of the flow") {
     CHECK(distance_after_1000_steps("double_pendulum_right", embed(double_pendulum, order_one), a, b, 0.05) < bound);
     CHECK(distance_after_1000_steps("double_pendulum_left", embed(double_pendulum, order_one_left), a, b, 0.05) < bound);
     CHECK(distance_after_1000_steps("double_pendulum_third", embed(double_pendulum, theta<1, 3>), a, b, 0.05) < bound);
+    CHECK(distance_after_1000_steps("one_sided", embed(one_sided, mid_point), 1.0, 0.5, 0.2) < bound);
+    CHECK(distance_after_1000_steps("one_sided_left", embed(one_sided, order_one_left), 1.0, 0.5, 0.05) < bound);
     CHECK(distance_after_1000_steps("free_particle", embed(free_particle, mid_point), 1.0, 0.5, 0.05) < bound);
 }
 

@@ -42,11 +42,15 @@ double value_at(symbol const& f, std::map<std::string, double> const& at) {
     case operation::power:
         return std::pow(a(), f.value());
     case operation::atan2:
-        return std::atan2(a(), b());
+    case operation::maximum:
+    case operation::minimum:
+        return detail::call(f.op(), a(), b());
     default:
         return detail::call(f.op(), a());
     }
 }
+
+using std::max, std::min;
 
 constexpr auto pendulum = [](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); };
 constexpr auto kepler = [](auto const& q, auto const& v) { return v.dot(v) / 2 + 1 / q.norm(); };
@@ -57,7 +61,8 @@ constexpr auto all_functions = [](auto const& x, auto const& v) {
     auto const z = x * v / 4; // in ]0, 1[ for x and v between 1/2 and 3/2
     return sin(z) + 2 * cos(3 * z) - tan(z) * exp(z) + log(z) / sqrt(1 + z) + pow(z, 3) - pow(z, -2) / 50 + pow(x, 2.5) * pow(v, 4) +
            sinh(z) * cosh(v) + tanh(x - v) + asin(z) - 3 * acos(z) + atan(x / v) + abs(x - 2 * v) + abs(z) + atan2(x, v - 1) + atan2(v, x) +
-           pow(x, v) + hypot(x, v) * x - (x - v) * (x + v) / (2 + x * x * v);
+           cbrt(z + 1) * expm1(z) + log1p(z) * erf(x) + max(x, 2 * v) * min(z, v) + copysign(z, x - 2) + pow(2.0, z) + pow(x, v) +
+           hypot(x, v) * x - (x - v) * (x + v) / (2 + x * x * v);
 };
 
 /// The largest difference between the derivatives of the formula and those of the jets, in epsilons of 1 + their size.

@@ -94,7 +94,8 @@ public:
         for (std::size_t k = 0; k < node_.gq.size(); ++k) D_.push_back(f_.is(0) ? symbol(0) : c_ * node_.gq[k] + node_.gv[k]);
         auto slopes = D_;
         for (std::size_t k = 0; k < D_.size(); ++k) slopes.push_back(node_.pv[k] + c_ * node_.pq[k]);
-        linear_ = not depends(slopes, y_) and (c_.is(0) or not depends(slopes, x_));
+        branches_ = branches(node_.g, y_) or branches(node_.p, y_) or (not c_.is(0) and (branches(node_.g, x_) or branches(node_.p, x_)));
+        linear_ = not branches_ and not depends(slopes, y_) and (c_.is(0) or not depends(slopes, x_));
     }
 
     [[nodiscard]] std::string text() {
@@ -104,20 +105,25 @@ public:
             char const* const loop = R"(    int done = 0;
     for (int iteration = 0; !done; ++iteration) {
         if (iteration == $most) return NAME_no_convergence;
-$work        /* after a small correction the error is of the size of the rounding; so it is where r is no more than that */
+$work$stop    }
+)";
+            char const* const stop =
+                R"(        /* after a small correction the error is of the size of the rounding; so it is where r is no more than that */
         const double correction = $d;
         const double rounding = $rounding * ($size);
         done = correction <= $floor * $y;
         if (iteration > 0 && $r <= rounding) done = 1;
-    }
 )";
-            std::string size = c_largest("p", N); // r is the difference of numbers of this size
-            if (not f_.is(0)) size += " + fabs(" + f_.get().name + ") * " + c_largest("g", N);
+            char const* const stop_on_branches =
+                R"(        /* a small correction may lead to another branch: it has to be rounding itself */
+        done = $d <= $rounding * $y;
+)";
             work = filled(loop, {{"$most", std::to_string(most_iterations<double>)},
                                  {"NAME", name_},
+                                 {"$stop", branches_ ? stop_on_branches : stop},
                                  {"$d", c_largest("d", N)},
                                  {"$rounding", c_spelling::number(4 * epsilon<double>())},
-                                 {"$size", size},
+                                 {"$size", size_of_residual()},
                                  {"$floor", c_spelling::number(square_root_of_epsilon<double>() / 2)},
                                  {"$y", c_largest("y", N)},
                                  {"$r ", c_largest("r", N) + " "},
@@ -149,6 +155,10 @@ private:
         constants_.emplace_back(name, value);
         return symbol::variable(name);
     }
+    /// r is the difference of numbers of this size.
+    [[nodiscard]] std::string size_of_residual() const {
+        return c_largest("p", N) + (f_.is(0) ? "" : " + fabs(" + f_.get().name + ") * " + c_largest("g", N));
+    }
     /// One iteration of Newton for y, with g carried along to first order.
     std::string correction(std::string const& in) {
         c_statements body(in);
@@ -170,6 +180,10 @@ private:
         std::string sum = element("r", 0);
         for (int k = 1; k < N; ++k) sum += " + " + element("r", k);
         work += in + "if (!isfinite(" + sum + ")) return " + name_ + "_not_finite;\n";
+        if (branches_) {
+            work += in + "/* L has branches: here, and nowhere near, is where its equation has to hold */\n" + in + "if (" +
+                    c_largest("r", N) + " <= " + c_spelling::number(4 * epsilon<double>()) + " * (" + size_of_residual() + ")) break;\n";
+        }
         if (N == 1) {
             work += in + "if (K[0][0] == 0.0) return " + name_ + "_singular;\n" + in + "d[0] = r[0] / K[0][0];\n";
         } else {
@@ -223,7 +237,7 @@ private:
     symbol_list x_, y_;
     node_formulas node_;
     symbol_list D_;
-    bool linear_ = false;
+    bool linear_ = false, branches_ = false;
     std::set<std::string> read_;
 };
 

@@ -91,6 +91,17 @@ public:
     friend counted floor(counted const& x) noexcept { return function(12, std::floor(x.value_), x); }
     friend counted atan2(counted const& y, counted const& x) noexcept { return function(13, std::atan2(y.value_, x.value_), y, x); }
     friend counted hypot(counted const& x, counted const& y) noexcept { return function(14, std::hypot(x.value_, y.value_), x, y); }
+    friend counted erf(counted const& x) noexcept { return function(16, std::erf(x.value_), x); }
+    friend counted log1p(counted const& x) noexcept { return function(17, std::log1p(x.value_), x); }
+    friend counted expm1(counted const& x) noexcept { return function(18, std::expm1(x.value_), x); }
+    friend counted cbrt(counted const& x) noexcept { return function(19, std::cbrt(x.value_), x); }
+    friend counted copysign(counted const& x, counted const& y) noexcept {
+        return made(kind::sign, std::copysign(x.value_, y.value_), x, y, 2);
+    }
+    friend counted max(counted const& x, counted const& y) { return x < y ? y : x; }
+    friend counted min(counted const& x, counted const& y) { return y < x ? y : x; }
+    friend counted fmax(counted const& x, counted const& y) { return max(x, y); }
+    friend counted fmin(counted const& x, counted const& y) { return min(x, y); }
     friend counted pow(counted const& x, counted const& y) noexcept { return function(15, std::pow(x.value_, y.value_), x, y); }
 
 private:

@@ -3,7 +3,9 @@
 // Lagrange-d'Alembert principle (mechanics/problem.hpp). Here a state is the list of its d components, whatever its type.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "hilger/mechanics/problem.hpp"
@@ -39,6 +41,30 @@ inline bool depends(symbol_list const& formulas, symbol_list const& variables) {
     for (symbol const& by : jacobian(formulas, variables))
         if (not by.is(0)) return true;
     return false;
+}
+
+/// Whether one of the variables is written in one of the formulas.
+inline bool reads(symbol_list const& formulas, symbol_list const& variables) {
+    std::set<formula const*> seen;
+    std::function<bool(symbol const&)> const has = [&](symbol const& f) {
+        if (f.op() == operation::number or not seen.insert(&f.get()).second) return false;
+        if (f.op() == operation::variable)
+            return std::any_of(variables.begin(), variables.end(), [&](symbol const& x) { return x.same_as(f); });
+        return has(f.first()) or (f.get().b and has(f.second()));
+    };
+    return std::any_of(formulas.begin(), formulas.end(), has);
+}
+/// Whether the formulas have branches that one of the variables decides.
+inline bool branches(symbol_list const& formulas, symbol_list const& variables) {
+    std::set<formula const*> seen;
+    std::function<bool(symbol const&)> const has = [&](symbol const& f) {
+        if (f.get().is_leaf() or not seen.insert(&f.get()).second) return false;
+        symbol_list parts{f.first()};
+        if (f.get().b) parts.push_back(f.second());
+        if (has_branches(f.op()) and reads(parts, variables)) return true;
+        return std::any_of(parts.begin(), parts.end(), has);
+    };
+    return std::any_of(formulas.begin(), formulas.end(), has);
 }
 
 /// What is to be evaluated for states of the kind V, a number or a vector of fixed size. It refers to `what`.

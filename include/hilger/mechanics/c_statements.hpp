@@ -45,6 +45,7 @@ struct c_spelling {
     }
     static written call(operation op, std::string const& arguments) {
         if (op == operation::abs) return {"fabs(" + arguments + ")"};
+        if (op == operation::maximum or op == operation::minimum) return {std::string("f") + name_of(op) + "(" + arguments + ")"};
         if (op == operation::sign) return {"copysign(1.0, " + arguments + ")"};
         return {name_of(op) + ("(" + arguments + ")")};
     }

@@ -5,6 +5,7 @@
 // The table of all nodes belongs to a thread: formulas of different threads do not share, and may be passed between them.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -24,6 +25,8 @@ enum class operation : unsigned char {
     negative,
     power, ///< the exponent is a number, in `value`
     atan2,
+    maximum,
+    minimum,
     sin,
     cos,
     tan,
@@ -36,6 +39,10 @@ enum class operation : unsigned char {
     asin,
     acos,
     atan,
+    cbrt,
+    expm1,
+    log1p,
+    erf,
     abs,
     sign ///< the derivative of abs; sign(0) is 1
 };
@@ -80,6 +87,14 @@ inline double call(operation op, double x) {
         return std::acos(x);
     case operation::atan:
         return std::atan(x);
+    case operation::cbrt:
+        return std::cbrt(x);
+    case operation::expm1:
+        return std::expm1(x);
+    case operation::log1p:
+        return std::log1p(x);
+    case operation::erf:
+        return std::erf(x);
     case operation::abs:
         return std::abs(x);
     case operation::sign:
@@ -87,6 +102,15 @@ inline double call(operation op, double x) {
     default:
         return std::nan("");
     }
+}
+
+/// The same of two arguments.
+inline double call(operation op, double x, double y) {
+    return op == operation::atan2 ? std::atan2(x, y) : op == operation::maximum ? std::max(x, y) : std::min(x, y);
+}
+/// What is not one formula: it has branches, and so have its derivatives.
+constexpr bool has_branches(operation op) {
+    return op == operation::maximum or op == operation::minimum or op == operation::abs or op == operation::sign;
 }
 
 /// The thread's nodes, held as long as somebody holds them.

@@ -141,10 +141,17 @@ public:
             if (double const y = detail::call(op, x.value()); std::isfinite(y)) return y;
         return make(op, x);
     }
-    static symbol angle(symbol const& y, symbol const& x) {
-        auto const folded = fold(y, x, [](double a, double b) { return std::atan2(a, b); });
-        return folded ? *folded : make(operation::atan2, y, x);
+    static symbol call(operation op, symbol const& x, symbol const& y) {
+        auto const folded = fold(x, y, [op](double a, double b) { return detail::call(op, a, b); });
+        return folded ? *folded : make(op, x, y);
     }
+
+    // Friends, found for symbols only: numbers, which become symbols by themselves, have theirs.
+    friend symbol max(symbol const& x, symbol const& y) { return x.same_as(y) ? x : call(operation::maximum, x, y); }
+    friend symbol min(symbol const& x, symbol const& y) { return x.same_as(y) ? x : call(operation::minimum, x, y); }
+    friend symbol fmax(symbol const& x, symbol const& y) { return max(x, y); }
+    friend symbol fmin(symbol const& x, symbol const& y) { return min(x, y); }
+    friend symbol copysign(symbol const& x, symbol const& y) { return call(operation::abs, x) * call(operation::sign, y); }
 
     symbol& operator+=(symbol const& y) { return *this = *this + y; }
     symbol& operator-=(symbol const& y) { return *this = *this - y; }

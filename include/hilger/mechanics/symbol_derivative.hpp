@@ -5,6 +5,7 @@
 
 #include <unordered_map>
 
+#include "hilger/mechanics/jet_functions.hpp"
 #include "hilger/mechanics/shape.hpp"
 #include "hilger/mechanics/symbol_functions.hpp"
 
@@ -43,9 +44,18 @@ private:
             symbol const x = f.second();
             return (x * da - a * of(x)) / (x * x + a * a);
         }
+        case operation::maximum:
+            return of_the_first_where(a - f.second(), da, of(f.second()));
+        case operation::minimum:
+            return of_the_first_where(f.second() - a, da, of(f.second()));
         default:
             return da.is(0) ? da : slope(f, a) * da;
         }
+    }
+    /// da where x >= 0, else db.
+    static symbol of_the_first_where(symbol const& x, symbol const& da, symbol const& db) {
+        if (da.same_as(db)) return da;
+        return (da + db) / 2 + symbol::call(operation::sign, x) * ((da - db) / 2);
     }
     /// g'(a) of f = g(a)
     static symbol slope(symbol const& f, symbol const& a) {
@@ -78,6 +88,14 @@ private:
             return -1 / sqrt(1 - a * a);
         case operation::atan:
             return 1 / (1 + a * a);
+        case operation::cbrt:
+            return 1 / (3 * f * f);
+        case operation::expm1:
+            return exp(a);
+        case operation::log1p:
+            return 1 / (1 + a);
+        case operation::erf:
+            return two_over_root_of_pi<double>() * exp(-(a * a));
         case operation::abs:
             return symbol::call(operation::sign, a);
         default:

@@ -21,7 +21,12 @@ inline symbol asin(symbol const& x) { return symbol::call(operation::asin, x); }
 inline symbol acos(symbol const& x) { return symbol::call(operation::acos, x); }
 inline symbol atan(symbol const& x) { return symbol::call(operation::atan, x); }
 inline symbol abs(symbol const& x) { return symbol::call(operation::abs, x); }
-inline symbol atan2(symbol const& y, symbol const& x) { return symbol::angle(y, x); }
+inline symbol fabs(symbol const& x) { return abs(x); }
+inline symbol cbrt(symbol const& x) { return symbol::call(operation::cbrt, x); }
+inline symbol expm1(symbol const& x) { return symbol::call(operation::expm1, x); }
+inline symbol log1p(symbol const& x) { return symbol::call(operation::log1p, x); }
+inline symbol erf(symbol const& x) { return symbol::call(operation::erf, x); }
+inline symbol atan2(symbol const& y, symbol const& x) { return symbol::call(operation::atan2, y, x); }
 inline symbol hypot(symbol const& x, symbol const& y) { return sqrt(x * x + y * y); }
 
 } // namespace hilger

@@ -40,6 +40,18 @@ inline char const* name_of(operation op) {
         return "acos";
     case operation::atan:
         return "atan";
+    case operation::maximum:
+        return "max";
+    case operation::minimum:
+        return "min";
+    case operation::cbrt:
+        return "cbrt";
+    case operation::expm1:
+        return "expm1";
+    case operation::log1p:
+        return "log1p";
+    case operation::erf:
+        return "erf";
     case operation::abs:
         return "abs";
     case operation::sign:
@@ -94,6 +106,8 @@ struct formula_writer {
         case operation::power:
             return spelling.power(write(f.first()), f.value());
         case operation::atan2:
+        case operation::maximum:
+        case operation::minimum:
             return spelling.call(f.op(), write(f.first()).text + ", " + write(f.second()).text);
         default:
             return spelling.call(f.op(), write(f.first()).text);
@@ -152,12 +166,14 @@ struct latex_spelling {
     static written call(operation op, std::string const& arguments) {
         if (op == operation::abs) return {"\\left|" + arguments + "\\right|"};
         if (op == operation::sqrt) return {"\\sqrt{" + arguments + "}"};
-        std::string const name = op == operation::asin    ? "\\arcsin"
-                                 : op == operation::acos  ? "\\arccos"
-                                 : op == operation::atan  ? "\\arctan"
-                                 : op == operation::sign  ? "\\operatorname{sign}"
-                                 : op == operation::atan2 ? "\\operatorname{atan2}"
-                                                          : std::string("\\") + name_of(op);
+        if (op == operation::cbrt) return {"\\sqrt[3]{" + arguments + "}"};
+        std::string const name = op == operation::asin   ? "\\arcsin"
+                                 : op == operation::acos ? "\\arccos"
+                                 : op == operation::atan ? "\\arctan"
+                                 : op == operation::sign ? "\\operatorname{sign}"
+                                 : op == operation::atan2 or op == operation::expm1 or op == operation::log1p or op == operation::erf
+                                     ? "\\operatorname{" + std::string(name_of(op)) + "}"
+                                     : std::string("\\") + name_of(op);
         return {name + "(" + arguments + ")"};
     }
 };
