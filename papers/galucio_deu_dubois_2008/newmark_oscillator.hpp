@@ -29,8 +29,9 @@ S last_position(Scheme const& scheme, S const& T, int steps) {
 }
 /// The time that all computations of the paper end at.
 inline constexpr double final_time = 15;
-/// The paper fits 7 to 9 meshes final_time / 2^m without saying which; these seven come nearest to its tables 2 and 3.
-inline constexpr int coarsest_mesh = 6, finest_mesh = 12;
+/// The meshes final_time / 2^m that are looked at. "7-9 meshes", with which the rates of tables 2 and 3 are computed, are m = 7, 8, 9 of
+/// them: all twelve rates have their printed digits for these, and for no other range.
+inline constexpr int coarsest_mesh = 3, finest_mesh = 12;
 /// The norm (4) of the errors of the meshes T / 2^m, m = first ... last.
 template <generating_function G>
 std::vector<double> largest_errors(double alpha, double c, int first = coarsest_mesh, int last = finest_mesh, double T = final_time) {
@@ -49,6 +50,29 @@ std::vector<double> largest_errors(double alpha, double c, int first = coarsest_
         errors.push_back(worst);
     }
     return errors;
+}
+/// Meshes m = first, ..., last.
+struct mesh_range {
+    int first, last;
+    friend bool operator==(mesh_range, mesh_range) = default;
+};
+/// The slope through the errors of a range, errors[0] being that of coarsest_mesh.
+inline double fitted_rate(std::vector<double> const& errors, mesh_range range) {
+    return fitted_slope(
+        std::vector<double>(errors.begin() + (range.first - coarsest_mesh), errors.begin() + (range.last - coarsest_mesh + 1)));
+}
+/// The ranges of three meshes or more, m = coarsest_mesh ... finest_mesh, for which the fitted rate of the errors of every row is the
+/// printed one to its digits.
+inline std::vector<mesh_range> ranges_with_rates(std::vector<std::vector<double>> const& errors, std::vector<std::string> const& printed) {
+    std::vector<mesh_range> all;
+    for (int first = coarsest_mesh; first <= finest_mesh; ++first)
+        for (int last = first + 2; last <= finest_mesh; ++last) {
+            std::size_t agree = 0;
+            for (std::size_t row = 0; row < errors.size(); ++row)
+                agree += std::abs(difference_in_units(fitted_rate(errors[row], {first, last}), printed[row])) <= 0.5 ? 1 : 0;
+            if (agree == errors.size()) all.push_back({first, last});
+        }
+    return all;
 }
 
 } // namespace hilger::papers
