@@ -45,19 +45,6 @@ inline constexpr bool reads_few_points = (A::reads | B::reads).is_local();
 template <linear_map A, linear_map B>
 inline constexpr bool reads_one_step = reads_few_points<A, B> and (A::reads | B::reads).steps() <= 1;
 
-/// Refuses, in the sentence that is wanted, what cannot be stepped.
-template <linear_map A, linear_map B>
-struct require_one_step {
-    static constexpr bool is_local = reads_few_points<A, B>, is_one_step = not is_local or reads_one_step<A, B>;
-    static_assert(is_local,
-                  "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, "
-                  "...) has an equation that looks to both ends of T, and initial values do not determine its solution; with both "
-                  "end values given, solve_boundary(equation, q_a, q_b) solves it");
-    static_assert(is_one_step,
-                  "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two "
-                  "steps or more; variation(action) has their equation, and its residual");
-};
-
 template <linear_map A, linear_map B, class W, class S>
 struct on_one_step {
     using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<nodes>{}),

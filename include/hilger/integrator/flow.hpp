@@ -20,7 +20,14 @@ namespace hilger {
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
     using problem_type = problem<F, Force>;
-    static_assert(detail::is_stepped<E>);
+    static_assert(detail::is_local<E>,
+                  "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
+                  "operator that does not say what it reads) has an "
+                  "equation that looks to both ends of T, and initial values do not determine its solution; with both end values given, "
+                  "solve_boundary(equation, q_a, q_b) solves it");
+    static_assert(not detail::is_local<E> or detail::is_on_one_step<E>,
+                  "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or "
+                  "more; variation(action) has their equation, and its residual");
 
 public:
     constexpr flow(F lagrangian, Force force, E embedding)

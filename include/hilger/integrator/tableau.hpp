@@ -55,11 +55,15 @@ template <class E>
 inline constexpr int controls_of = 2;
 
 namespace detail {
-/// Of an embedding: it can be stepped, or it is refused in a sentence.
+/// Of an embedding: each value depends on few points; and they are the ends of one step.
 template <class E>
-inline constexpr bool is_stepped = true;
+inline constexpr bool is_local = true;
 template <linear_map A, linear_map B, class W, bool Checked>
-inline constexpr bool is_stepped<embedding<A, B, W, Checked>> = sizeof(require_one_step<A, B>) > 0;
+inline constexpr bool is_local<embedding<A, B, W, Checked>> = reads_few_points<A, B>;
+template <class E>
+inline constexpr bool is_on_one_step = true;
+template <linear_map A, linear_map B, class W, bool Checked>
+inline constexpr bool is_on_one_step<embedding<A, B, W, Checked>> = reads_one_step<A, B>;
 
 /// @throws error::invalid_parameter when the numbers of an embedding are not consistent, in more than their rounding
 template <class W, class S, linear_map A, linear_map B>
@@ -93,7 +97,6 @@ void require_consistent(A const& a, B const& b, S const& h, char const* name) {
 /// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
 template <class S, linear_map A, linear_map B, class W, bool Checked>
 tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
-    static_assert(detail::is_stepped<embedding<A, B, W, Checked>>);
     if constexpr (Checked and detail::has_numbers<A, B> and ordered_scalar<S>)
         detail::require_consistent<W>(e.position, e.velocity, h, e.name);
     using step = detail::on_one_step<A, B, W, S>;

@@ -28,12 +28,6 @@ struct on_uniform_of<on_uniform<A>> {
     static A const& get(on_uniform<A> const& a) { return a.op; }
 };
 
-template <bool Uniform, class From, class To>
-std::vector<known_operator> const& known_operators() {
-    static std::vector<known_operator> const all = list_of_known_operators<Uniform, From, To>();
-    return all;
-}
-
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f);
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect 1: initial values do not determine its solution; with both end values given, solve_boundary(equation, q_a, q_b) solves it
+// expect 2: an action whose position or velocity reads all points before or after
+// expect 3: an action whose position or velocity reads all points before or after
+// expect 4: position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or more
+// A step that kept two points of the past would solve another equation.
+#include "hilger/integrator/of_variation.hpp"
+#include "hilger/integrator/solve.hpp"
+
+using namespace hilger;
+
+int main() {
+    constexpr unknown q;
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+    auto const T = uniform(0.0, 0.1, 10);
+    auto const two_sided = variation(nabla_integral(L(q, Delta_minus(0.75)[q]), T));
+#if not defined(MUST_NOT_COMPILE)
+    (void)solve_boundary(two_sided, 1.0, 0.0);
+    // two halves of an order make a local difference
+    (void)solve(variation(nabla_integral(L(q, Delta_minus_alpha<1, 2>[Delta_minus_alpha<1, 2>[q]]), T)), T, {.q0 = 1.0, .v0 = 0.0});
+    (void)embed(L, make_embedding<delta_weight>(identity_T, fraction<1, 2>{} * (Delta_plus + Delta_plus), "one step"));
+#elif MUST_NOT_COMPILE == 1
+    (void)solve(two_sided, T, {.q0 = 1.0, .v0 = 0.0});
+#elif MUST_NOT_COMPILE == 2 // a step ahead of all that was
+    (void)solve(variation(nabla_integral(L(q, sigma[Delta_minus_alpha<1, 2>[q]]), T)), T, {.q0 = 1.0, .v0 = 0.0});
+#elif MUST_NOT_COMPILE == 3
+    (void)flow_of(variation(integral(L(antiderivative[q], Delta_plus[q]), T))).along(T, 1.0, 0.0);
+#else
+    auto const mine = make_embedding<delta_weight>(identity_T, fraction<1, 2>{} * (Delta_plus + sigma * Delta_plus), "two steps");
+    (void)embed(L, mine).along(T, 1.0, 0.0);
+#endif
+}
