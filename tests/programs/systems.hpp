@@ -31,8 +31,8 @@ inline constexpr auto pulled = [](auto const& t, auto const& q, auto const& v) {
     return v.dot(v) / 2 - q.dot(q) / 2 + q(0) * sin(2 * t);
 };
 
-/// Forces that return a state, and ones that return an expression of Eigen's.
-inline constexpr auto drag = [](auto const& q, auto const& v) { return (-v / 4 - q.dot(q) * v / 8).eval(); };
+/// A force that returns an expression of Eigen's, and one that returns a state.
+inline constexpr auto drag = [](auto const& q, auto const& v) { return -v / 4 - q.dot(q) * v / 8; };
 inline constexpr auto wind = [](auto const& t, auto const& q, auto const& v) {
     using std::cos;
     auto f = (-v / 4 + 0 * q).eval();
