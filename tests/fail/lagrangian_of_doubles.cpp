@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: takes two states of any number type, as [](auto const& q, auto const& v) does
-// expect-clang: refusal
 // Derivatives pass through a Lagrangian as numbers of another type.
 #include "hilger/integrator/flow.hpp"
 

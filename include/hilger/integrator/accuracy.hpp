@@ -89,16 +89,16 @@ auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& 
 /// The motion of L(q, v) or L(t, q, v), or of with_force(L, f), from (q0, v0) over [a, b]. @throws error::invalid_parameter where the
 /// scalar cannot hold the accuracy or it is not positive; error::invalid_scale; error::no_convergence, which says how near it came; and
 /// what steps throw.
-template <class F, class S, class V>
-auto solve(F const& L, interval<S> const& I, initial_velocity<V> const& from, accuracy const& goal) {
+template <class F, class S, class W>
+auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, accuracy const& goal) {
     static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
+    if constexpr (not detail::are_given_states<S, W, W>()) detail::refuse_states<S, W, W>();
     if (not(goal.wanted > 0) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
         error::raise<error::invalid_parameter>("an accuracy in this scalar is at least ", S(64) * epsilon<S>(), " (64 epsilon), not ",
                                                goal.wanted);
-    V const p0 = embed(L, mid_point).momentum(I.a, from.q0, from.v0);
-    auto const run = [&](auto const& how, char const* method) {
-        return detail::solve_by_doubling(embed(L, how), method, I, from.q0, p0, goal);
-    };
+    using V = detail::given_state_t<S, W>;
+    V const q0 = detail::as_state<V>(from.q0), p0 = embed(L, mid_point).momentum(I.a, q0, detail::as_state<V>(from.v0));
+    auto const run = [&](auto const& how, char const* method) { return detail::solve_by_doubling(embed(L, how), method, I, q0, p0, goal); };
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
     if constexpr (std::is_floating_point_v<S>) {
@@ -108,6 +108,34 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<V> const& from, ac
         if (best == cheapest::gauss_16) return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes");
     }
     return run(galerkin<8, gauss>, "Galerkin, 8 Gauss nodes");
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 2> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 3> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 4> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 5> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 6> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
+}
+template <class F, class S>
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Eigen::Dynamic> const& from, accuracy const& goal) {
+    return solve(L, I, from.data(), goal);
 }
 
 } // namespace hilger

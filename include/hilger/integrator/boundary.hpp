@@ -9,16 +9,18 @@
 
 namespace hilger {
 
-/// The function x in C(T) with x(t_0) = first and x(t_N) = last that solves (EL_h^alpha). Boundary values are numbers, or Eigen vectors of
-/// one length. O(N log N) time and O(N) memory; exact scalars in O(N^2) for L = v.M v / 2 and O(N^3) else.
+/// The function x in C(T) with x(t_0) = first and x(t_N) = last that solves (EL_h^alpha). Boundary values are numbers or vectors of one
+/// length, or what becomes such without losing a digit (hilger/mechanics/given_state.hpp). O(N log N) time and O(N) memory; exact scalars
+/// in O(N^2) for L = v.M v / 2 and O(N^3) else.
 /// @throws error::invalid_parameter when alpha is not in ]0, 1] or h^alpha is no number of an exact scalar; error::mismatch when the
 ///         boundary values have different lengths; error::not_finite; error::singular where d^2 L / dv dv is;
 ///         newton_failure<std::vector<V>>, an error::no_convergence with the last iterate and its residual.
 template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
 auto solve_boundary(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
                     boundary_options const& options = {}) {
-    using V = typename detail::boundary_value<First, S>::type;
-    V const q0(first), qN(last);
+    if constexpr (not detail::are_given_states<S, First, Last>()) detail::refuse_states<S, First, Last>();
+    using V = detail::given_state_t<S, First>;
+    V const q0 = detail::as_state<V>(first), qN = detail::as_state<V>(last);
     detail::require_same_dimension(q0, qN, "the boundary values of a problem");
     if (not detail::all_finite(q0) or not detail::all_finite(qN))
         error::raise<error::not_finite>("the boundary values of a problem are finite");

@@ -45,8 +45,8 @@ struct extrapolated_solution {
 template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
 auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
                   std::vector<S> const& exponents, boundary_options const& options = {}) {
-    using V = typename detail::boundary_value<First, S>::type;
-    V const q0(first);
+    using V = detail::given_state_t<S, First>;
+    V const q0 = detail::as_state<V>(first);
     if (problem.template order<S>() != S(1) and magnitude(q0) != S(0))
         error::raise<error::invalid_parameter>("for alpha < 1 the limit h -> 0 of a two-sided problem begins at 0, whatever x(t_0) is: "
                                                "extrapolate the problem for x - x(t_0)");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "hilger/integrator/boundary_equation.hpp"
+#include "hilger/mechanics/given_state.hpp"
 
 namespace hilger {
 
@@ -31,17 +32,6 @@ template <class Root>
 auto solved_elsewhere() {
     return does_not_compile<"a fractional boundary value problem is solved on a uniform scale T, and this one is " + Root::kind()>{};
 }
-
-/// What a boundary value is: an Eigen vector as it is, any number in the scalar of the scale.
-template <class Value, class S>
-struct boundary_value {
-    using type = S;
-};
-template <class Value, class S>
-    requires requires { typename plain_t<Value>::Scalar; }
-struct boundary_value<Value, S> {
-    using type = plain_t<Value>;
-};
 
 template <class F, class Order, class Root, class V>
 class boundary_solver {

@@ -87,6 +87,9 @@ class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     };
 
 public:
+    /// The check of a Lagrangian before a walk looks at the first flow's.
+    using problem_type = typename std::tuple_element_t<0, std::tuple<Flows...>>::problem_type;
+
     constexpr explicit composed_flow(Parts parts, Flows... flows) : parts_(std::move(parts)), flows_(std::move(flows)...) {}
 
     /// Kicks and drifts where the composition is made of them; else, or where L turns out to be of another kind, its flows in turns.

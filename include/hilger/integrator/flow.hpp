@@ -19,6 +19,7 @@ namespace hilger {
 
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
+public:
     using problem_type = problem<F, Force>;
     static_assert(detail::is_local<E>,
                   "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
@@ -29,7 +30,6 @@ class flow : public stepping<flow<F, Force, E, Sums>> {
                   "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or "
                   "more; variation(action) has their equation, and its residual");
 
-public:
     constexpr flow(F lagrangian, Force force, E embedding)
         : problem_{std::move(lagrangian), std::move(force)}, embedding_(std::move(embedding)) {}
 
@@ -109,11 +109,6 @@ public:
     template <class S, class V>
     using memory = stepper<S, V>;
 
-    /// Why these mechanics have no trajectory of states V; nullptr where they have.
-    template <class S, class V>
-    static constexpr auto refusal() {
-        return detail::refusal<F, S, V>();
-    }
     /// p_i = -d_1 L_h(q0, q1), forces included: the momentum with which the step from q0 arrives at q1.
     template <class S, class V>
     [[nodiscard]] V momentum_between(S const& t, V const& q0, V const& q1, S const& h) const {

@@ -16,6 +16,8 @@ namespace hilger {
 template <class Flow, class Reading>
 class damped_flow : public stepping<damped_flow<Flow, Reading>> {
 public:
+    using problem_type = typename Flow::problem_type;
+
     damped_flow(Flow undamped, Reading damping) : undamped_(std::move(undamped)), damping_(std::move(damping)) {}
 
     /// Each step depends on all steps before it.
@@ -114,22 +116,14 @@ public:
         bool begun_ = false;
     };
 
-    template <class S, class V>
-    static constexpr auto refusal() {
-        return Flow::template refusal<S, V>();
-    }
     /// Only on scales with equal steps: differences of fractional order are defined there.
     /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; while walking, a step_failure.
     template <time_scale_like Scale, class V>
-    auto along(Scale const& T, V q0, V p0) const {
+    auto start(Scale const& T, V q0, V p0) const {
         static_assert(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>,
                       "fractional damping lives on a uniform T, and this one has steps of different lengths");
         damping_.require_dimension(q0);
-        return stepping<damped_flow>::along(T, std::move(q0), std::move(p0));
-    }
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, initial_velocity<V> const& from) const {
-        return along(T, from.q0, momentum(T.min(), from.q0, from.v0));
+        return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
     }
     /// One step has no history.
     template <class S, class V>

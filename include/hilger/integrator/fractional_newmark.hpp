@@ -131,7 +131,7 @@ public:
     /// Only on scales with equal steps: differences of fractional order are defined there. p0 = M u'(0).
     /// @throws error::mismatch when q0 has another dimension than M, error::not_finite; while walking, a step_failure.
     template <time_scale_like Scale, class V>
-    auto along(Scale const& T, V q0, V p0) const {
+    auto start(Scale const& T, V q0, V p0) const {
         if constexpr (not(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>))
             return detail::uneven_steps<Scale>();
         else {
@@ -139,12 +139,13 @@ public:
             if (detail::shape<V>::dimension(q0) != d)
                 error::raise<error::mismatch>("a structure of ", d, " degrees of freedom starts from as many, and not from ",
                                               detail::shape<V>::dimension(q0));
-            return stepping<newmark_flow>::along(T, std::move(q0), std::move(p0));
+            return stepping<newmark_flow>::start(T, std::move(q0), std::move(p0));
         }
     }
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, initial_velocity<V> const& from) const {
-        return along(T, from.q0, V(structure_.mass * from.v0));
+    /// p = M u'
+    template <class S, class V>
+    [[nodiscard]] V momentum(S const&, V const&, V const& v) const {
+        return V(structure_.mass * v);
     }
     /// One step has no history.
     template <class S, class V>

@@ -6,25 +6,13 @@
 #include <iterator>
 
 #include "hilger/inlining.hpp"
+#include "hilger/integrator/initial_data.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/mechanics/variation.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 
 namespace hilger {
-
-/// Initial position and velocity. The momentum is p0 = dL/dv(q0, v0).
-template <class V>
-struct initial_velocity {
-    V q0;
-    V v0;
-};
-/// The first two positions. The momentum is p0 = -d_1 L_h(q0, q1).
-template <class V>
-struct initial_positions {
-    V q0;
-    V q1;
-};
 
 /// Steps of one length need not ask for it each time; what goes wrong in advance_equally is thrown as a step_failure, from where a step
 /// can say so without keeping its state in memory for it.
@@ -183,37 +171,90 @@ private:
 };
 
 template <class Method>
-class stepping {
+class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
+    template <class Scale>
+    using scalar_on = typename Scale::root_type::scalar_type;
+    /// What a walk that was refused looks like: a range of nothing, so that the loop over it says no more.
+    template <class S, class V>
+    static constexpr std::array<state<S, V>, 0> no_states{};
+
 public:
-    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked.
-    /// @throws error::not_finite at once when q0 or p0 is not finite; while walking, a step_failure with the last good state.
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, V q0, V p0) const {
-        using S = typename Scale::root_type::scalar_type;
-        if constexpr (requires { Method::template refusal<S, V>(); }) {
-            constexpr auto refusal = Method::template refusal<S, V>();
-            if constexpr (std::same_as<decltype(refusal), std::nullptr_t const>)
-                return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
-            else
-                return does_not_compile<refusal>{};
-        } else
-            return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
+    /// Also from initial data in braces: along(T, {.q0 = 1.0, .v0 = 0.0}).
+    using detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic>::along;
+
+    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked. Two numbers or two
+    /// vectors, or what becomes such without losing a digit (hilger/mechanics/given_state.hpp); states are of the kind that q0 is.
+    /// @throws error::not_finite at once when q0 or p0 is not finite, error::mismatch when they have different lengths; while walking, a
+    /// step_failure with the last good state.
+    template <time_scale_like Scale, class X, class Y>
+    auto along(Scale const& T, X const& q0, Y const& p0) const {
+        using S = scalar_on<Scale>;
+        using V = detail::given_state_t<S, X>;
+        if constexpr (not detail::are_given_states<S, X, Y>())
+            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
+        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
+                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
+            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
+                                            S, V>(),
+                   no_states<S, V>;
+        else
+            return self().start(T, detail::as_state<V>(q0), detail::as_state<V>(p0));
     }
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, initial_velocity<V> const& from) const {
-        return along(T, from.q0, self().momentum(T.min(), from.q0, from.v0));
+    template <time_scale_like Scale, class W>
+    auto along(Scale const& T, initial_velocity<W> const& from) const {
+        using S = scalar_on<Scale>;
+        using V = detail::given_state_t<S, W>;
+        if constexpr (not detail::are_given_states<S, W, W>())
+            return detail::refuse_states<S, W, W>(), no_states<S, V>;
+        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
+                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
+            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
+                                            S, V>(),
+                   no_states<S, V>;
+        else {
+            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum(T.min(), q0, detail::as_state<V>(from.v0));
+            return self().start(T, std::move(q0), std::move(p0));
+        }
     }
-    template <time_scale_like Scale, class V>
-    auto along(Scale const& T, initial_positions<V> const& from) const {
-        auto const h = T.domain().base.step(T.root(), T.first());
-        return along(T, from.q0, self().momentum_between(T.min(), from.q0, from.q1, h));
+    template <time_scale_like Scale, class W>
+    auto along(Scale const& T, initial_positions<W> const& from) const {
+        using S = scalar_on<Scale>;
+        using V = detail::given_state_t<S, W>;
+        if constexpr (not detail::are_given_states<S, W, W>())
+            return detail::refuse_states<S, W, W>(), no_states<S, V>;
+        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
+                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
+            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
+                                            S, V>(),
+                   no_states<S, V>;
+        else {
+            S const h = T.domain().base.step(T.root(), T.first());
+            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum_between(T.min(), q0, detail::as_state<V>(from.q1), h);
+            return self().start(T, std::move(q0), std::move(p0));
+        }
+    }
+    template <class Derived>
+    auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        return detail::not_initial_data<Derived>(), no_states<S, S>;
+    }
+    template <class Derived>
+    auto along(scale_interface<Derived> const&, detail::any_positions_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        return detail::not_initial_data<Derived>(), no_states<S, S>;
     }
     /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
     template <class S, class V>
-    state<S, V> step(state<S, V> from, S const& h) const {
+    state<S, V> step(state<S, V> from, std::type_identity_t<S> const& h) const {
         typename Method::template memory<S, V> memory(self(), h, from.q);
         memory.advance(self(), from, h);
         return from;
+    }
+
+    /// The trajectory from a state. Methods that ask more of T or of a state have a function of this name.
+    template <time_scale_like Scale, class V>
+    auto start(Scale const& T, V q0, V p0) const {
+        return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
     }
 
 private:

@@ -107,8 +107,23 @@ struct dependence {
     }
 };
 
+namespace detail {
+/// std::cos and its siblings take plain numbers, and a number with derivatives does not become one. They find this conversion and are told
+/// so. It is to one type that S is not, so that both branches of c ? x * x : 0.0 still have one type only.
+template <class Plain>
+struct keeps_its_derivatives {
+    template <std::same_as<Plain> T>
+    constexpr explicit(false) operator T() const {
+        static_assert(not std::same_as<T, Plain>,
+                      "write sin(q), pow(q, 2), max(q, 0.0) without std:: in a Lagrangian, Hamiltonian or force, and "
+                      "auto const& instead of double: derivatives pass through its numbers");
+        return T();
+    }
+};
+} // namespace detail
+
 template <class S, int First, int Count, int Order>
-struct jet {
+struct jet : detail::keeps_its_derivatives<std::conditional_t<std::same_as<S, long double>, float, long double>> {
     static_assert(Order == 1 or Order == 2);
     static constexpr int first = First, count = Count, order = Order, last = First + Count - 1;
     static constexpr int packed = Order == 2 ? Count * (Count + 1) / 2 : 0;

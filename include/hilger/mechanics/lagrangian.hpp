@@ -29,7 +29,8 @@ template <class F>
 struct lagrangian {
     [[no_unique_address]] F function;
 
-    constexpr explicit lagrangian(F f) : function(std::move(f)) {}
+    /// From any callable: lagrangian L{[](auto const& q, auto const& v) { ... }}, or lagrangian L = ...
+    constexpr explicit(false) lagrangian(F f) : function(std::move(f)) {}
 
     /// L(q, v), a number.
     template <class Q, class V>

@@ -23,7 +23,8 @@ template <class F>
 inline constexpr bool has_force<problem<F, no_force>> = false;
 
 /// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
-/// dL/dq is, at the middle of the step, which keeps order 2.
+/// dL/dq is, at the middle of the step, which keeps order 2. The time is the first of three arguments, of a force as of a Lagrangian
+/// L(t, q, v): what takes three of any type is called in this order, whatever it calls them.
 template <class L, class Force>
 constexpr auto with_force(L const& l, Force f) {
     if constexpr (requires { l.function; })
@@ -114,29 +115,83 @@ struct jets_for {
     using position = typename s::template with<std::conditional_t<small, q_jet<S, N>, whole>>;
     using velocity = typename s::template with<std::conditional_t<small, v_jet<S, N>, whole>>;
 };
-/// Why F is no Lagrangian of states V at times S: a text, or nullptr where it is one.
+template <class J, class F, class... X>
+inline constexpr bool gives = requires(F const& f, X const&... x) {
+    requires std::constructible_from<J, plain_t<decltype(f(x...))>>;
+};
+/// Whether F is a Lagrangian of states V at times S. L is called here before it is called anywhere else, so that what is wrong inside of it
+/// is reported with few lines around it.
 template <class F, class S, class V>
-constexpr auto refusal() {
-    using jets = jets_for<V>;
-    using X = typename jets::position;
-    using Y = typename jets::velocity;
-    constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
-    if constexpr (
+consteval bool is_lagrangian() {
+    using X = typename jets_for<V>::position;
+    using Y = typename jets_for<V>::velocity;
+    using J = typename jets_for<V>::whole;
+    if constexpr (std::is_void_v<F>)
+        return true;
+    else if constexpr (
         requires(F const& f, V const& x) { f.expand(x, x); } or requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); })
-        return nullptr;
-    else if constexpr (not timed and not std::invocable<F const&, X const&, Y const&>)
-        return fixed_text(
-            "a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before them: "
-            "derivatives pass through it");
+        return true;
+    else if constexpr (requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); })
+        return gives<J, F, S, X, Y>;
+    else if constexpr (requires(F const& f, X const& x, Y const& y) { f(x, y); })
+        return gives<J, F, X, Y>;
+    else
+        return false;
+}
+template <class Force, class V>
+using jets_for_force = typename shape<V>::template with<
+    jet<scalar_of<V>, 0, 2 * (shape<V>::size == Eigen::Dynamic or shape<V>::size > one_evaluation ? chunk : shape<V>::size), 1>>;
+template <class Force, class S, class V>
+consteval bool is_force() {
+    if constexpr (std::same_as<Force, no_force>)
+        return true;
     else {
-        using R = typename std::conditional_t<timed, std::invoke_result<F const&, S const&, X const&, Y const&>,
-                                              std::invoke_result<F const&, X const&, Y const&>>::type;
-        if constexpr (not std::constructible_from<typename jets::whole, plain_t<R>>)
-            return fixed_text("a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
-        else
-            return nullptr;
+        using X = jets_for_force<Force, V>;
+        return requires(Force const& f, S const& t, X const& x) { f(t, x, x); }
+        or requires(Force const& f, X const& x) { f(x, x); };
     }
 }
+/// Says in one sentence why they are not.
+template <class F, class Force, class S, class V>
+constexpr void refuse_mechanics() {
+    using X = typename jets_for<V>::position;
+    using Y = typename jets_for<V>::velocity;
+    if constexpr (not is_lagrangian<F, S, V>()) {
+        constexpr bool takes_states = requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); }
+        or requires(F const& f, X const& x, Y const& y) { f(x, y); };
+        if constexpr (takes_states)
+            static_assert(not takes_states, "a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
+        else {
+            constexpr bool time_first = not requires(F const& f, S const& t, X const& x, Y const& y) { f(x, y, t); };
+            static_assert(time_first, "the time stands before the states, L(t, q, v), and this Lagrangian takes it behind them");
+            static_assert(not time_first,
+                          "a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before "
+                          "them: derivatives pass through it");
+        }
+    } else {
+        using Z = jets_for_force<Force, V>;
+        constexpr bool time_first = not requires(Force const& f, S const& t, Z const& x) { f(x, x, t); };
+        static_assert(time_first, "the time stands before the states, f(t, q, v), and this force takes it behind them");
+        static_assert(not time_first, "a force takes two states of any number type, as [](auto const& q, auto const& v) does, or the time "
+                                      "before them: derivatives pass through it");
+    }
+}
+/// The Lagrangian and the force of a method, which has them in its member problem_type; void where it says nothing.
+template <class Method>
+struct mechanics_of {
+    using lagrangian = void;
+    using force = no_force;
+};
+template <class Problem>
+struct parts_of_problem;
+template <class F, class Force>
+struct parts_of_problem<problem<F, Force>> {
+    using lagrangian = F;
+    using force = Force;
+};
+template <class Method>
+    requires requires { typename Method::problem_type; }
+struct mechanics_of<Method> : parts_of_problem<typename Method::problem_type> {};
 
 /// Derivatives at one node: by_q<J>, by_v<J>, and qq<J, K> = second derivative by component J of q, then K of q. A force f adds itself to
 /// by_q, df/dq to qq and df/dv to qv, so that qv is the transpose of vq without forces only.

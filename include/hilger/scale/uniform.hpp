@@ -68,7 +68,8 @@ private:
     index_type steps_;
 };
 
-/// T = {a + ih, i = 0..N}. @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
+/// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000). The second number is not the
+/// end: of [a, b] in N steps that is uniform(interval{a, b}, N). @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
 template <ordered_scalar S>
 constexpr auto uniform(S a, std::type_identity_t<S> h, index_type steps) {
     S b = a + S(static_cast<long long>(steps)) * h;
@@ -102,6 +103,14 @@ constexpr auto not_a_scalar() {
 }
 } // namespace detail
 
+/// Two numbers do not say where T ends, or how long its steps are.
+template <class A>
+constexpr auto uniform(A const&, index_type) {
+    static_assert(
+        not std::same_as<A, A>,
+        "a uniform T has a start, the length of a step and the number of steps, uniform(a, h, N), or it is uniform(interval{a, b}, N)");
+    return 0;
+}
 /// A start that is no scalar is refused in one sentence.
 template <class A, class H>
     requires(not ordered_scalar<A>)
