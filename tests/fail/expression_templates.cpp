@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: numbers of Boost.Multiprecision need expression templates off
+// expect 1: numbers of Boost.Multiprecision need expression templates off
+// expect 2: numbers of Boost.Multiprecision need expression templates off
 // Boost.Multiprecision's default number keeps references to temporaries.
 #include "hilger/calculus.hpp"
 #include <boost/multiprecision/cpp_int.hpp>
@@ -12,5 +13,10 @@ int main() {
 #else
     using S = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 #endif
-    [[maybe_unused]] auto const T = uniform(S(0), S(1) / S(3), 10);
+#if not defined(MUST_NOT_COMPILE) or MUST_NOT_COMPILE == 1
+    [[maybe_unused]] auto const T = uniform(S(0), S(1), 10);
+#endif
+#if not defined(MUST_NOT_COMPILE) or MUST_NOT_COMPILE == 2
+    [[maybe_unused]] auto const U = time_scale<S>{S(0), S(1), S(3)};
+#endif
 }

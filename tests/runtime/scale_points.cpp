@@ -132,3 +132,18 @@ TEST_CASE("one step makes the smallest scale") {
     CHECK(without_last(without_last(without_last(T))).size() == 0);
     CHECK(interior(half(T)).size() == 0);
 }
+
+TEST_CASE("the numbers of a uniform scale meet in one scalar") {
+    auto const same = [](auto const& T, auto const& U) {
+        return std::same_as<decltype(T), decltype(U)> and std::vector(T.begin(), T.end()) == std::vector(U.begin(), U.end());
+    };
+    CHECK(same(uniform(0, 0.1, 10), uniform(0.0, 0.1, 10)));
+    CHECK(same(uniform(1.5, 1, 10), uniform(1.5, 1.0, 10)));
+    CHECK(same(uniform(0.5F, 0.1, 10), uniform(0.5, 0.1, 10)));
+    CHECK(same(uniform(-2, Q(1, 3), 10), uniform(Q(-2), Q(1, 3), 10)));
+    CHECK(same(uniform<2>(0, Q(1, 3)), uniform<2>(Q(0), Q(1, 3))));
+    CHECK(same(uniform(interval{0, 1.5}, 10), uniform(interval{0.0, 1.5}, 10)));
+    CHECK(same(uniform(interval{Q(1, 3), 2}, 10), uniform(interval{Q(1, 3), Q(2)}, 10)));
+    CHECK_THROWS_WITH_AS((void)uniform((1 << 24) + 1, 8.0F, 10), "the whole number 16777217 is no number of the scalar of this time scale",
+                         error::invalid_scale);
+}

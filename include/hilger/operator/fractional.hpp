@@ -147,14 +147,20 @@ private:
 
 namespace detail {
 
-template <int P, int Q>
+template <long long P, long long Q>
 inline constexpr bool is_order = P >= 0 and Q > 0 and P <= 2 * Q;
 
 /// The sum of two orders. @throws error::invalid_parameter above 2
 template <int P, int Q, int R, int T>
 constexpr auto sum_of_orders(fraction<P, Q>, fraction<R, T>) {
-    static_assert(is_order<P * T + R * Q, Q * T>, "orders of fractional differences add up to 2 at most");
-    return reduced<P * T + R * Q, Q * T>{};
+    constexpr long long above = static_cast<long long>(P) * T + static_cast<long long>(R) * Q, below = static_cast<long long>(Q) * T;
+    constexpr long long divisor = std::gcd(above, below), p = above / divisor, q = below / divisor;
+    static_assert(is_order<p, q>, "orders of fractional differences add up to 2 at most");
+    static_assert(
+        q <= std::numeric_limits<int>::max() and p <= std::numeric_limits<int>::max(),
+        "the sum of these two orders of fractional differences has a denominator beyond the range of int; take orders with a common "
+        "denominator, or the order as a number, Delta_minus(alpha)");
+    return fraction<static_cast<int>(p), static_cast<int>(q)>{};
 }
 template <class O, class R>
 constexpr auto sum_of_orders(O const& x, R const& y) {
@@ -209,24 +215,32 @@ struct from_start : linear_operator<from_start> {
 };
 inline constexpr from_start minus_start{};
 
+namespace detail {
+template <int P, int Q>
+struct order_of_difference {
+    static_assert(Q > 0 and P > 0 and P <= Q,
+                  "the order P/Q of a fractional difference lies in ]0, 1] (Bourdin et al. (7)); orders up to 2 are products, as "
+                  "Delta_minus_alpha<3, 4> * Delta_minus_alpha<3, 4>, and order 0 is identity_T");
+    static constexpr bool valid = Q > 0 and P > 0 and P <= Q;
+    using type = reduced<valid ? P : 1, valid ? Q : 1>;
+};
+template <int P, int Q>
+using order_in_type = typename order_of_difference<P, Q>::type;
+} // namespace detail
+
 /// Delta_-^alpha and Delta_+^alpha (Gruenwald-Letnikov; of Riemann and Liouville's kind), 0 < alpha = P/Q <= 1.
 template <int P, int Q>
-    requires(P > 0 and Q >= P)
-inline constexpr fractional_difference<grunwald_letnikov, reduced<P, Q>, side::minus> Delta_minus_alpha{};
+inline constexpr fractional_difference<grunwald_letnikov, detail::order_in_type<P, Q>, side::minus> Delta_minus_alpha{};
 template <int P, int Q>
-    requires(P > 0 and Q >= P)
-inline constexpr fractional_difference<grunwald_letnikov, reduced<P, Q>, side::plus> Delta_plus_alpha{};
+inline constexpr fractional_difference<grunwald_letnikov, detail::order_in_type<P, Q>, side::plus> Delta_plus_alpha{};
 /// The same with the weights of G: minus_alpha<bdf<2>, 1, 2> is the G^alpha of Galucio, Deue, Dubois (2).
 template <generating_function G, int P, int Q>
-    requires(P > 0 and Q >= P)
-inline constexpr fractional_difference<G, reduced<P, Q>, side::minus> minus_alpha{};
+inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::minus> minus_alpha{};
 template <generating_function G, int P, int Q>
-    requires(P > 0 and Q >= P)
-inline constexpr fractional_difference<G, reduced<P, Q>, side::plus> plus_alpha{};
+inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::plus> plus_alpha{};
 /// Delta_-^alpha[f - f(a)], of Caputo's kind: zero for constants.
 template <int P, int Q>
-    requires(P > 0 and Q >= P)
-inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q> * minus_start;
+inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q>* minus_start;
 
 /// The order known at run time: Delta_minus(alpha). @throws error::invalid_parameter when it is outside ]0, 1].
 template <class Base, side Side>

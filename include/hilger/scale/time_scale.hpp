@@ -9,8 +9,16 @@
 
 namespace hilger {
 
-template <ordered_scalar S>
+template <class S>
 class time_scale : public scale_interface<time_scale<S>> {
+    static_assert(
+        not std::is_integral_v<S>,
+        "a time scale needs a scalar that can be divided, and its points were given as integers: write 0.0, or time_scale<double>");
+    static_assert(
+        std::is_integral_v<S> or ordered_scalar<S>,
+        "a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of Boost.Multiprecision "
+        "need expression templates off, as hilger/multiprecision.hpp has them");
+
 public:
     using scalar_type = S;
     using root_type = time_scale;

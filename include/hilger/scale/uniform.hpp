@@ -12,8 +12,8 @@ template <class S>
 struct interval {
     S a, b;
 };
-template <class S>
-interval(S, S) -> interval<S>;
+template <class A, class B>
+interval(A, B) -> interval<std::conditional_t<std::is_integral_v<A> and not std::is_integral_v<B>, B, A>>;
 
 /// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
 template <ordered_scalar S, index_type Steps = run_time_extent>
@@ -68,39 +68,56 @@ private:
     index_type steps_;
 };
 
-/// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000). The second number is not the
-/// end: of [a, b] in N steps that is uniform(interval{a, b}, N). @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
-template <ordered_scalar S>
-constexpr auto uniform(S a, std::type_identity_t<S> h, index_type steps) {
-    S b = a + S(static_cast<long long>(steps)) * h;
-    return uniform_scale<S>(std::move(a), std::move(h), std::move(b), steps);
-}
-
-/// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
-template <ordered_scalar S>
-constexpr auto uniform(interval<S> ab, index_type steps) {
-    S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
-    return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
-}
-
-/// The same with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
-template <index_type Steps, ordered_scalar S>
-constexpr auto uniform(S a, std::type_identity_t<S> h) {
-    static_assert(Steps >= 1, "a time scale needs at least one step");
-    S b = a + S(static_cast<long long>(Steps)) * h;
-    return uniform_scale<S, Steps>(std::move(a), std::move(h), std::move(b), Steps);
-}
-
 namespace detail {
-template <class A>
-constexpr auto not_a_scalar() {
-    if constexpr (std::integral<A>)
-        return does_not_compile<"a time scale needs a scalar that can be divided, and its start was given as an integer: write 0.0", A>{};
+
+/// The scalar in which two numbers meet: of a whole number and a scalar the scalar, of two floats the wider one.
+template <class A, class B>
+consteval auto common_scalar() {
+    if constexpr (std::same_as<A, B> and ordered_scalar<A>)
+        return std::type_identity<A>{};
+    else if constexpr (std::integral<A> and ordered_scalar<B>)
+        return std::type_identity<B>{};
+    else if constexpr (std::integral<B> and ordered_scalar<A>)
+        return std::type_identity<A>{};
+    else if constexpr (std::floating_point<A> and std::floating_point<B>)
+        return std::type_identity<std::common_type_t<A, B>>{};
+    else if constexpr (ordered_scalar<A> and std::convertible_to<B, A>)
+        return std::type_identity<A>{};
+    else if constexpr (ordered_scalar<B> and std::convertible_to<A, B>)
+        return std::type_identity<B>{};
+    else
+        return std::type_identity<void>{};
+}
+template <class A, class B>
+using common_scalar_t = typename decltype(common_scalar<A, B>())::type;
+
+/// @throws error::invalid_scale when a whole number is not one of S, as 2^24 + 1 in float
+template <class S, class A>
+constexpr S exactly(A const& a) {
+    if constexpr (std::integral<A>) {
+        S const s(static_cast<long long>(a));
+        if constexpr (std::floating_point<S>)
+            if (not(static_cast<long double>(s) == static_cast<long double>(a)))
+                error::raise<error::invalid_scale>("the whole number ", a, " is no number of the scalar of this time scale");
+        return s;
+    } else
+        return S(a);
+}
+
+/// Why two numbers make no scale, in one sentence.
+template <class A, class H>
+constexpr auto no_common_scalar() {
+    if constexpr (std::integral<A> and std::integral<H>)
+        return does_not_compile<"a time scale needs a scalar that can be divided, and its numbers were given as integers: write 0.0", A>{};
+    else if constexpr (ordered_scalar<A> and ordered_scalar<H>)
+        return does_not_compile<"the start and the step of a time scale are numbers of one scalar, and these are of two that do not mix",
+                                A>{};
     else
         return does_not_compile<"a time scale needs an ordered scalar whose sums and products are scalars of its own type; numbers of "
                                 "Boost.Multiprecision need expression templates off, as hilger/multiprecision.hpp has them",
                                 A>{};
 }
+
 } // namespace detail
 
 /// Two numbers do not say where T ends, or how long its steps are.
@@ -111,12 +128,44 @@ constexpr auto uniform(A const&, index_type) {
         "a uniform T has a start, the length of a step and the number of steps, uniform(a, h, N), or it is uniform(interval{a, b}, N)");
     return 0;
 }
-/// A start that is no scalar is refused in one sentence.
+/// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000), of the scalar in which a and
+/// h meet: uniform(0, 0.1, 10) is of doubles. The second number is not the end: of [a, b] in N steps that is uniform(interval{a, b}, N).
+/// @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
 template <class A, class H>
-    requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&, index_type) { return detail::not_a_scalar<A>(); }
+constexpr auto uniform(A const& a, H const& h, index_type steps) {
+    using S = detail::common_scalar_t<A, H>;
+    if constexpr (std::is_void_v<S>)
+        return detail::no_common_scalar<A, H>();
+    else {
+        S start = detail::exactly<S>(a), step = detail::exactly<S>(h);
+        S b = start + S(static_cast<long long>(steps)) * step;
+        return uniform_scale<S>(std::move(start), std::move(step), std::move(b), steps);
+    }
+}
+
+/// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
+template <class S>
+constexpr auto uniform(interval<S> ab, index_type steps) {
+    if constexpr (not ordered_scalar<S>)
+        return detail::no_common_scalar<S, S>();
+    else {
+        S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
+        return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
+    }
+}
+
+/// The same as uniform(a, h, N) with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
 template <index_type Steps, class A, class H>
-    requires(not ordered_scalar<A>)
-constexpr auto uniform(A const&, H const&) { return detail::not_a_scalar<A>(); }
+constexpr auto uniform(A const& a, H const& h) {
+    static_assert(Steps >= 1, "a time scale needs at least one step");
+    using S = detail::common_scalar_t<A, H>;
+    if constexpr (std::is_void_v<S>)
+        return detail::no_common_scalar<A, H>();
+    else {
+        S start = detail::exactly<S>(a), step = detail::exactly<S>(h);
+        S b = start + S(static_cast<long long>(Steps)) * step;
+        return uniform_scale<S, Steps>(std::move(start), std::move(step), std::move(b), Steps);
+    }
+}
 
 } // namespace hilger
