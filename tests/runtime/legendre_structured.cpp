@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/counted.hpp"
+#include "hilger/integrator/dense_output.hpp"
 #include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/mechanics/legendre_transform.hpp"
@@ -66,6 +67,20 @@ TEST_CASE("energy, momentum and velocity of 40 bodies ask each pair for its ener
         for (auto const& x : path) (void)x;
     });
     CHECK(calls_of([&] { (void)drift_along(path, energy(L)); }) == walking + 11 * pairs_of_them);
+}
+
+TEST_CASE("the slopes between states take first derivatives only, eight components at a time") {
+    int const bodies = 8, d = 3 * bodies, pairs_of_them = bodies * (bodies - 1) / 2;
+    dynamic const q = numbers<dynamic>(d, 1), p = numbers<dynamic>(d, -2);
+    auto const L = mechanical(2.0, pairs<3>(all_pairs(bodies), gravity{}));
+    auto const drag = [](auto const& x, auto const& v) { return -v / 4 + 0 * x; };
+    slopes<dynamic> s, forced;
+    CHECK(calls_of([&] { s = slopes_at(embed(L, mid_point).mechanics(), state<double, dynamic>{0, q, p}); }) == d / 8 * pairs_of_them);
+    forced = slopes_at(with_force(L, drag), state<double, dynamic>{0, q, p});
+    CHECK(s.q == dynamic(p / 2));
+    CHECK(forced.q == s.q);
+    CHECK((forced.p - s.p + p / 8).cwiseAbs().maxCoeff() <= 4 * epsilon<double>() * s.p.cwiseAbs().maxCoeff());
+    CHECK((s.p - expand(L, q, s.q).by_q).cwiseAbs().maxCoeff() <= 64 * epsilon<double>() * s.p.cwiseAbs().maxCoeff());
 }
 
 TEST_CASE("in numbers that count: the energy is L and a product more") {

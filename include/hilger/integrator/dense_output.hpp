@@ -22,8 +22,14 @@ struct slopes {
 template <class F, class Force, class S, class V>
 slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
     V v = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
-    V p = detail::expand_at(mechanics, x.t, x.q, v).e.by_q;
-    return {std::move(v), std::move(p)};
+    if constexpr (detail::shape<V>::size != Eigen::Dynamic and detail::shape<V>::size <= detail::one_evaluation) {
+        V p = detail::expand_at(mechanics, x.t, x.q, v).e.by_q; // one evaluation, which a step has compiled already
+        return {std::move(v), std::move(p)};
+    } else {
+        V p = gradient_first(detail::at_time{mechanics.lagrangian, x.t}, x.q, v);
+        if constexpr (not std::same_as<Force, no_force>) p += evaluated(detail::at_time{mechanics.force, x.t}(x.q, v));
+        return {std::move(v), std::move(p)};
+    }
 }
 
 /// Refused: the force of a history is not in the state.
