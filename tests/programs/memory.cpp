@@ -2,6 +2,8 @@
 // Programs with fractional damping: their equation holds with sums over all of the past, whatever engine makes them.
 #include "hilger/history/history.hpp"
 #include "hilger/integrator/fractional_residual.hpp"
+#include "hilger/integrator/of_variation.hpp"
+#include "hilger/integrator/recording.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 
@@ -46,6 +48,16 @@ TEST_CASE("impulses at the points") {
             CAPTURE(beta);
             is_solved(with_fractional_impulses(pendulum, 0.25, beta, direct{}, {.at = at}));
         }
+}
+TEST_CASE("a restricted principle: the equation that it has is the one that is walked") {
+    constexpr unknown q;
+    constexpr unknown<"y"> y;
+    constexpr lagrangian L{pendulum};
+    auto const EL = variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)) -
+                              0.25 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T));
+    auto const path = flow_of(EL, blocks{}, {.history = initial_history::riemann_liouville}).along(T, 1.0, 0.5);
+    is_a_solution(path, 2);
+    CHECK(largest_residual(EL, record(path).positions()) <= rounding_along(path, 2));
 }
 TEST_CASE("vectors, one component of which is damped") {
     using V = Eigen::VectorXd;

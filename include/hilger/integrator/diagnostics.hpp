@@ -12,6 +12,7 @@
 #include "hilger/integrator/trajectory.hpp"
 #include "hilger/mechanics/legendre.hpp"
 #include "hilger/mechanics/problem.hpp"
+#include "hilger/mechanics/restricted.hpp"
 #include "hilger/mechanics/variation.hpp"
 
 namespace hilger {
@@ -152,6 +153,11 @@ S largest_of(R const& residual) {
 /// size |p| / h cancel in it, so it is a few epsilons of that where x is a solution.
 template <class Action, discrete_function X>
 auto largest_residual(euler_lagrange<Action> const& equation, X const& x) {
+    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
+}
+/// The same of the equation of the first curve of a restricted principle, with its damping.
+template <class Action, linear_map A, linear_map B, class Root, discrete_function X>
+auto largest_residual(restricted_euler_lagrange<Action, A, B, Root> const& equation, X const& x) {
     return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
 }
 /// The same with a force f(q, v) or f(t, q, v) beside dL/dq.
