@@ -8,6 +8,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/integrator/initial_data.hpp"
 #include "hilger/integrator/state.hpp"
+#include "hilger/mechanics/mechanics_check.hpp"
 #include "hilger/mechanics/variation.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"

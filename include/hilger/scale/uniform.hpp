@@ -126,7 +126,7 @@ constexpr auto uniform(A const&, index_type) {
     static_assert(
         not std::same_as<A, A>,
         "a uniform T has a start, the length of a step and the number of steps, uniform(a, h, N), or it is uniform(interval{a, b}, N)");
-    return 0;
+    return uniform_scale<double>(0, 1, 1, 1); // so that what is made of it says no more
 }
 /// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000), of the scalar in which a and
 /// h meet: uniform(0, 0.1, 10) is of doubles. The second number is not the end: of [a, b] in N steps that is uniform(interval{a, b}, N).

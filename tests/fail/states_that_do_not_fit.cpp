@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect 1: a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers
+// expect 2: a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers
+// expect 3: a state is a number or a vector, one of Eigen (row or column) or an array of numbers, and this is neither
+// expect 4: the two parts of a state are two numbers or two vectors of one length, and these are not
+// expect 5: initial data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, of two numbers or two vectors of one length
+// expect 6: initial data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, of two numbers or two vectors of one length
+// expect 7: a state is given in numbers with no more digits than those of T
+// A number that would lose digits is rounded by whoever means it.
+#include "hilger/integrator/boundary.hpp"
+#include "hilger/integrator/flow.hpp"
+
+using namespace hilger;
+
+struct kinetic {
+    auto operator()(auto const& q, auto const& v) const {
+        if constexpr (requires { v.dot(v); })
+            return v.dot(v) / 2 + 0 * q.dot(q);
+        else
+            return v * v / 2 + 0 * q;
+    }
+};
+
+int main() {
+    auto const flow = embed(kinetic{}, mid_point);
+    auto const T = uniform(0.0, 0.1, 10);
+    Eigen::Vector2d const two(1, 2);
+    Eigen::Vector3d const three(1, 2, 3);
+#if not defined(MUST_NOT_COMPILE)
+    for (auto const& x : flow.along(T, {.q0 = two, .v0 = {1, 0}})) (void)x;
+    for (auto const& x : flow.along(T, {.q0 = three.transpose(), .q1 = three.cast<float>()})) (void)x;
+    for (auto const& x : flow.along(T, static_cast<double>(1.0L), 0)) (void)x;
+#elif MUST_NOT_COMPILE == 1
+    for (auto const& x : flow.along(T, 1.0L, 0.0)) (void)x;
+#elif MUST_NOT_COMPILE == 2
+    for (auto const& x : flow.along(uniform(0.0F, 0.1F, 10), two, two)) (void)x;
+#elif MUST_NOT_COMPILE == 3
+    for (auto const& x : flow.along(T, Eigen::Matrix2d(), two)) (void)x;
+#elif MUST_NOT_COMPILE == 4
+    for (auto const& x : flow.along(T, two, three)) (void)x;
+#elif MUST_NOT_COMPILE == 5
+    for (auto const& x : flow.along(T, {.q0 = two, .v0 = three})) (void)x;
+#elif MUST_NOT_COMPILE == 6
+    for (auto const& x : flow.along(T, {1.0, 0.0})) (void)x;
+#else
+    (void)solve_boundary(fractional_problem(kinetic{}, fraction<3, 4>{}), T, 0.0, 1.0L);
+#endif
+}
