@@ -41,7 +41,8 @@ void is_one_curve(E const& how) {
     auto const full = mechanical(Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, 2.0)), hanging);
     auto const diagonal = mechanical(vector(vector::Constant(1, 2.0)), hanging);
     auto const number = mechanical(2.0, hanging);
-    for (auto const& [rho, h] : {std::array{0.3, 0.05}, std::array{50.0, 0.05}, std::array{0.5, 1.2}}) {
+    for (auto const& at : {std::array{0.3, 0.05}, std::array{50.0, 0.05}, std::array{0.5, 1.2}}) {
+        double const rho = at[0], h = at[1];
         CAPTURE(rho);
         CAPTURE(h);
         auto const expected = curve(alone, how, rho, h);
