@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "fractional_series.hpp"
-#include "hilger/hilger.hpp"
+#include "hilger/history/history.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
 
 using namespace hilger;

@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "../../papers/table.hpp"
-#include "hilger/hilger.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
 #include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/multiprecision.hpp"
