@@ -121,6 +121,22 @@ TEST_CASE("the operators of the equation are those of the papers, by type") {
     CHECK(midpoint_EL.action().T.steps() == 10);
 }
 
+TEST_CASE("an end that the integral does not count is not read") {
+    auto const T = uniform(Q(-1, 3), Q(2, 7), 6);
+    constexpr lagrangian L{scalar_L};
+    auto const check = [&](auto const& S, hilger::index_type first, hilger::index_type last) {
+        std::vector<Q> x;
+        for (int i = 0; i <= 6; ++i) x.push_back(some_value<Q>(i, 1));
+        auto const residual = variation(S).residual(function_on(T, x));
+        CHECK(residual.first() == first);
+        CHECK(residual.last() == last);
+        for (hilger::index_type k = first; k <= last; ++k) CHECK(residual[k] * T.h() == along_variation(S, x, k));
+    };
+    check(integral(L(q, Delta_minus[q]), T), 1, 4); // the row at t_5 would read dL/dv at t_6, which has no weight
+    check(nabla_integral(L(q, Delta_plus[q]), T), 2, 5);
+    check(integral(L(rho[q], Delta_plus[q]), T), 2, 4);
+}
+
 TEST_CASE("the mid-point equation is Wendlandt and Marsden's, S (64)") {
     auto const T = uniform(Q(0), Q(1, 4), 4);
     auto const EL = variation(integral(lagrangian{scalar_L}(q_o, Delta_o_plus[q_o]), half(T)));

@@ -41,7 +41,8 @@ class equation_writer {
     using base_type = typename A::to;
     static constexpr bool on_T = std::same_as<base_type, nodes>;
     // For A = identity and B a derivative, the integrand lives where B[q] does.
-    using integrand = decltype(intersect(std::declval<A const&>().image(domain<nodes>{}), std::declval<B const&>().image(domain<nodes>{})));
+    using integrand = decltype(euler_lagrange<Action>::counted(
+        intersect(std::declval<A const&>().image(domain<nodes>{}), std::declval<B const&>().image(domain<nodes>{}))));
 
 public:
     equation_writer(euler_lagrange<Action> const& equation, print_style style) : EL_(equation), s_(style) {}

@@ -114,17 +114,33 @@ public:
         auto const Lv = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
             return gradient_second(detail::at_time{L, t}, q, v);
         });
-        return at_inner_points(adjoint_on_T(action_.position)[Lq] + adjoint_on_T(action_.velocity)[Lv]);
+        return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
     }
     /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
     constexpr auto residual(X const& x, Force const& force) const {
         auto const f = action_.at_nodes(
             x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
-        return at_inner_points(residual(x) + adjoint_on_T(action_.position)[f]);
+        return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
+    }
+    /// Where the values of L that the equation reads are: on a uniform T the equation has lost the weights, and what the integral counts
+    /// zero times at an end is not read there. (On other scales the weights stand in the operators.)
+    template <class Base, int Front, int Back>
+    static constexpr auto counted(domain<Base, Front, Back> const& d) {
+        constexpr bool uniform = Root::is_uniform;
+        return domain<Base, std::max(Front, uniform and W::vanishes_first ? 1 : 0), std::max(Back, uniform and W::vanishes_last ? 1 : 0)>{
+            d.base};
     }
 
 private:
+    template <discrete_function G>
+    static constexpr auto counted(G g) {
+        auto const here = counted(g.domain());
+        if constexpr (std::same_as<std::remove_const_t<decltype(here)>, typename G::domain_type>)
+            return g;
+        else
+            return detail::restrict_to(std::move(g), here);
+    }
     /// Fractional differences have values at the ends too, where variations vanish and there is no equation.
     template <discrete_function R>
     static constexpr auto at_inner_points(R r) {

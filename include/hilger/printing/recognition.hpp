@@ -3,7 +3,6 @@
 // others, up to a rational factor, when they are written down.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -16,9 +15,10 @@ namespace hilger::detail {
 struct small_ratio {
     long long numerator = 0, denominator = 1;
 };
-/// By Euclid's algorithm, stopped half-way: the quotient is the only one with both numbers below a million, if there is one.
+/// By Euclid's algorithm, stopped half-way: the quotient is the only one with both numbers below 10^4, if there is one. A random residue is
+/// such a quotient with probability below 1e-10.
 inline std::optional<small_ratio> ratio_of_residue(prime_field x) {
-    constexpr std::int64_t small = 1'000'000;
+    constexpr std::int64_t small = 10'000;
     std::int64_t r0 = static_cast<std::int64_t>(prime_field::prime), r1 = static_cast<std::int64_t>(x.value()), s0 = 0, s1 = 1;
     while (r1 > small) {
         std::int64_t const quotient = r0 / r1, r = r0 - quotient * r1, s = s0 - quotient * s1;
@@ -151,6 +151,7 @@ std::optional<std::vector<shifted_term>> as_shifts(A const& a) {
         prime_field const h = generic_scale<true, 16>::step(0), zero(0);
         index_type const first = here.first(generic_scale<true, 16>{}), last = here.last(generic_scale<true, 16>{}),
                          middle = (first + last) / 2;
+        if (last < first) return std::nullopt;
         auto const with_power = [&](prime_field c, int power) {
             for (int k = 0; k < power; ++k) c = c * h;
             for (int k = 0; k < -power; ++k) c = c / h;
