@@ -144,6 +144,8 @@ TEST_CASE("the numbers of a uniform scale meet in one scalar") {
     CHECK(same(uniform<2>(0, Q(1, 3)), uniform<2>(Q(0), Q(1, 3))));
     CHECK(same(uniform(interval{0, 1.5}, 10), uniform(interval{0.0, 1.5}, 10)));
     CHECK(same(uniform(interval{Q(1, 3), 2}, 10), uniform(interval{Q(1, 3), Q(2)}, 10)));
-    CHECK_THROWS_WITH_AS((void)uniform((1 << 24) + 1, 8.0F, 10), "the whole number 16777217 is no number of the scalar of this time scale",
-                         error::invalid_scale);
+    CHECK_THROWS_WITH_AS((void)uniform((1 << 24) + 1, 8.0F, 10),
+                         "the whole number 16777217 has no equal in this scalar, which has all of them up to 2^24",
+                         error::invalid_parameter);
+    CHECK(uniform(1 << 30, 1024.0F, 10).min() == 1073741824.0F); // beyond 2^24, and a float all the same
 }

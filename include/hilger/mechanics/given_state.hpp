@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hilger/mechanics/shape.hpp"
+#include "hilger/whole_number.hpp"
 
 namespace hilger {
 
@@ -110,21 +111,6 @@ constexpr void refuse_states() {
                       "a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers");
     else
         static_assert(fit_together<X, Y>, "the two parts of a state are two numbers or two vectors of one length, and these are not");
-}
-
-/// @throws error::invalid_parameter for a whole number that has no equal in S
-template <class S, class X>
-constexpr S exactly(X const& x) {
-    constexpr int digits = std::numeric_limits<S>::digits;
-    if constexpr (not std::same_as<X, S> and std::numeric_limits<X>::is_integer and not std::numeric_limits<S>::is_exact and
-                  digits < std::numeric_limits<X>::digits) {
-        X const most = X(1) << digits;
-        bool below = false;
-        if constexpr (std::numeric_limits<X>::is_signed) below = x < -most;
-        if (below or most < x)
-            error::raise<error::invalid_parameter>("a whole number is given exactly up to 2^", digits, ", and this is ", x);
-    }
-    return S(x);
 }
 
 /// What was given as the state V. @throws error::mismatch when it has another length, error::invalid_parameter as exactly()

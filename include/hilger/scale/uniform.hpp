@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hilger/scale/interface.hpp"
+#include "hilger/whole_number.hpp"
 
 namespace hilger {
 
@@ -91,19 +92,6 @@ consteval auto common_scalar() {
 template <class A, class B>
 using common_scalar_t = typename decltype(common_scalar<A, B>())::type;
 
-/// @throws error::invalid_scale when a whole number is not one of S, as 2^24 + 1 in float
-template <class S, class A>
-constexpr S exactly(A const& a) {
-    if constexpr (std::integral<A>) {
-        S const s(static_cast<long long>(a));
-        if constexpr (std::floating_point<S>)
-            if (not(static_cast<long double>(s) == static_cast<long double>(a)))
-                error::raise<error::invalid_scale>("the whole number ", a, " is no number of the scalar of this time scale");
-        return s;
-    } else
-        return S(a);
-}
-
 /// Why two numbers make no scale, in one sentence.
 template <class A, class H>
 constexpr auto no_common_scalar() {
@@ -130,7 +118,8 @@ constexpr auto uniform(A const&, index_type) {
 }
 /// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000), of the scalar in which a and
 /// h meet: uniform(0, 0.1, 10) is of doubles. The second number is not the end: of [a, b] in N steps that is uniform(interval{a, b}, N).
-/// @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite.
+/// @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite; error::invalid_parameter for a whole number without an equal
+/// in that scalar.
 template <class A, class H>
 constexpr auto uniform(A const& a, H const& h, index_type steps) {
     using S = detail::common_scalar_t<A, H>;
