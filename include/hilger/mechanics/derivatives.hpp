@@ -271,7 +271,8 @@ W gradient_second(F const& f, V const& x, W const& y) {
         return detail::gradient_by(y, [&, constant = detail::in_constants(x)](auto const& z) { return detail::call(f, constant, z); });
 }
 
-/// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets.
+/// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets. A member of one's own
+/// is one formula: jets write down what they are compared with (mechanics/branches.hpp), numbers do not.
 template <class F, class V>
 expansion<V> expand(F const& f, V const& q, V const& v) {
     using s = detail::shape<V>;
