@@ -55,7 +55,7 @@ TEST_CASE("a restricted principle: the equation that it has is the one that is w
     constexpr lagrangian L{pendulum};
     auto const EL = variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)) -
                               0.25 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T));
-    auto const path = flow_of(EL, blocks{}, {.history = initial_history::riemann_liouville}).along(T, 1.0, 0.5);
+    auto const path = flow_of(EL, blocks{}).along(T, 1.0, 0.5);
     is_a_solution(path, 2);
     CHECK(largest_residual(EL, record(path).positions()) <= rounding_along(path, 2));
 }

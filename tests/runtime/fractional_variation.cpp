@@ -119,7 +119,7 @@ TEST_CASE("what is walked and solved are solutions of the equations") {
     auto const damped = variation(integral(pendulum(q_o, Delta_o_plus[q_o]), half(T)) -
                                   0.5 * integral(Delta_minus_alpha<1, 3>[q] * Delta_plus_alpha<1, 3>[y], T));
     std::vector<double> positions;
-    auto const flow = flow_of(damped, direct{}, {.history = initial_history::riemann_liouville}); // (20) as it is printed
+    auto const flow = flow_of(damped, direct{}); // (20) as it is printed
     for (auto const& x : flow.along(T, 1.0, 0.5)) positions.push_back(x.q);
     auto const rest = damped.residual(function_on(T, positions));
     for (hilger::index_type k = 1; k < 40; ++k) CHECK(std::abs(rest[k]) <= 64 * epsilon<double>() / (0.125 * 0.125));

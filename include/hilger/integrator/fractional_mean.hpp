@@ -7,7 +7,7 @@
 //   p_i + h F_{i+1/2} / 2 = -d_1 L_h(q_i, q_{i+1}),   p_{i+1} = d_2 L_h(q_i, q_{i+1}) + h F_{i+1/2} / 2.
 // On M q'' + K q = -rho D^beta q the roots z of mid-point solve, with u = (1 - z) / (1 + z),
 //   4 M u^2 + h^2 K + rho h^{2 - beta} Phi(u) = 0,   Phi = (1 + beta u) (2u / (1 + u))^beta for Gruenwald-Letnikov,
-// (2u (1 + 2u) / (1 + u)^2)^beta for bdf<2>, (2u)^beta for trapezoid. On the imaginary axis the argument of Phi is between 0 and pi_half in
+// (2u (1 + 2u) / (1 + u)^2)^beta for bdf<2>, (2u)^beta for trapezoid. On the imaginary axis the argument of Phi is between 0 and pi in
 // absolute value, so that Phi / u has a real part >= 0 for Re u > 0, and no root is inside the unit circle, whatever h, rho >= 0 and
 // 0 < beta < 2 are. For beta = 1 and Gruenwald-Letnikov the step is that of mid-point with the friction -rho v.
 //   with_fractional_damping(L, rho, fraction<1, 2>{})                one term

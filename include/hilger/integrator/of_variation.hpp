@@ -12,11 +12,13 @@ namespace hilger {
 
 /// The flow of the first curve of a restricted principle (Jimenez, Ober-Bloebaum (20)), with a history policy. The second one is it in
 /// reversed time. The principle says that the damping is an explicit impulse at each point: with_fractional_impulses, of order one and
-/// with a limit of stability, and not with_fractional_damping.
+/// with a limit of stability, and not with_fractional_damping. As the equation says, the history is that of q itself, which is 0 before
+/// t_0: for q(t_0) != 0 the curve jumps there. {.history = initial_history::caputo} has the differences of q - q(t_0) in its place, and no
+/// jump.
 template <class F, linear_map A, linear_map B, class W, class Root, class G, class O, class R, class Policy = direct>
 constexpr auto flow_of(restricted_euler_lagrange<action<F, A, B, W, Root>, fractional_difference<G, O, side::minus>,
                                                  fractional_difference<G, R, side::plus>, Root> const& equation,
-                       Policy policy = {}, impulse_options options = {}) {
+                       Policy policy = {}, impulse_options options = {.history = initial_history::riemann_liouville}) {
     auto const S = equation.conservative().action();
     auto const order = equation.damping().order;
     auto const damped = [&] {
