@@ -15,9 +15,9 @@ namespace hilger {
 struct inconsistent_t {};
 inline constexpr inconsistent_t inconsistent{};
 
-/// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta, nabla or steps. An embedding that is
-/// not consistent (embedding/one_step.hpp) is refused, at compile time or, where its numbers are known at run time only, when it is
-/// stepped; Checked = false lets it pass.
+/// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta_weight, nabla_weight or step_weight. An
+/// embedding that is not consistent (embedding/one_step.hpp) is refused, at compile time or, where its numbers are known at run time only,
+/// when it is stepped; Checked = false lets it pass.
 template <linear_map Position, linear_map Velocity, class Weight, bool Checked = true>
 struct embedding {
     static_assert(std::is_same_v<typename Position::to, typename Velocity::to>, "position and velocity of an embedding meet on one scale");
@@ -41,8 +41,8 @@ struct embedding {
     char const* name;
 };
 
-/// The embedding with position operator A, velocity operator B and the integral of weight W: delta over T^+, nabla over T^-, steps over
-/// T_lambda. `name` is what reports call it.
+/// The embedding with position operator A, velocity operator B and the integral of weight W: delta_weight over T^+, nabla_weight over T^-,
+/// step_weight over T_lambda. `name` is what reports call it.
 template <class Weight, linear_map Position, linear_map Velocity>
 constexpr auto make_embedding(Position position, Velocity velocity, char const* name) {
     return embedding<Position, Velocity, Weight>{position, velocity, name};

@@ -189,50 +189,22 @@ public:
     /// step_failure with the last good state.
     template <time_scale_like Scale, class X, class Y>
     auto along(Scale const& T, X const& q0, Y const& p0) const {
-        using S = scalar_on<Scale>;
-        using V = detail::given_state_t<S, X>;
-        if constexpr (not detail::are_given_states<S, X, Y>())
-            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
-        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
-                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
-            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
-                                            S, V>(),
-                   no_states<S, V>;
-        else
-            return self().start(T, detail::as_state<V>(q0), detail::as_state<V>(p0));
+        return walked<X, Y>(T, [&]<class V>(std::type_identity<V>) { return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)}; });
     }
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_velocity<W> const& from) const {
-        using S = scalar_on<Scale>;
-        using V = detail::given_state_t<S, W>;
-        if constexpr (not detail::are_given_states<S, W, W>())
-            return detail::refuse_states<S, W, W>(), no_states<S, V>;
-        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
-                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
-            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
-                                            S, V>(),
-                   no_states<S, V>;
-        else {
+        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
             V q0 = detail::as_state<V>(from.q0), p0 = self().momentum(T.min(), q0, detail::as_state<V>(from.v0));
-            return self().start(T, std::move(q0), std::move(p0));
-        }
+            return std::pair{std::move(q0), std::move(p0)};
+        });
     }
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_positions<W> const& from) const {
-        using S = scalar_on<Scale>;
-        using V = detail::given_state_t<S, W>;
-        if constexpr (not detail::are_given_states<S, W, W>())
-            return detail::refuse_states<S, W, W>(), no_states<S, V>;
-        else if constexpr (not detail::is_lagrangian<typename detail::mechanics_of<Method>::lagrangian, S, V>() or
-                           not detail::is_force<typename detail::mechanics_of<Method>::force, S, V>())
-            return detail::refuse_mechanics<typename detail::mechanics_of<Method>::lagrangian, typename detail::mechanics_of<Method>::force,
-                                            S, V>(),
-                   no_states<S, V>;
-        else {
-            S const h = T.domain().base.step(T.root(), T.first());
+        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+            scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
             V q0 = detail::as_state<V>(from.q0), p0 = self().momentum_between(T.min(), q0, detail::as_state<V>(from.q1), h);
-            return self().start(T, std::move(q0), std::move(p0));
-        }
+            return std::pair{std::move(q0), std::move(p0)};
+        });
     }
     template <class Derived>
     auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {
@@ -259,6 +231,22 @@ public:
     }
 
 private:
+    /// The trajectory from the state that begin(type) makes of what was given, an X and a Y; or nothing, after a sentence that says why.
+    template <class X, class Y, class Scale, class Begin>
+    auto walked(Scale const& T, Begin const& begin) const {
+        using S = scalar_on<Scale>;
+        using V = detail::given_state_t<S, X>;
+        using F = typename detail::mechanics_of<Method>::lagrangian;
+        using Force = typename detail::mechanics_of<Method>::force;
+        if constexpr (not detail::are_given_states<S, X, Y>())
+            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
+        else if constexpr (not detail::is_lagrangian<F, S, V>() or not detail::is_force<Force, S, V>())
+            return detail::refuse_mechanics<F, Force, S, V>(), no_states<S, V>;
+        else {
+            auto [q0, p0] = begin(std::type_identity<V>{});
+            return self().start(T, std::move(q0), std::move(p0));
+        }
+    }
     [[nodiscard]] Method const& self() const { return static_cast<Method const&>(*this); }
 };
 

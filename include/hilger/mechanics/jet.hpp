@@ -109,9 +109,13 @@ struct dependence {
 
 namespace detail {
 /// std::cos and its siblings take plain numbers, and a number with derivatives does not become one. They find this conversion and are told
-/// so. It is to one type that S is not, so that both branches of c ? x * x : 0.0 still have one type only.
-template <class Plain>
-struct keeps_its_derivatives {
+/// so. It is to one type that S is not, so that both branches of c ? x * x : 0.0 still have one type only. Wide scalars are asked by
+/// Boost what converts to them, and have none.
+template <class S>
+struct keeps_its_derivatives {};
+template <std::floating_point S>
+struct keeps_its_derivatives<S> {
+    using Plain = std::conditional_t<std::same_as<S, long double>, float, long double>;
     template <std::same_as<Plain> T>
     constexpr explicit(false) operator T() const {
         static_assert(not std::same_as<T, Plain>,
@@ -123,7 +127,7 @@ struct keeps_its_derivatives {
 } // namespace detail
 
 template <class S, int First, int Count, int Order>
-struct jet : detail::keeps_its_derivatives<std::conditional_t<std::same_as<S, long double>, float, long double>> {
+struct jet : detail::keeps_its_derivatives<S> {
     static_assert(Order == 1 or Order == 2);
     static constexpr int first = First, count = Count, order = Order, last = First + Count - 1;
     static constexpr int packed = Order == 2 ? Count * (Count + 1) / 2 : 0;
