@@ -204,7 +204,7 @@ void large_systems() {
     race("Fermi-Pasta-Ulam chain, d = 128, mid-point", 2000, 30,
          {{"hand: Newton, tridiagonal solve, linear guess", fpu_newton_by_hand, true},
           {"hand: iteration, guess through 6 velocities", fpu_iteration_by_hand, true},
-          {"hilger: embed(mechanical(1, chain), midpoint)", fpu(hilger::mid_point)}});
+          {"hilger: embed(mechanical(1, chain), mid_point)", fpu(hilger::mid_point)}});
     race("Fermi-Pasta-Ulam chain, d = 128, order one", 2000, 30,
          {{"hand: symplectic Euler", fpu_order_one_by_hand, true},
           {"hilger: embed(mechanical(1, chain), order_one)", fpu(hilger::order_one)}});
@@ -218,7 +218,7 @@ void large_systems() {
     };
     race("Outer solar system, d = 18, mid-point", 2000, 30,
          {{"hand: iteration, guess through 6 velocities", [](long n) { return planets.midpoint_by_hand(n); }, true},
-          {"hilger: embed(mechanical(m, pairs<3>), midpoint)", run(hilger::mid_point)}});
+          {"hilger: embed(mechanical(m, pairs<3>), mid_point)", run(hilger::mid_point)}});
     race("Outer solar system, d = 18, order one", 2000, 30,
          {{"hand: symplectic Euler", [](long n) { return planets.order_one_by_hand(n); }, true},
           {"hilger: embed(mechanical(m, pairs<3>), order_one)", run(hilger::order_one)}});

@@ -176,8 +176,8 @@ void race_all(std::string const& name) {
     race(name + ", mid-point", n, rounds,
          {{"hand: Newton, linear guess", midpoint_by_hand<P, 2>, true},
           {"hand: Newton, guess through 7 velocities", midpoint_by_hand<P, 7>, true},
-          {"hilger: embed(L, midpoint)", [](long m) { return by_hilger<P>(embed(P::L, hilger::mid_point), m); }},
-          {"hilger: embed(L, midpoint, compensated)",
+          {"hilger: embed(L, mid_point)", [](long m) { return by_hilger<P>(embed(P::L, hilger::mid_point), m); }},
+          {"hilger: embed(L, mid_point, compensated)",
            [](long m) { return by_hilger<P>(embed(P::L, hilger::mid_point, hilger::compensated), m); }},
           {"odeint: symplectic_rkn_sb3a_mclachlan, order 4", by_odeint<P, odeint::symplectic_rkn_sb3a_mclachlan<vector<P>>>}});
     race(name + ", order one", n, rounds,
