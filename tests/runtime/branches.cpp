@@ -61,7 +61,8 @@ std::vector<double> distances(double k, double h, index_type steps) {
 TEST_CASE_TEMPLATE("the derived equation holds at the points that a mid-point step returns", V, double, Eigen::Vector2d, Eigen::Vector4d,
                    Eigen::Matrix<double, 6, 1>, Eigen::VectorXd) {
     for (auto const& [k, h] : {std::pair{25.0, 0.1}, {400.0, 0.05}, {1e4, 0.05}}) {
-        CAPTURE(k);
+        double const stiffness = k;
+        CAPTURE(stiffness);
         CHECK(residual_of<V>(k, h, 400) < 4);
     }
 }
@@ -70,7 +71,8 @@ TEST_CASE("states of fixed and of dynamic size take the same branches") {
         auto const dynamic = distances<Eigen::VectorXd>(k, h, 200), plane = distances<Eigen::Vector2d>(k, h, 200);
         double apart = 0;
         for (std::size_t i = 0; i < plane.size(); ++i) apart = std::max(apart, std::abs(plane[i] - dynamic[i]));
-        CAPTURE(k);
+        double const stiffness = k;
+        CAPTURE(stiffness);
         CHECK(apart < 1e-10);
     }
 }

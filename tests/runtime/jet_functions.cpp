@@ -48,7 +48,8 @@ table by_differences(F const& f) {
     // of order 4
     auto const first = [&](auto const& g) { return float50((8 * (g(1) - g(-1)) - (g(2) - g(-2))) / (12 * e)); };
     auto const second = [&](auto const& g) { return float50((16 * (g(1) + g(-1)) - (g(2) + g(-2)) - 30 * here) / (12 * e * e)); };
-    auto const along_q = [&](int i) { return at(i, 0); }, along_v = [&](int i) { return at(0, i); };
+    auto const along_q = [&](int i) { return at(i, 0); };
+    auto const along_v = [&](int i) { return at(0, i); };
     auto const mixed = first([&](int i) { return first([&](int j) { return at(i, j); }); });
     return {here, first(along_q), first(along_v), second(along_q), mixed, second(along_v)};
 }

@@ -19,7 +19,8 @@ void read_back_restricted(Action const& S) {
     std::string text = printed(EL);
     CAPTURE(text);
     auto const at = random_function(T);
-    auto const rx = EL.residual(at), ry = EL.reversed_residual(at);
+    auto const rx = EL.residual(at);
+    auto const ry = EL.reversed_residual(at);
     reader r = reader_on(T);
     r.integral = family_of(S.conservative.position.image(domain<nodes>{}).base);
     r.names["y"] = r.names["q"];
