@@ -43,9 +43,9 @@
 #include "hilger/integrator/dense_output.hpp"
 #include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/events.hpp"
+#include "hilger/integrator/fractional_residual.hpp"
 #include "hilger/integrator/recording.hpp"
 #include "hilger/integrator/requirements.hpp"
-#include "hilger/integrator/fractional_residual.hpp"
 #include "hilger/integrator/residual.hpp"
 
 // Identities as checks, for your own scales and operators too

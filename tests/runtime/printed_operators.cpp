@@ -40,7 +40,7 @@ TEST_CASE("operators are written as the papers write them") {
     CHECK(printed(Delta_minus[Delta_plus]) == "Δ₋[Δ₊[f]]");
     CHECK(printed(adjoint(Delta_plus)) == "−Δ₋[f]");
     CHECK(printed(rho * Delta_plus) == "Δ₋[f]"); // they are one operator
-    CHECK(printed(sigma * rho) == "σ[ρ[f]]"); // the identity has more points
+    CHECK(printed(sigma * rho) == "σ[ρ[f]]");    // the identity has more points
     CHECK(printed(mean_h_minus) == "[f]½,₋");
     CHECK(printed(mean_o) == "[f]∘");
     CHECK(printed(on_half * extend) == "f∘|T½");
