@@ -40,7 +40,7 @@ TEST_CASE("2^14 and 2^20 steps: the error falls by 2^12 to the rounding of some 
             CAPTURE(k);
             CAPTURE(e);
             CAPTURE(f);
-            CHECK(std::abs(f - e / 4096) <= 128 * epsilon<double>());
+            CHECK(std::abs(f - e / 4096) <= 32 * epsilon<double>());
         }
     }
 }
