@@ -11,7 +11,6 @@ namespace {
 using namespace hilger;
 using hilger::index_type;
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr int steps_made = 500;
 
 template <class Flow, class Other>

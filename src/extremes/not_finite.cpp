@@ -14,7 +14,6 @@ using namespace hilger;
 using hilger::index_type;
 using plane = Eigen::Vector2d;
 
-constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
 template <class Range>
 void walk(Range const& range) {
     for (auto const& x : range) (void)x;

@@ -59,7 +59,6 @@ double worst_difference(double alpha) {
     return worst;
 }
 
-constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
 constexpr int flow_steps = 1000;
 
 template <class Flow, class Other>

@@ -20,6 +20,12 @@ struct row {
 };
 using rows = std::vector<row>;
 
+inline constexpr auto oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
+inline constexpr auto pendulum = [](auto const& q, auto const& v) {
+    using std::cos;
+    return v * v / 2 + cos(q);
+};
+
 /// How long the cases may take: a test's two seconds, or a report's minute.
 enum class scope { test, report };
 

@@ -13,10 +13,6 @@ namespace {
 using namespace hilger;
 
 using wide = mp::number<mp::cpp_bin_float<120>, mp::et_off>;
-constexpr auto pendulum = [](auto const& q, auto const& v) {
-    using std::cos;
-    return v * v / 2 + cos(q);
-};
 /// From (1, 1/4), which every scalar holds exactly.
 template <class S>
 state<S, S> step_of(S const& h) {
