@@ -6,6 +6,8 @@
 #include "hilger/calculus.hpp"
 #include "oscillator.hpp"
 
+namespace bourdin_definitions_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -71,3 +73,5 @@ TEST_CASE("section 4.3: the equation of (31) is Q + Delta_+^alpha Delta_-^alpha 
         }
     }
 }
+
+} // namespace bourdin_definitions_tests

@@ -5,6 +5,8 @@
 
 #include "exact.hpp"
 
+namespace bourdin_dirichlet_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -78,3 +80,5 @@ TEST_CASE("a hundred thousand steps: the error goes on like h^(2 alpha - 1)") {
     // Rounding in a second difference of order 2 alpha: 4 h^(-2 alpha) epsilon log N.
     CHECK(solution.residual <= 4 * std::pow(T.h(), -1.5) * 17 * epsilon<double>());
 }
+
+} // namespace bourdin_dirichlet_tests

@@ -8,6 +8,8 @@
 #include "hilger/mechanics/fractional_noether.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace bourdin_errata_tests {
+
 using namespace hilger;
 
 namespace {
@@ -135,3 +137,5 @@ TEST_CASE("(29), (30): the constant has values for k = 0..N-1, sigma of dL/dv en
     for (Q const& c : constant) CHECK(c == constant[0]);
     CHECK_THROWS_AS((void)constant[N], error::outside_domain);
 }
+
+} // namespace bourdin_errata_tests

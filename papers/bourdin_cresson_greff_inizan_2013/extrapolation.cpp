@@ -7,6 +7,8 @@
 #include "hilger/integrator/boundary_extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace bourdin_extrapolation_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -98,3 +100,5 @@ TEST_CASE("vectors are extrapolated like scalars; no level is the solution itsel
     double const exact = dirichlet_solution(0.75, 0.5);
     CHECK(std::abs(wrong.q[4] - exact) > 100 * std::abs(y.q[4] - exact));
 }
+
+} // namespace bourdin_extrapolation_tests

@@ -7,6 +7,8 @@
 #include "hilger/mechanics/fractional_noether.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace bourdin_noether_tests {
+
 using namespace hilger;
 
 namespace {
@@ -122,3 +124,5 @@ TEST_CASE("theorem 5, (29), (34): for alpha = 1 the constant is xi(Q_k).p_{k+1}"
         (void)noether_constant(fractional_problem(oscillator, 0.75), rotation, function_on(T, [](double) { return plane<double>(1, 1); })),
         error::invalid_parameter);
 }
+
+} // namespace bourdin_noether_tests

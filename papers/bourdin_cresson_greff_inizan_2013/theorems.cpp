@@ -7,6 +7,8 @@
 #include "hilger/mechanics/fractional_noether.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace bourdin_theorems_tests {
+
 using namespace hilger;
 
 namespace {
@@ -76,3 +78,5 @@ TEST_CASE("theorem 1: the derivative (16) of the functional in the direction w i
         CHECK(action_with(6, Q(1)) != action_with(6, Q(-1)));
     }
 }
+
+} // namespace bourdin_theorems_tests

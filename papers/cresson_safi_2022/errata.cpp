@@ -6,6 +6,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace cresson_errata_tests {
+
 using namespace hilger;
 
 namespace {
@@ -171,3 +173,5 @@ TEST_CASE("(67), (68), (108), (112): the sum runs over the inner points, where [
     CHECK(integrand.scale() == interior(T));
     CHECK_THROWS_AS((void)integrand[0], error::outside_domain); // the first term of int_a^b . Delta t
 }
+
+} // namespace cresson_errata_tests

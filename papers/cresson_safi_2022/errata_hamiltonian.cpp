@@ -5,6 +5,8 @@
 
 #include "slope.hpp"
 
+namespace cresson_errata_hamiltonian_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -186,3 +188,5 @@ TEST_CASE("(117): dH/dp is taken at (p_o, q_o), as in (94) and (118)") {
         CHECK(velocity(q)[i] != H.by_momentum(mid(q)[i], mid(p)[i])); // as printed
     }
 }
+
+} // namespace cresson_errata_hamiltonian_tests

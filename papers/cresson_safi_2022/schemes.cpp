@@ -5,6 +5,8 @@
 
 #include "slope.hpp"
 
+namespace cresson_schemes_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -75,3 +77,5 @@ TEST_CASE("(95), (96): the steps of the mid-point flow") {
         CHECK(x[i + 1] == x[i] + h * g(Q((p[i] + p[i + 1]) / 2), middle));
     }
 }
+
+} // namespace cresson_schemes_tests

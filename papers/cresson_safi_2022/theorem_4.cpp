@@ -6,6 +6,8 @@
 
 #include "hamiltonian_action.hpp"
 
+namespace cresson_theorem_4_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -87,3 +89,5 @@ TEST_CASE("definition 12: the momentum of the mid-point flow is (89), (90), and 
                                  [&](auto const& x, auto const& y) { return magnitude(float100(x - y)) <= tolerance; });
     }
 }
+
+} // namespace cresson_theorem_4_tests

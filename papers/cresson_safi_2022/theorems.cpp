@@ -5,6 +5,8 @@
 
 #include "slope.hpp"
 
+namespace cresson_theorems_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -104,3 +106,5 @@ TEST_CASE("the schemes are theorems about types: theta<1, 2> is mid-point, and t
     static_assert(mid.action().position == mid_point.position and mid.action().velocity == mid_point.velocity);
     CHECK(mid.action().T.steps() == 10);
 }
+
+} // namespace cresson_theorems_tests

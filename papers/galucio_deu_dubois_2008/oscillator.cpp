@@ -12,6 +12,8 @@
 #include "hilger/multiprecision.hpp"
 #include "newmark_oscillator.hpp"
 
+namespace galucio_oscillator_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 using testing::fractional_oscillator;
@@ -124,3 +126,5 @@ TEST_CASE("rounding does not stop it: at 2^13 steps the error is still that of t
     CHECK(std::abs(error[1]) < 3e-10);
     CHECK(from_rounding < 8192 * epsilon<double>());
 }
+
+} // namespace galucio_oscillator_tests

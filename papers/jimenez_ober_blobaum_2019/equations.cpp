@@ -10,6 +10,8 @@
 #include "hilger/integrator/fractional_flow.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace jimenez_equations_tests {
+
 using namespace hilger;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE("(19): summed to N - 1 it has an end term that (20) for y has not; sum
         CHECK(variation(N - 1) == of_x[n] + of_y[n] - w[static_cast<std::size_t>(N - n)] * y[N]);
     }
 }
+
+} // namespace jimenez_equations_tests

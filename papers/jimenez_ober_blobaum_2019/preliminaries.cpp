@@ -5,6 +5,8 @@
 
 #include "local_truncation.hpp"
 
+namespace jimenez_preliminaries_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -77,3 +79,5 @@ TEST_CASE("(15) is consistent: at t = 1 its error is of order one for x(0) = 0, 
     auto const x = function_on(T, [](Q const& t) { return t; });
     for (hilger::index_type k = 1; k <= 9; ++k) CHECK((Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>)[x][k] == 1);
 }
+
+} // namespace jimenez_preliminaries_tests

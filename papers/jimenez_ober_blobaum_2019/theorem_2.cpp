@@ -6,6 +6,8 @@
 
 #include "local_truncation.hpp"
 
+namespace jimenez_theorem_2_tests {
+
 using namespace hilger;
 using namespace hilger::papers;
 
@@ -58,3 +60,5 @@ TEST_CASE("proof of theorem 2: the first term of the errors, and -h rho v_k, whi
     CHECK(abs(float50(printed - h * friction * before.v - z.v)) < 10 * h * hh);
     CHECK(abs(float50(printed - z.v)) > h * friction * before.v / 2);
 }
+
+} // namespace jimenez_theorem_2_tests

@@ -4,6 +4,8 @@
 
 #include "check.hpp"
 
+namespace rows_tests {
+
 using namespace extremes;
 
 TEST_CASE("digits are lost above the bound, and where there is no number") {
@@ -29,3 +31,5 @@ TEST_CASE("an error is the one that was promised, and says what it should") {
     CHECK(refused<hilger::error::singular>("", [] {}).how == "silence");
     CHECK(not refused<hilger::error::singular>("", [] { throw std::runtime_error("something else"); }).ok);
 }
+
+} // namespace rows_tests

@@ -4,6 +4,8 @@
 #include "hilger/mechanics/mechanical.hpp"
 #include "programs.hpp"
 
+namespace branches_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -58,3 +60,5 @@ TEST_CASE("a chain") {
     is_a_solution(embed(mechanical(1.0, chain(wall)), mid_point)
                       .along(uniform(0.0, 0.05, 200), at_rest<Eigen::VectorXd>(4), Eigen::VectorXd(Eigen::VectorXd::Zero(4))));
 }
+
+} // namespace branches_tests

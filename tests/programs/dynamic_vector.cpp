@@ -4,6 +4,8 @@
 #include "programs.hpp"
 #include "systems.hpp"
 
+namespace dynamic_vector_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -43,3 +45,5 @@ TEST_CASE("a structure that is said") {
     is_solved(with_force(mechanical(mass, [](auto const& q) { return q.dot(q) / 2; }), drag), 3, 2);
 }
 TEST_CASE("the same in 50 digits") { is_the_same_in_50_digits(forced_row{}); }
+
+} // namespace dynamic_vector_tests

@@ -3,6 +3,8 @@
 #include "programs.hpp"
 #include "systems.hpp"
 
+namespace fixed_vector_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -37,3 +39,5 @@ TEST_CASE("in four dimensions") { is_solved<Eigen::Vector4d>(row_of_contacts); }
 TEST_CASE("in five") { is_solved<Eigen::Matrix<double, 5, 1>>(row_of_contacts); }
 TEST_CASE("in six") { is_solved<Eigen::Matrix<double, 6, 1>>(row_of_contacts); }
 TEST_CASE("the same in 50 digits") { is_the_same_in_50_digits(pulled_in_the_plane{}); }
+
+} // namespace fixed_vector_tests

@@ -5,12 +5,13 @@
 #include "programs.hpp"
 #include "systems.hpp"
 
+namespace higher_order_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
 namespace {
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr auto friction = [](auto const& q, auto const& v) { return -v / 4 - q * q * v / 8; };
 
 /// The distance of a walk along `path` from one that takes the parts of each step by hand: part(x, h).
@@ -65,3 +66,5 @@ TEST_CASE("a Galerkin step of Gauss nodes collocates, forces included") {
     auto const path = embed(with_force(pendulum, friction), galerkin<2, gauss>).along(uniform(0.0, 0.125, 40), 1.0, 0.5);
     CHECK(distance_from_its_parts(path, collocated) < rounding(40, 1));
 }
+
+} // namespace higher_order_tests

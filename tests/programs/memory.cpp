@@ -7,6 +7,8 @@
 #include "programs.hpp"
 #include "systems.hpp"
 
+namespace memory_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -14,7 +16,6 @@ namespace {
 
 auto const T = uniform(0.0, 0.0625, 80);
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr auto friction = [](auto const& q, auto const& v) { return -v / 4 - q * q * v / 8; };
 
 struct damped_pendulum {
@@ -69,3 +70,5 @@ TEST_CASE("vectors, one component of which is damped") {
                   2);
 }
 TEST_CASE("the same in 50 digits") { is_the_same_in_50_digits(damped_pendulum{}, 16, 2); }
+
+} // namespace memory_tests

@@ -2,6 +2,9 @@
 // Programs with one degree of freedom.
 #include "hilger/mechanics/legendre_transform.hpp"
 #include "programs.hpp"
+#include "systems.hpp"
+
+namespace number_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -11,7 +14,6 @@ namespace {
 auto const T = uniform(0.0, 0.05, 60);
 time_scale<double> const uneven{0, 0.05, 0.1, 0.2, 0.22, 0.3, 0.5, 0.55, 0.6, 0.8, 0.9, 1.0, 1.2, 1.5};
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr auto bead = [](auto const& q, auto const& v) { return v * v * (1 + q * q) / 2 - q * q / 2; };
 /// A spring that is stiffer when it is pressed.
 constexpr auto stop = [](auto const& q, auto const& v) {
@@ -78,3 +80,5 @@ TEST_CASE("the same in 50 digits") {
     is_the_same_in_50_digits(pushed_spring{});
     is_the_same_in_50_digits(spring_with_a_stop{}, 256);
 }
+
+} // namespace number_tests

@@ -5,6 +5,8 @@
 #include "programs.hpp"
 #include "runtime/read_back.hpp"
 
+namespace printed_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -126,3 +128,5 @@ TEST_CASE("vectors, and forces that return expressions") {
     says_what_it_did(embed(with_force(cubic_in_the_plane{}, drag_in_the_plane{}), order_one).along(T, q, p));
     says_what_it_did(embed(with_force(reading::L, drag_of_a_number{}), theta<1, 4>).along(T, 1.0, 0.5));
 }
+
+} // namespace printed_tests

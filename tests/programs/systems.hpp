@@ -10,6 +10,10 @@
 
 namespace hilger::testing {
 
+inline constexpr auto pendulum = [](auto const& q, auto const& v) {
+    using std::cos;
+    return v * v / 2 + cos(q);
+};
 /// A row of masses that push each other and do not pull: a branch for each pair.
 inline constexpr auto row_of_contacts = [](auto const& q, auto const& v) {
     auto L = v(0) * v(0) / 2 - q(0) * q(0) / 8;

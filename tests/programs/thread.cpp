@@ -13,12 +13,13 @@
 #include "programs.hpp"
 #include "systems.hpp"
 
+namespace thread_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
 namespace {
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr auto push_up = [](double t) { return 1 - t / 8; };
 auto const T = uniform(0.0, 0.0625, 200);
 
@@ -80,3 +81,5 @@ TEST_CASE("operators and equations") {
     auto const damped = embed(with_fractional_damping(pendulum, 0.25, fraction<1, 2>{}), mid_point).along(T, 1.0, 0.5);
     in_two_threads([&] { return largest_residual(damped); });
 }
+
+} // namespace thread_tests

@@ -5,6 +5,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace accuracy_tests {
+
 using namespace hilger;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("with a force in the plane") {
     CHECK(std::abs(x.end.q(0) - damped(10, 1, 0.5)) <= 1e-9);
     CHECK(std::abs(x.end.q(1) - damped(10, 0, -1)) <= 1e-9);
 }
+
+} // namespace accuracy_tests

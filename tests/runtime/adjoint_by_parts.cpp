@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace adjoint_by_parts_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -124,3 +126,5 @@ TEST_CASE("curves in the plane integrate by parts with the Euclidean product") {
     CHECK(parts.left == doctest::Approx(parts.interior + parts.boundary).epsilon(1e-14));
     CHECK(parts.left == integral(dot(Delta_plus[u], v), T));
 }
+
+} // namespace adjoint_by_parts_tests

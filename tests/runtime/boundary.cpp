@@ -4,6 +4,9 @@
 
 #include "hilger/integrator/boundary_extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/orders.hpp"
+
+namespace boundary_tests {
 
 using namespace hilger;
 
@@ -17,9 +20,6 @@ using plane = Eigen::Matrix<S, 2, 1>;
 float50 at_middle(float50 const& alpha, int N, int first) {
     auto const T = uniform(interval{float50(0), float50(1)}, N);
     return solve_boundary(fractional_problem(dirichlet, alpha), T, first, 1).q[N / 2];
-}
-double order_between(float50 const& coarse, float50 const& fine) {
-    return static_cast<double>(log(float50(coarse / fine)) / log(float50(2)));
 }
 
 } // namespace
@@ -91,14 +91,14 @@ TEST_CASE("a time-dependent mass takes one correction, and components do not mix
 TEST_CASE("below alpha = 1/2 the solutions of L = v^2/2 tend to 0 inside, like h^(1 - 2 alpha)") {
     for (float50 const& alpha : {float50(3) / 10, float50(1) / 10}) {
         auto const middle = [&](int N) { return at_middle(alpha, N, 0); };
-        CHECK(std::abs(order_between(middle(512), middle(1024)) - static_cast<double>(1 - 2 * alpha)) <= 0.02);
+        CHECK(std::abs(testing::order_of(middle(512), middle(1024)) - static_cast<double>(1 - 2 * alpha)) <= 0.02);
     }
 }
 
 TEST_CASE("for alpha < 1 a first value that is not 0 is forgotten, like h^(1 - alpha)") {
     for (float50 const& alpha : {float50(3) / 4, float50(9) / 10}) {
         auto const difference = [&](int N) { return float50(at_middle(alpha, N, 2) - at_middle(alpha, N, 0)); };
-        CHECK(std::abs(order_between(difference(512), difference(1024)) - static_cast<double>(1 - alpha)) <= 0.02);
+        CHECK(std::abs(testing::order_of(difference(512), difference(1024)) - static_cast<double>(1 - alpha)) <= 0.02);
     }
 }
 
@@ -116,3 +116,5 @@ TEST_CASE("what is no boundary value problem is refused") {
     CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.5), T, 0, 1, 3), error::invalid_parameter);
     CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.75), T, 0.1, 1, 3), error::invalid_parameter);
 }
+
+} // namespace boundary_tests

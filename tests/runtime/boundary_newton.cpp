@@ -6,6 +6,8 @@
 #include "hilger/mechanics/newton_stop.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace boundary_newton_tests {
+
 using namespace hilger;
 
 namespace {
@@ -148,3 +150,5 @@ TEST_CASE("degenerate and broken Lagrangians are named") {
     CHECK(x.q[7].size() == 3);
     CHECK(x.iterations == 0);
 }
+
+} // namespace boundary_newton_tests

@@ -5,6 +5,8 @@
 
 #include "hilger/hilger.hpp"
 
+namespace branches_tests {
+
 using namespace hilger;
 
 namespace {
@@ -76,3 +78,5 @@ TEST_CASE("states of fixed and of dynamic size take the same branches") {
         CHECK(apart < 1e-10);
     }
 }
+
+} // namespace branches_tests

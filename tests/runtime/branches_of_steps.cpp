@@ -5,6 +5,8 @@
 
 #include "hilger/hilger.hpp"
 
+namespace branches_of_steps_tests {
+
 using namespace hilger;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("systems with a structure, by iteration and by Newton's method") {
         CHECK(gauss_2.apart < 1e-10);
     }
 }
+
+} // namespace branches_of_steps_tests

@@ -6,6 +6,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace branches_without_solution_tests {
+
 using namespace hilger;
 
 TEST_CASE("where no branch has a solution an error says so") {
@@ -49,3 +51,5 @@ TEST_CASE("in exact rationals the equation holds exactly") {
     auto const EL = variation(integral(L(q_o, Delta_o_plus[q_o]), half(T)));
     CHECK(largest_residual(EL, solve(EL, T, initial_velocity<Q>{Q(1), Q(-2)})) == 0);
 }
+
+} // namespace branches_without_solution_tests

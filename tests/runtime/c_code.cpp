@@ -10,6 +10,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/integrator/c_code.hpp"
 
+namespace c_code_tests {
+
 using namespace hilger;
 
 namespace {
@@ -272,3 +274,5 @@ TEST_CASE("the C says what it is") {
     CHECK_THROWS_WITH_AS((void)c_code(embed(pendulum, mid_point), "2 pendulums"),
                          "C names are letters, digits and _, and this one is \"2 pendulums\"", error::invalid_parameter);
 }
+
+} // namespace c_code_tests

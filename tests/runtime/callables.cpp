@@ -5,6 +5,8 @@
 
 #include "hilger/hilger.hpp"
 
+namespace callables_tests {
+
 using namespace hilger;
 
 namespace {
@@ -118,3 +120,5 @@ TEST_CASE("energies and Hamiltonians of arguments by value") {
     }
     CHECK(apart < 1e-13);
 }
+
+} // namespace callables_tests

@@ -4,6 +4,8 @@
 
 #include "resuming.hpp"
 
+namespace checkpoint_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -97,3 +99,5 @@ TEST_CASE("the format, and what is said of text that is not in it") {
     CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, mid_point), 10)), path).find("should be 'end', and is 'velocity ") !=
           std::string::npos);
 }
+
+} // namespace checkpoint_tests

@@ -4,6 +4,8 @@
 #include "hilger/mechanics/mechanical.hpp"
 #include "resuming.hpp"
 
+namespace checkpoint_compositions_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -51,3 +53,5 @@ TEST_CASE("kicks and drifts that become turns on the way") {
     CHECK(beyond);
     for (hilger::index_type const i : {0, 5, 12, 20, 40, 60}) CHECK(differences(path, i) == 0);
 }
+
+} // namespace checkpoint_compositions_tests

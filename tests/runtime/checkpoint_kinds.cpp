@@ -2,6 +2,8 @@
 // Resuming has the bits of not stopping for every kind of state, scalar and scale.
 #include "resuming.hpp"
 
+namespace checkpoint_kinds_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -28,3 +30,5 @@ TEST_CASE("on steps of different lengths, at the start and at the end") {
     auto const path = embed(pendulum, mid_point, compensated).along(T, 1.0, 0.0);
     for (hilger::index_type i = 0; i <= 8; ++i) CHECK(differences(path, i) == 0);
 }
+
+} // namespace checkpoint_kinds_tests

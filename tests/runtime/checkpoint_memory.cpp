@@ -6,6 +6,8 @@
 #include "hilger/integrator/fractional_zener.hpp"
 #include "resuming.hpp"
 
+namespace checkpoint_memory_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -71,3 +73,5 @@ TEST_CASE("a checkpoint of one history does not read into another") {
     write_checkpoint(text, all, at.checkpoint());
     CHECK_THROWS_AS((void)read_checkpoint(text, some), error::unreadable);
 }
+
+} // namespace checkpoint_memory_tests

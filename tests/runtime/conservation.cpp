@@ -6,6 +6,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace conservation_tests {
+
 using namespace hilger;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("a scheme that is not variational is not symplectic: the test can tell
     M << 1, float50(1) / 10, float50(-1) / 10, 1;
     CHECK(abs(float50(symplecticity_error(M) - float50(1) / 100)) < epsilon<float50>());
 }
+
+} // namespace conservation_tests

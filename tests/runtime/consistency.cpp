@@ -6,6 +6,8 @@
 #include "hilger/integrator/solve.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace consistency_tests {
+
 using namespace hilger;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("orders that add up to one are stepped, and their equation holds") {
     for (auto const& x : flow_of(equation).along(T, Q(1), Q(1, 2))) positions.push_back(x.q);
     for (Q const& r : equation.residual(function_on(T, positions))) CHECK(r == 0);
 }
+
+} // namespace consistency_tests

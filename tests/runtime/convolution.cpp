@@ -10,7 +10,10 @@
 #include "hilger/history/convolution.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace convolution_tests {
+
 using namespace hilger;
+
 #if !HILGER_HAS_FLOAT128
 using float128 = long double;
 #endif
@@ -68,3 +71,5 @@ TEST_CASE("transforms larger than the cache are as right") {
 TEST_CASE("a triangle takes as many values as it has rows") {
     CHECK_THROWS_WITH_AS((void)toeplitz_triangle<double>({1.0, 2.0})({1.0}), "a triangle of 2 rows was given 1 values", error::mismatch);
 }
+
+} // namespace convolution_tests

@@ -6,6 +6,8 @@
 
 #include "hilger/integrator/counted.hpp"
 
+namespace counted_tests {
+
 using namespace hilger;
 
 namespace {
@@ -85,3 +87,5 @@ TEST_CASE("numbers are counted wherever they are") {
     }
     CHECK(record.numbers == before);
 }
+
+} // namespace counted_tests

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/dense_output.hpp"
-#include "systems.hpp"
+#include "support/orders.hpp"
+#include "support/systems.hpp"
+
+namespace dense_output_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -79,3 +82,5 @@ TEST_CASE("points of a trajectory are met, and left continuously") {
     CHECK_THROWS_AS((void)first(0.2), error::outside_domain);
     CHECK_THROWS_AS((void)first(std::nan("")), error::outside_domain);
 }
+
+} // namespace dense_output_tests

@@ -8,6 +8,8 @@
 #include "hilger/mechanics/derivatives.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace derivatives_tests {
+
 using namespace hilger;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("components of a vector are different variables") {
     CHECK(gradient_first(f, a, b) == e.by_q);
     CHECK(gradient_second(f, a, b) == e.by_v);
 }
+
+} // namespace derivatives_tests

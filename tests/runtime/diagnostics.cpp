@@ -5,7 +5,9 @@
 #include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/recording.hpp"
 #include "hilger/integrator/residual.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace diagnostics_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -128,3 +130,5 @@ TEST_CASE("the residual along a path is that of its equation, forces included") 
     CHECK(largest_residual(embed(with_force(oscillator, friction), theta<1, 3>).along(given, Q(1), Q(1, 2))) == 0);
     CHECK(largest_residual(embed(oscillator, order_one_left).along(without_last(given), Q(1), Q(1, 2))) == 0); // a part of a scale
 }
+
+} // namespace diagnostics_tests

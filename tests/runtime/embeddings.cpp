@@ -4,9 +4,13 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "three_problems.hpp"
+#include "support/orders.hpp"
+#include "support/three_problems.hpp"
+
+namespace embeddings_tests {
 
 using namespace hilger;
+
 using testing::problem_kind, testing::problem_of, testing::three_problems;
 
 namespace {
@@ -14,14 +18,11 @@ namespace {
 using point = state<float50, float50>;
 template <class Embedding>
 point end_of(problem_kind kind, Embedding const& how, int steps) {
-    point last;
-    for (auto const& at : embed(problem_of(kind), how).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2))
-        last = at;
-    return last;
+    return testing::at_one(embed(problem_of(kind), how), steps);
 }
 /// The slope of log error against log h between N and 2N steps; the reference has order 28.
 template <class Embedding>
-double fitted_order(problem_kind kind, Embedding const& how, int steps) {
+double order_on(problem_kind kind, Embedding const& how, int steps) {
     static std::array<point, 3> const references{end_of(problem_kind::linear, galerkin<14, gauss>, 20),
                                                  end_of(problem_kind::nonlinear, galerkin<14, gauss>, 20),
                                                  end_of(problem_kind::non_separable, galerkin<14, gauss>, 20)};
@@ -30,7 +31,7 @@ double fitted_order(problem_kind kind, Embedding const& how, int steps) {
         point const x = end_of(kind, how, n);
         return float50(abs(x.q - reference.q) + abs(x.p - reference.p));
     };
-    return static_cast<double>(log(float50(error(steps) / error(2 * steps))) / log(float50(2)));
+    return testing::order_of(error(steps), error(2 * steps));
 }
 /// The coarser number of steps for each of the problems: enough to be near the limit, and not so many that 50 digits end.
 template <class Embedding>
@@ -39,7 +40,7 @@ void check_order(Embedding const& how, double order, std::array<int, 3> const& c
         CAPTURE(how.name);
         CAPTURE(static_cast<int>(kind));
         CAPTURE(order);
-        double const found = fitted_order(kind, how, counts[static_cast<std::size_t>(kind)]);
+        double const found = order_on(kind, how, counts[static_cast<std::size_t>(kind)]);
         CHECK(found > order - 0.02);
         CHECK(found < order + 0.02);
     }
@@ -70,3 +71,5 @@ TEST_CASE("Galerkin with s Lobatto nodes has order 2s - 2") {
     check_order(galerkin<5, lobatto>, 8, {16, 16, 16});
     check_order(galerkin<8, lobatto>, 14, {8, 24, 64});
 }
+
+} // namespace embeddings_tests

@@ -9,7 +9,9 @@
 
 #include "hilger/integrator/composition_methods.hpp"
 #include "hilger/integrator/diagnostics.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace energy_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -86,3 +88,5 @@ TEST_CASE("the angular momentum of the ellipse does not drift beyond rounding, i
     auto const rotation = [](wide const& q) { return wide(-q(1), q(0)); };
     CHECK(drift_along(path, momentum_map(rotation)).largest < 100 * epsilon<float50>());
 }
+
+} // namespace energy_tests

@@ -8,6 +8,8 @@
 #include "hilger/multiprecision.hpp"
 #include "hilger/operator/weights.hpp"
 
+namespace error_free_tests {
+
 using namespace hilger;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("inlined into a function for processors with fused products") {
     }
 }
 #endif
+
+} // namespace error_free_tests

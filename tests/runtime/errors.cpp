@@ -6,6 +6,8 @@
 
 #include "values.hpp"
 
+namespace errors_tests {
+
 using namespace hilger;
 
 namespace {
@@ -59,3 +61,5 @@ TEST_CASE("an error leaves what it happened to as it was") {
     CHECK_THROWS_AS((void)time_scale<Q>(points), error::invalid_scale);
     CHECK(points.size() == 3);
 }
+
+} // namespace errors_tests

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/events.hpp"
-#include "systems.hpp"
+#include "support/orders.hpp"
+#include "support/systems.hpp"
+
+namespace events_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -134,3 +137,5 @@ TEST_CASE("a Poincare section of Henon and Heiles: the plane x = 0, one sheet, o
     CHECK(count > 55); // the period is near 2 pi: 400 / (2 pi) = 63.7
     CHECK(count < 70);
 }
+
+} // namespace events_tests

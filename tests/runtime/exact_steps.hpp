@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hilger/integrator/composition.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
 
 namespace hilger::testing {
 

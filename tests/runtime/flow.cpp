@@ -7,33 +7,20 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "systems.hpp"
+#include "support/orders.hpp"
+#include "support/systems.hpp"
+
+namespace flow_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
 
 namespace {
 
+/// In 50 digits, between 100 and 200 steps.
 template <class L, class Embedding>
-float50 error_at_one(L const& lagrangian, Embedding const& how, int steps, float50 const& reference) {
-    float50 last;
-    for (auto const& at : embed(lagrangian, how).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2)) last = at.q;
-    return abs(last - reference);
-}
-/// The slope of log error against log h between two step sizes, with a reference of 64 times the finer one's accuracy.
-template <class L, class Embedding>
-double fitted_order(L const& lagrangian, Embedding const& how) {
-    // Richardson: two mid-point runs give a reference of order 4.
-    auto const run = [&](int steps) {
-        float50 last;
-        for (auto const& at : embed(lagrangian, mid_point).along(uniform(interval<float50>{0, 1}, steps), float50(1), float50(1) / 2))
-            last = at.q;
-        return last;
-    };
-    float50 const coarse = run(800), fine = run(1600);
-    float50 const reference = fine + (fine - coarse) / 3;
-    return static_cast<double>(log(float50(error_at_one(lagrangian, how, 100, reference) / error_at_one(lagrangian, how, 200, reference))) /
-                               log(float50(2)));
+double order_on(L const& lagrangian, Embedding const& how) {
+    return fitted_order(embed(lagrangian, how), 100, extrapolated_at_one(embed(lagrangian, mid_point), 800));
 }
 
 /// M^T J M - J for the map (q, p) -> (q', p') in one degree of freedom is det M - 1; derivatives by central differences whose error is far
@@ -69,12 +56,12 @@ TEST_CASE("a flow solves its discrete Euler-Lagrange equation to rounding") {
 }
 
 TEST_CASE("orders, fitted in 50 digits") {
-    CHECK(fitted_order(pendulum, mid_point) == doctest::Approx(2).epsilon(0.01));
-    CHECK(fitted_order(pendulum, order_one) == doctest::Approx(1).epsilon(0.02));
-    CHECK(fitted_order(pendulum, order_one_left) == doctest::Approx(1).epsilon(0.02));
-    CHECK(fitted_order(pendulum, theta<1, 3>) == doctest::Approx(1).epsilon(0.02));
-    CHECK(fitted_order(bead, mid_point) == doctest::Approx(2).epsilon(0.01));
-    CHECK(fitted_order(oscillator, mid_point) == doctest::Approx(2).epsilon(0.01));
+    CHECK(order_on(pendulum, mid_point) == doctest::Approx(2).epsilon(0.01));
+    CHECK(order_on(pendulum, order_one) == doctest::Approx(1).epsilon(0.02));
+    CHECK(order_on(pendulum, order_one_left) == doctest::Approx(1).epsilon(0.02));
+    CHECK(order_on(pendulum, theta<1, 3>) == doctest::Approx(1).epsilon(0.02));
+    CHECK(order_on(bead, mid_point) == doctest::Approx(2).epsilon(0.01));
+    CHECK(order_on(oscillator, mid_point) == doctest::Approx(2).epsilon(0.01));
 }
 
 TEST_CASE("every flow preserves area") {
@@ -189,3 +176,5 @@ TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
     }
     CHECK_THROWS_AS((void)embed(cubic, mid_point).step(state<Q, Q>{0, 1, 0}, Q(1, 10)), error::no_convergence);
 }
+
+} // namespace flow_tests

@@ -5,7 +5,9 @@
 
 #include "fractional_orders.hpp"
 #include "hilger/integrator/events.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_dense_output_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -127,3 +129,5 @@ TEST_CASE("vectors, with a damping of one component and of several terms") {
         CHECK(std::abs(x.q(1) - damped(t).q) < 64 * epsilon<double>());
     }
 }
+
+} // namespace fractional_dense_output_tests

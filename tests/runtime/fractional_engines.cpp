@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "fractional_orders.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_engines_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -88,3 +90,5 @@ TEST_CASE("half of the impulse is at each end, whatever the embedding") {
     holds(order_one_left, 1);
     holds(theta<1, 4>, 0.25);
 }
+
+} // namespace fractional_engines_tests

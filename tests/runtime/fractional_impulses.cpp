@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "fractional_orders.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_impulses_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -156,3 +158,5 @@ TEST_CASE("where it is not known, impulses that alternate and grow are an error 
     constexpr lagrangian stiff{[](auto const& x, auto const& v) { return v * v * (1 + 0 * x) / 2 - 16'000'000 * x * x / 2; }};
     CHECK_NOTHROW(walk(embed(with_fractional_impulses(stiff, 1e-3, 0.5), mid_point).along(T, 1.0, 0.0)));
 }
+
+} // namespace fractional_impulses_tests

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "fractional_orders.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_mean_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -125,3 +127,5 @@ TEST_CASE("there is no limit of stability: far beyond that of impulses the energ
         falls(with_fractional_damping(spring, rho, fraction<1, 2>{}), order_one, 1.0, 1.25 / 0.75);
     }
 }
+
+} // namespace fractional_mean_tests

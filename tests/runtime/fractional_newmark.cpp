@@ -10,6 +10,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
 
+namespace fractional_newmark_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -169,3 +171,5 @@ TEST_CASE("what is no structure is refused in one sentence") {
     CHECK_THROWS_WITH_AS(walk(long_load.along(T, Eigen::VectorXd(Eigen::VectorXd::Zero(3)), Eigen::VectorXd(Eigen::VectorXd::Zero(3)))),
                          "a load has one component for each degree of freedom, and this one has 2 for 3", error::mismatch);
 }
+
+} // namespace fractional_newmark_tests

@@ -10,7 +10,9 @@
 #include "hilger/integrator/fractional_newmark.hpp"
 #include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/mechanics/beam.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_policies_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -117,3 +119,5 @@ TEST_CASE("a run that goes further than its history says at which step and time"
     CHECK(walk(newmark<bdf<2>>(fractional_structure{1.0, 1.0, 1.0, 1.0, 0.5}, still, average_acceleration, few).along(T, 1.0, 0.5)) ==
           sentence);
 }
+
+} // namespace fractional_policies_tests

@@ -9,6 +9,8 @@
 #include "hilger/history/history.hpp"
 #include "hilger/integrator/fractional_newmark.hpp"
 
+namespace fractional_rounding_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -44,3 +46,5 @@ TEST_CASE("2^14 and 2^20 steps: the error falls by 2^12 to the rounding of some 
         }
     }
 }
+
+} // namespace fractional_rounding_tests

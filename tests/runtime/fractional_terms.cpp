@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "fractional_orders.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace fractional_terms_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -105,3 +107,5 @@ TEST_CASE("each term is checked") {
     CHECK_THROWS_WITH_AS((void)embed(third, mid_point).along(uniform(0.0, 0.1, 10), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)),
                          "a fractional damping has one coefficient for each component, and here are 3 for 2", error::mismatch);
 }
+
+} // namespace fractional_terms_tests

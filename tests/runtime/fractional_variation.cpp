@@ -7,7 +7,10 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/systems.hpp"
 #include "values.hpp"
+
+namespace fractional_variation_tests {
 
 using namespace hilger;
 
@@ -115,7 +118,7 @@ TEST_CASE("fractional equations are written down") {
 
 TEST_CASE("what is walked and solved are solutions of the equations") {
     auto const T = uniform(0.0, 0.125, 40);
-    lagrangian const pendulum{[](auto const& x, auto const& v) { return v * v / 2 + cos(x); }};
+    using testing::pendulum;
     auto const damped = variation(integral(pendulum(q_o, Delta_o_plus[q_o]), half(T)) -
                                   0.5 * integral(Delta_minus_alpha<1, 3>[q] * Delta_plus_alpha<1, 3>[y], T));
     std::vector<double> positions;
@@ -136,3 +139,5 @@ TEST_CASE("what is walked and solved are solutions of the equations") {
     auto const again = solve_boundary(variation(nabla_integral(quartic(q, Delta_minus(0.75)[q]), T)), 0.25, 1.0);
     for (hilger::index_type k = 0; k <= 40; ++k) CHECK(std::abs(again.q[k] - solution.q[k]) <= 64 * epsilon<double>());
 }
+
+} // namespace fractional_variation_tests

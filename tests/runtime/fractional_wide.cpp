@@ -4,6 +4,8 @@
 
 #include "fractional_orders.hpp"
 
+namespace fractional_wide_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -26,3 +28,5 @@ TEST_CASE("the mean over the step has order two in 50 digits, and its history is
     CHECK(left(eq) < 0.01);
     CHECK(left(ep) < 0.01);
 }
+
+} // namespace fractional_wide_tests

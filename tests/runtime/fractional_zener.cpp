@@ -15,6 +15,8 @@
 #include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/mechanics/beam.hpp"
 
+namespace fractional_zener_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -240,3 +242,5 @@ TEST_CASE("what is no material or beam is refused in one sentence") {
                          "length, bending stiffness, mass and number of elements of a beam are positive, and one of them is 0",
                          error::invalid_parameter);
 }
+
+} // namespace fractional_zener_tests

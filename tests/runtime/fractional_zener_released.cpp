@@ -11,8 +11,11 @@
 #include "hilger/integrator/fractional_zener.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace fractional_zener_released_tests {
+
 using namespace hilger;
 using papers::fitted_slope;
+
 using S = float50;
 
 namespace {
@@ -71,3 +74,5 @@ TEST_CASE("whatever generating function of order two or more") {
     has_order<bdf<3>>(S(1) / 2, 2);
     has_order<trapezoid>(S(1) / 2, 2);
 }
+
+} // namespace fractional_zener_released_tests

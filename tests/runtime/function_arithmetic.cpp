@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace function_arithmetic_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -147,3 +149,5 @@ TEST_CASE("restrict_to forgets points and keeps values") {
         "a function is used on its own scale: it lives on T = {0, 1, 3, 7} (4 points), and is needed on T^{+} = {0, 1, 3} (3 points)",
         error::mismatch);
 }
+
+} // namespace function_arithmetic_tests

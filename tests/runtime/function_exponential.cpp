@@ -6,6 +6,8 @@
 
 #include "values.hpp"
 
+namespace function_exponential_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -74,3 +76,5 @@ TEST_CASE("s and t are points of T, and p is needed from one to the other") {
     CHECK(std::abs(exponential(one, 0.3, 0.0) - 1.331) < 1e-15);
     CHECK(std::abs(exponential(one, 1, 0.5) - 1.61051) < 1e-15); // an integer bound does not make the other one an integer
 }
+
+} // namespace function_exponential_tests

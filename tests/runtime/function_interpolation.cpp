@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace function_interpolation_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -93,3 +95,5 @@ TEST_CASE("curves in the plane") {
     CHECK(interpolate(u).right_derivative(0.75) == Eigen::Vector2d(1.0, 1.5));
     CHECK(steps_of(on_half[extend[u]]).integral_to(0.75) == Eigen::Vector2d(0.3125, 0.21875));
 }
+
+} // namespace function_interpolation_tests

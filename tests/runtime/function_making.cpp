@@ -9,6 +9,8 @@
 
 #include "values.hpp"
 
+namespace function_making_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -132,3 +134,5 @@ TEST_CASE("tabulate keeps the domain, also when the size is in the type") {
     CHECK(values(in_type) == "T^{-}: 1, 3, 5");
     CHECK_THROWS_AS((void)in_type[0], error::outside_domain);
 }
+
+} // namespace function_making_tests

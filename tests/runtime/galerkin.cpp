@@ -4,6 +4,8 @@
 
 #include "runs_in_the_plane.hpp"
 
+namespace galerkin_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -33,3 +35,5 @@ TEST_CASE("runs are resumed bit for bit, whichever way their steps are solved") 
     CHECK(differences(path_of<double>(eight, 13.0, 130, 0.4, 2), 61) == 0);
     CHECK(differences(path_of<double>(eight, 13.0, 13, 0.4, 2), 6) == 0);
 }
+
+} // namespace galerkin_tests

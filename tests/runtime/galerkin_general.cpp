@@ -4,6 +4,8 @@
 
 #include "runs_in_the_plane.hpp"
 
+namespace galerkin_general_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -27,3 +29,5 @@ TEST_CASE("runs are resumed bit for bit, whichever way their steps are solved") 
     CHECK(differences(path_of<double>(four, 12.0, 60, 0.5, 1), 31) == 0);
     CHECK(differences(path_of<double>(four, 12.0, 8, 0.5, 1), 3) == 0);
 }
+
+} // namespace galerkin_general_tests

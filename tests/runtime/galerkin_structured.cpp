@@ -4,6 +4,8 @@
 
 #include "resuming.hpp"
 
+namespace galerkin_structured_tests {
+
 using namespace hilger;
 
 namespace {
@@ -36,3 +38,5 @@ TEST_CASE("its runs are resumed bit for bit") {
     CHECK(testing::differences(path(row, 10.0, 50, Eigen::VectorXd(q), Eigen::VectorXd(p)), 21) == 0);
     CHECK(testing::differences(path(row, 200.0, 50, Eigen::VectorXd(q), Eigen::VectorXd(p)), 21) == 0);
 }
+
+} // namespace galerkin_structured_tests

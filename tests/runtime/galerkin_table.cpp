@@ -5,6 +5,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace galerkin_table_tests {
+
 using namespace hilger;
 
 namespace {
@@ -106,3 +108,5 @@ TEST_CASE("exact scalars have exact nodes, or are told that these are irrational
     CHECK_THROWS_WITH_AS(gauss::on_unit_interval<Q>(2), "these nodes are irrational: take a scalar that is not exact",
                          error::invalid_parameter const&);
 }
+
+} // namespace galerkin_table_tests

@@ -4,7 +4,9 @@
 
 #include <complex>
 
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace galerkin_ways_tests {
 
 using namespace hilger;
 
@@ -75,3 +77,5 @@ TEST_CASE("three Lobatto nodes are exact in the rationals, and undo themselves")
     CHECK_FALSE(there.q == start.q);
     CHECK(adjoint(simpson).step(there, Q(-1, 5)) == start);
 }
+
+} // namespace galerkin_ways_tests

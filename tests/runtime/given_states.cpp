@@ -10,6 +10,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace given_states_tests {
+
 using namespace hilger;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("to a wanted accuracy, and between two given ends") {
     CHECK(solve_boundary(problem, D, 0, 1).q[4] == solve_boundary(problem, D, 0.0, 1.0).q[4]);
     CHECK(solve_boundary(problem, D, 0 * x0, p0.transpose()).q[4] == solve_boundary(problem, D, vector(0, 0), p0).q[4]);
 }
+
+} // namespace given_states_tests

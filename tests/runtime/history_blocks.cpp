@@ -7,6 +7,8 @@
 
 #include "histories.hpp"
 
+namespace history_blocks_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -71,3 +73,5 @@ TEST_CASE("component by component") {
         CHECK(bound(2) == 0);
     }
 }
+
+} // namespace history_blocks_tests

@@ -7,6 +7,8 @@
 
 #include "histories.hpp"
 
+namespace history_convolve_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -124,3 +126,5 @@ TEST_CASE("the transform has the values of the polynomial at the roots of i, eac
         }
     }
 }
+
+} // namespace history_convolve_tests

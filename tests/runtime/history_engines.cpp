@@ -6,6 +6,8 @@
 
 #include "histories.hpp"
 
+namespace history_engines_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -93,3 +95,5 @@ TEST_CASE("every BDF, and a generating function that only direct and blocks know
     oscillating.compare(direct{}, 100);
     oscillating.compare(automatic{1500}, 100);
 }
+
+} // namespace history_engines_tests

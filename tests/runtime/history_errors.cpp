@@ -7,6 +7,8 @@
 
 #include "histories.hpp"
 
+namespace history_errors_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -136,3 +138,5 @@ TEST_CASE("what a window leaves out is within its bound at every point") {
     CHECK(largest <= engine.error_estimate(1));
     CHECK(largest > 0.01 * engine.error_estimate(1));
 }
+
+} // namespace history_errors_tests

@@ -4,6 +4,8 @@
 
 #include "histories.hpp"
 
+namespace history_exact_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -65,3 +67,5 @@ TEST_CASE("a whole order is a finite difference: exponentials of order 1 and 2 k
     g1.push(0);
     CHECK(g1.past() == 0);
 }
+
+} // namespace history_exact_tests

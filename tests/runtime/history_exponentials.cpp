@@ -8,6 +8,8 @@
 
 #include "histories.hpp"
 
+namespace history_exponentials_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -111,3 +113,5 @@ TEST_CASE("few Gauss nodes have the moments of many") {
     }
     CHECK(detail::memory::gauss(many, 60).node.size() == 60);
 }
+
+} // namespace history_exponentials_tests

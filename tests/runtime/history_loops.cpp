@@ -6,6 +6,8 @@
 
 #include "histories.hpp"
 
+namespace history_loops_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -118,3 +120,5 @@ void check_passes() {
 
 TEST_CASE_TEMPLATE("sums of products and exponentials", S, float, double) { check_sums<S>(); }
 TEST_CASE_TEMPLATE("passes of the transform", S, float, double) { check_passes<S>(); }
+
+} // namespace history_loops_tests

@@ -7,6 +7,8 @@
 #include "hilger/identity/by_parts.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace identities_tests {
+
 using namespace hilger;
 
 namespace {
@@ -105,3 +107,5 @@ TEST_CASE("a condition that is not met is a failure, and said") {
     CHECK(found.comparisons == 2);
     CHECK(found.first_failure.find("one is two on T = {0, 1, 2} (3 points)") == 0);
 }
+
+} // namespace identities_tests

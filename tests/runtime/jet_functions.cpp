@@ -9,6 +9,8 @@
 #include "hilger/float128.hpp"
 #endif
 
+namespace jet_functions_tests {
+
 using namespace hilger;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("max, min and copysign of jets and constants, in rationals too") {
     CHECK(d.by_q == 1.5 + 1.5 - 2 * 3 * 1.5);
     CHECK(d.by_v == 3 + 3 - 9);
 }
+
+} // namespace jet_functions_tests

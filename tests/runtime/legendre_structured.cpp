@@ -11,6 +11,8 @@
 #include "hilger/mechanics/mechanical.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace legendre_structured_tests {
+
 using namespace hilger;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE("a Hamiltonian's velocity is its derivative, with the time in it too")
     CHECK(velocity_of(detail::at_time{L, t}, Q(2), Q(3)) == 15);
     CHECK(momentum_of(detail::at_time{L, t}, Q(2), Q(15)) == 3);
 }
+
+} // namespace legendre_structured_tests

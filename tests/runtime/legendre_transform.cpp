@@ -8,6 +8,8 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/mechanics/legendre_transform.hpp"
 
+namespace legendre_transform_tests {
+
 using namespace hilger;
 
 namespace {
@@ -56,3 +58,5 @@ TEST_CASE("p_i = -d_1 L_h and p_{i+1} = d_2 L_h, also where the position of a co
     CHECK(std::abs(y.p - (by_v + h * 0.75 * by_q)) <= 16 / h * epsilon<double>());
     CHECK(std::abs(y.p - x.p) > 0.1);
 }
+
+} // namespace legendre_transform_tests

@@ -7,6 +7,10 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/orders.hpp"
+#include "support/systems.hpp"
+
+namespace mechanics_tests {
 
 using namespace hilger;
 
@@ -111,7 +115,7 @@ TEST_CASE("time in the Lagrangian or the Hamiltonian: order 2 on a driven oscill
             return abs(float50(x.q - (4 * cos(float50(1)) - cos(float50(2))) / 3)) +
                    abs(float50(x.p + (4 * sin(float50(1)) - 2 * sin(float50(2))) / 3));
         };
-        return static_cast<double>(log(float50(error(n) / error(2 * n))) / log(float50(2)));
+        return testing::order_of(float50(error(n)), float50(error(2 * n)));
     };
     CHECK(std::abs(order(embed(driven, mid_point), 40) - 2) < 0.02);
     CHECK(std::abs(order(embed(lagrangian_of(H), mid_point), 40) - 2) < 0.02);
@@ -129,7 +133,7 @@ TEST_CASE("Lagrange-d'Alembert: the forced mid-point embedding has order 2 with 
     auto const reference = end(galerkin<6, gauss>, 20);
     auto const order = [&](auto const& how, int n) {
         auto const a = end(how, n), b = end(how, 2 * n);
-        return static_cast<double>(log(float50(abs(a.q - reference.q) / abs(b.q - reference.q))) / log(float50(2)));
+        return testing::order_of(float50(a.q - reference.q), float50(b.q - reference.q));
     };
     CHECK(std::abs(order(mid_point, 80) - 2) < 0.02);
     CHECK(std::abs(order(order_one, 200) - 1) < 0.02);
@@ -182,10 +186,9 @@ struct by_hand {
 } // namespace
 
 TEST_CASE("the user's own derivatives are used") {
-    constexpr lagrangian pendulum{[](auto const& q, auto const& v) { return v * v / 2 + cos(q); }};
     auto const T = uniform(0.0, 0.1, 100);
     auto const check = [&](auto const& how) {
-        CHECK(distance(end_of(embed(by_hand{}, how).along(T, 1.0, 0.5)), end_of(embed(pendulum, how).along(T, 1.0, 0.5))) < 1e-13);
+        CHECK(distance(end_of(embed(by_hand{}, how).along(T, 1.0, 0.5)), end_of(embed(testing::pendulum, how).along(T, 1.0, 0.5))) < 1e-13);
     };
     check(mid_point);
     check(order_one);
@@ -261,3 +264,5 @@ TEST_CASE("bad states are refused in one sentence") {
     CHECK_THROWS_AS(end_of(embed(lame, mid_point).along(T, vector2(1, 1), vector2(0, 0))), error::singular);
     CHECK_THROWS_AS(end_of(embed(lame, order_one).along(T, vector2(1, 1), vector2(0, 0))), error::singular);
 }
+
+} // namespace mechanics_tests

@@ -5,6 +5,8 @@
 
 #include "values.hpp"
 
+namespace operator_algebra_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -101,3 +103,5 @@ TEST_CASE("the weights themselves") {
     CHECK(weights(delta_weight{}, without_last(T)) == "1 2 4 "); // a part of T keeps the weights of T
     CHECK(weights(nabla_weight{}, without_first(T)) == "1 2 4 ");
 }
+
+} // namespace operator_algebra_tests

@@ -8,6 +8,8 @@
 
 #include "values.hpp"
 
+namespace operator_integral_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -170,3 +172,5 @@ TEST_CASE("the mid-point rule is of order two, the left and the right rule of or
     CHECK(std::log2(error_of(right, 500) / error_of(right, 1000)) == doctest::Approx(1).epsilon(0.01));
     CHECK(std::log2(error_of(middle, 500) / error_of(middle, 1000)) == doctest::Approx(2).epsilon(0.01));
 }
+
+} // namespace operator_integral_tests

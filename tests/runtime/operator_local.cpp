@@ -5,6 +5,8 @@
 
 #include "values.hpp"
 
+namespace operator_local_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -120,3 +122,5 @@ TEST_CASE("one, two and three steps leave what they can") {
     CHECK(values(Delta_plus[Delta_plus[three]]) == "T^{++}: 2, 2");
     CHECK(values(Delta_minus[Delta_minus[Delta_minus[three]]]) == "T^{---}: 0");
 }
+
+} // namespace operator_local_tests

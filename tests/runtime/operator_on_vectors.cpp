@@ -8,6 +8,8 @@
 
 #include "values.hpp"
 
+namespace operator_on_vectors_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -82,3 +84,5 @@ TEST_CASE("vectors with exact components") {
     CHECK(step_mean[on_half[extend[u]]][1] == vector(Q(3, 2), Q(7, 2)));
     CHECK(integral(dot(u, Delta_plus[u]), T) == Q(0) + 2 * (1 + 4) + 4 * (3 + 90));
 }
+
+} // namespace operator_on_vectors_tests

@@ -5,6 +5,8 @@
 
 #include "values.hpp"
 
+namespace operator_transfer_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -104,3 +106,5 @@ TEST_CASE("one and two steps") {
     CHECK(values(mean_o[extend[q]]) == "T^{+-}: 6");
     CHECK(values(step_mean[on_half[extend[q]]]) == "T^{+-}: 6");
 }
+
+} // namespace operator_transfer_tests

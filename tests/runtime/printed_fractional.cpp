@@ -3,6 +3,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_fractional_tests {
+
 using namespace hilger;
 using namespace reading;
 
@@ -72,3 +74,5 @@ TEST_CASE("the restricted principle") {
     read_back_restricted(integral(L(fraction<2>{} * q_o, Delta_o_plus[q_o]), half(T)) -
                          Q(-1, 2) * integral(Delta_minus_alpha<1, 3>[q] * Delta_plus_alpha<1, 6>[y], T));
 }
+
+} // namespace printed_fractional_tests

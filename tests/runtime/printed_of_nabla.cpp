@@ -4,6 +4,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_of_nabla_tests {
+
 using namespace hilger;
 using reading::L;
 using reading::read_back;
@@ -31,3 +33,5 @@ TEST_CASE("the nabla integral") {
     read_back(nabla_integral(L(Delta_minus[q], fraction<3, 4>{} * q), T));
     read_back(nabla_integral(L(rho[rho[q]], half_of * (Delta_minus[q] + Delta_minus[rho[q]])), T));
 }
+
+} // namespace printed_of_nabla_tests

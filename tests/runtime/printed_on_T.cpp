@@ -3,6 +3,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_on_T_tests {
+
 using namespace hilger;
 using reading::L;
 using reading::read_back;
@@ -32,3 +34,5 @@ TEST_CASE("sums") {
     read_back(integral(L(sigma[sigma[q]] - q, Delta_plus[Delta_plus[q]]), T));
     read_back(integral(L(q - fraction<1, 3>{} * sigma[q], Delta_plus[q] + fraction<5, 7>{} * q), T));
 }
+
+} // namespace printed_on_T_tests

@@ -3,6 +3,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_on_half_tests {
+
 using namespace hilger;
 using reading::L;
 using reading::read_back;
@@ -32,3 +34,5 @@ TEST_CASE("means, differences of differences, values at the ends of a step") {
     read_back(integral(L((mean_h_minus * on_half)[q_o], velocity[q]), half(T)));
     read_back(integral(L((on_half * extend)[fraction<1, 2>{} * (q + sigma[q])], Delta_h_minus[on_half[q_o]]), half(T)));
 }
+
+} // namespace printed_on_half_tests

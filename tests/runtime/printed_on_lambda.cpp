@@ -4,6 +4,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_on_lambda_tests {
+
 using namespace hilger;
 using reading::L;
 using reading::read_back;
@@ -24,3 +26,5 @@ TEST_CASE("any lambda") {
     auto const at_run_time = theta_at(Q(2, 5));
     read_back(integral(L(at_run_time.position[q], at_run_time.velocity[q]), at_lambda(T, Q(2, 5))));
 }
+
+} // namespace printed_on_lambda_tests

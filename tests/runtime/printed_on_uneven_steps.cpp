@@ -3,6 +3,8 @@
 #include "hilger/scale/time_scale.hpp"
 #include "read_back.hpp"
 
+namespace printed_on_uneven_steps_tests {
+
 using namespace hilger;
 using reading::L;
 using reading::read_back;
@@ -33,3 +35,5 @@ TEST_CASE("over T_half and T_lambda") {
     read_back(integral(L(sigma_o[q_o], Delta_o_plus[q_o]), half(T)));
     read_back(integral(L(q_l, fraction<2>{} * Delta_plus_on<joined<fraction<1, 3>>>[q_l]), at_lambda<1, 3>(T)));
 }
+
+} // namespace printed_on_uneven_steps_tests

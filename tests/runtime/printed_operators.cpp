@@ -4,6 +4,8 @@
 #include "hilger/scale/uniform.hpp"
 #include "read_back.hpp"
 
+namespace printed_operators_tests {
+
 using namespace hilger;
 using reading::printed;
 
@@ -84,3 +86,5 @@ TEST_CASE("read back") {
     read_operator(Delta_h_minus * on_half * extend);
     read_operator(minus_start + Delta_plus);
 }
+
+} // namespace printed_operators_tests

@@ -3,14 +3,15 @@
 // equals the residual at every point, on exactly the points that the text says; the Hamiltonian form and the LaTeX say the same.
 #pragma once
 
-#include <sstream>
-
 #include <doctest/doctest.h>
 
 #include "hilger/mechanics/print.hpp"
 #include "reading.hpp"
+#include "values.hpp"
 
 namespace reading {
+
+using hilger::testing::printed;
 
 /// Polynomial, so that rationals stay rational; neither separable nor quadratic.
 struct cubic {
@@ -84,13 +85,6 @@ bool same_as_residual(table const& left, std::pair<int, int> const& numbers, R c
         if (left.at.count(i) == 0 or left.at.at(i) != sign * residual[i]) return false;
     return true;
 }
-template <class Printable>
-std::string printed(Printable const& x) {
-    std::ostringstream out;
-    out << x;
-    return out.str();
-}
-
 template <class Base>
 family family_of(Base const& base) {
     if constexpr (requires { base.lambda; })

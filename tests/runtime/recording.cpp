@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/recording.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
+
+namespace recording_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
@@ -100,3 +102,5 @@ TEST_CASE("what a Lagrangian throws itself loses no state either") {
     CHECK(run.states.size() == 5); // mid-points 0.25, ..., 1.75 are inside
     CHECK(run.states.back() == state<double, double>{2, 2, 1});
 }
+
+} // namespace recording_tests

@@ -5,12 +5,15 @@
 
 #include "allocations.hpp"
 #include "hilger/hilger.hpp"
+#include "support/systems.hpp"
+
+namespace requirements_tests {
 
 using namespace hilger;
+using testing::pendulum;
 
 namespace {
 
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 auto const T = uniform(0.0, 0.05, 40);
 
 template <class Path>
@@ -101,3 +104,5 @@ TEST_CASE("what cannot be counted is said") {
     CHECK_FALSE(requirements_of(path, 1).allocations.has_value());
     CHECK(requirements_of(path, 1, allocations_until_now).allocations == 0);
 }
+
+} // namespace requirements_tests

@@ -4,13 +4,16 @@
 
 #include "allocations.hpp"
 #include "hilger/hilger.hpp"
+#include "support/systems.hpp"
+
+namespace requirements_structured_tests {
 
 using namespace hilger;
+using testing::pendulum;
 
 namespace {
 
 constexpr auto spring = [](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; };
-constexpr auto pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
 constexpr unknown<"q"> q;
 constexpr unknown<"y"> y;
 auto const T = uniform(0.0, 0.05, 200);
@@ -84,8 +87,7 @@ TEST_CASE("there is no history where the damping is local") {
     auto const at_run_time = embed(with_fractional_damping(pendulum, 0.1, 1.0), order_one).along(T, 1.0, 0.5);
     CHECK(history_of(at_run_time).histories == 0);
     // Half a derivative of half a derivative
-    auto const S =
-        integral(lagrangian(pendulum)(q, Delta_plus[q]), T) - 0.2 * integral(Delta_minus_alpha<1, 2>[q] * Delta_plus_alpha<1, 2>[y], T);
+    auto const S = integral(pendulum(q, Delta_plus[q]), T) - 0.2 * integral(Delta_minus_alpha<1, 2>[q] * Delta_plus_alpha<1, 2>[y], T);
     auto const composed = history_of(flow_of(variation(S)).along(T, 1.0, 0.5));
     CHECK(composed.histories == 0);
     CHECK(composed.bytes == 0);
@@ -183,3 +185,5 @@ TEST_CASE("a structure's step by Newmark's scheme: its force twice and one solve
     check(one_damper, 1);
     check(everywhere, 3);
 }
+
+} // namespace requirements_structured_tests

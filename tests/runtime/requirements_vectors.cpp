@@ -4,6 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
+#include "support/systems.hpp"
+
+namespace requirements_vectors_tests {
 
 using namespace hilger;
 
@@ -53,7 +56,7 @@ TEST_CASE("mid-point in the plane: the symmetric second derivatives once, one ro
 
 TEST_CASE("Galerkin: forces at the nodes, and no second derivative of them") {
     // Broken by Newton where the forces contract, by a round that is not needed.
-    auto const pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
+    using testing::pendulum;
     requirements const r = requirements_of(embed(pendulum, galerkin<2, gauss>).along(T, 1.0, 0.5));
     CHECK(r.growth_in_bytes == 0);
     CHECK(r.newton_rounds == 0);
@@ -62,3 +65,5 @@ TEST_CASE("Galerkin: forces at the nodes, and no second derivative of them") {
     CHECK(r.forces >= 4);
     CHECK(r.forces <= 2 * 5);
 }
+
+} // namespace requirements_vectors_tests

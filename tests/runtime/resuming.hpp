@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/checkpoint.hpp"
-#include "systems.hpp"
+#include "support/systems.hpp"
 
 namespace hilger::testing {
 

@@ -8,6 +8,8 @@
 #include "hilger/integrator/composition.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace reversed_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -52,3 +54,5 @@ TEST_CASE("an adjoint is known by its type") {
     CHECK(b.time(0, Q(1), Q(1, 5)) == Q(1) + Q(2, 3) * Q(1, 5));
     CHECK(b.w(0) == Q(1, 5));
 }
+
+} // namespace reversed_tests

@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace scale_errors_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -109,3 +111,5 @@ TEST_CASE("every error is a hilger exception and a standard one") {
     CHECK_THROWS_AS((void)uniform(0.0, 0.1, 3).sigma(9.0), error::exception);
     CHECK_THROWS_AS(at_lambda(uniform(0.0, 0.1, 3), 2.0), error::exception);
 }
+
+} // namespace scale_errors_tests

@@ -10,6 +10,8 @@
 
 #include "values.hpp"
 
+namespace scale_iteration_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -132,3 +134,5 @@ TEST_CASE("a scale prints its name, its first points, its last one and their num
     CHECK(printed(at_lambda<1, 3>(T)) == "T_1/3 = {1/3, 5/3, 13/3} (3 points)");
     CHECK(printed(circ(T, Q(1, 4))) == "T_{o,lambda} = {0, 1/4, 1, ..., 7} (7 points)");
 }
+
+} // namespace scale_iteration_tests

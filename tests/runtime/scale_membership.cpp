@@ -8,6 +8,8 @@
 
 #include "values.hpp"
 
+namespace scale_membership_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -111,3 +113,5 @@ TEST_CASE("the point with a number that is not one is an error") {
     CHECK_THROWS_AS((void)circ(T).point(7), error::outside_domain);
     CHECK_THROWS_AS((void)interior(uniform(0.0, 1.0, 1)).min(), error::outside_domain);
 }
+
+} // namespace scale_membership_tests

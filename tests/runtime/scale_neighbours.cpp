@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace scale_neighbours_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -113,3 +115,5 @@ TEST_CASE("what has no next or previous point says so in one sentence") {
     CHECK_THROWS_WITH_AS((void)without_last(T).sigma(Q(3)), "sigma(3) does not exist: 3 is the last point of T^{+} = {0, 1, 3} (3 points)",
                          error::outside_domain);
 }
+
+} // namespace scale_neighbours_tests

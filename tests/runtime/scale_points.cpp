@@ -6,6 +6,8 @@
 
 #include "values.hpp"
 
+namespace scale_points_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -149,3 +151,5 @@ TEST_CASE("the numbers of a uniform scale meet in one scalar") {
                          error::invalid_parameter);
     CHECK(uniform(1 << 30, 1024.0F, 10).min() == 1073741824.0F); // beyond 2^24, and a float all the same
 }
+
+} // namespace scale_points_tests

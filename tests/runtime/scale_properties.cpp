@@ -8,6 +8,8 @@
 
 #include "values.hpp"
 
+namespace scale_properties_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -105,3 +107,5 @@ TEST_CASE("what does not need a uniform scale does not use one: a uniform scale 
         RC_ASSERT(values(adjoint(extend)[extend[f]]) == values(adjoint(extend)[extend[g]]));
     }));
 }
+
+} // namespace scale_properties_tests

@@ -8,6 +8,8 @@
 
 #include "values.hpp"
 
+namespace scale_reading_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -96,3 +98,5 @@ TEST_CASE("a file that is not there, and a directory, cannot be read") {
                          error::unreadable);
     CHECK_THROWS_AS(read_time_scale<double>(std::filesystem::temp_directory_path().string()), error::unreadable);
 }
+
+} // namespace scale_reading_tests

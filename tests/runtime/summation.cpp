@@ -5,6 +5,8 @@
 #include "hilger/integrator/summation.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace summation_tests {
+
 using namespace hilger;
 
 TEST_CASE("z + carry = x + y exactly, also where the increment is larger than the state") {
@@ -32,3 +34,5 @@ TEST_CASE("eight increments of 2^-54 are 2^-51, and nothing where they are not c
     CHECK(sum.rest[0] == 0.0);
     CHECK(plain == 1.0);
 }
+
+} // namespace summation_tests

@@ -9,6 +9,8 @@
 #include "hilger/mechanics/symbol_derivative.hpp"
 #include "hilger/mechanics/symbol_print.hpp"
 
+namespace symbol_tests {
+
 using namespace hilger;
 
 namespace {
@@ -177,3 +179,5 @@ TEST_CASE("an embedding's operators run on symbols: the tableau as formulas in h
     CHECK(tableau_of(order_one_left, h).a(0, 0) == 0);
     CHECK(printed(tableau_of(mid_point, h).b(0, 0)) == "−1/h");
 }
+
+} // namespace symbol_tests

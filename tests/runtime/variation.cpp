@@ -6,6 +6,8 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+namespace variation_tests {
+
 using namespace hilger;
 
 namespace {
@@ -166,3 +168,5 @@ TEST_CASE("equations are printed as the papers write them") {
     auto const uneven = variation(integral(L(q, Delta_plus[q]), U));
     CHECK(printed(uneven) == "∂L/∂q(⋆) − (ν/μ) Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₊[q])\n");
 }
+
+} // namespace variation_tests

@@ -7,6 +7,8 @@
 #include "hilger/multiprecision.hpp"
 #include "hilger/operator/weights.hpp"
 
+namespace weights_tests {
+
 using namespace hilger;
 
 namespace {
@@ -109,3 +111,5 @@ TEST_CASE("an order that is no number") {
     CHECK_THROWS_WITH_AS((weight_sequence<grunwald_letnikov, double>(std::nan(""))),
                          "the order of a fractional difference is a finite number", error::invalid_parameter);
 }
+
+} // namespace weights_tests

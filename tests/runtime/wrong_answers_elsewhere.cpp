@@ -7,6 +7,8 @@
 
 #include "values.hpp"
 
+namespace wrong_answers_elsewhere_tests {
+
 using namespace hilger;
 using namespace hilger::testing;
 
@@ -105,3 +107,5 @@ TEST_CASE("and the same in floating scalars, where points carry rounding") {
     CHECK(integral(one, 0.7, 0.3) == doctest::Approx(-0.4).epsilon(1e-14));
     CHECK_THROWS_AS((void)Delta_plus[one](1.0), error::outside_domain);
 }
+
+} // namespace wrong_answers_elsewhere_tests

@@ -27,11 +27,4 @@ inline constexpr lagrangian cubic{[](auto const& x, auto const& v) { return v * 
 
 /// Equal to a relative tolerance; doctest's Approx compares small numbers absolutely.
 inline bool near(double value, double expected, double tolerance) { return std::abs(value / expected - 1) <= tolerance; }
-/// The order that two errors show whose steps are in the ratio 2.
-template <class S>
-double order_of(S const& coarse, S const& fine) {
-    using std::log;
-    return static_cast<double>(log(S(coarse / fine)) / log(S(2)));
-}
-
 } // namespace hilger::testing
