@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
-# Compiles one case: cmake -D source= -D must= -D compiler= -D compiler_id= -D includes= -D system= -P check.cmake
-# must=compile      the twin, compiled as it is, compiles
+# Compiles one case: cmake -D source= -D must= -D precompiled= -D compiler= -D compiler_id= -D includes= -D system= -P check.cmake
+# must=precompile   compiles the header ${precompiled}, which every case then has before its own lines, unless it has a line
+#                   "// alone: <why>"
+# must=compile      the twin, compiled as it is, compiles; ${source} may have those of many cases
 # must=not_compile  with MUST_NOT_COMPILE defined it does not. The first line with "error:" contains the text of the line
 #                   "// expect: <text>", and the message has fewer than 25 lines, not counting those that say who included whom.
 # A case with several mistakes has lines "// expect 1: <text>", "// expect 2: <text>" ..., and MUST_NOT_COMPILE is the number of the mistake.
@@ -9,7 +11,7 @@
 # with the number of the mistake as above, raise the limit where most lines are the compiler's own.
 cmake_minimum_required(VERSION 3.22)
 
-set(command ${compiler} -std=c++20 -fsyntax-only ${source})
+set(command ${compiler} -std=c++20)
 foreach(directory IN LISTS includes)
   list(APPEND command -I${directory})
 endforeach()
@@ -17,6 +19,21 @@ foreach(directory IN LISTS system)
   list(APPEND command -isystem ${directory})
 endforeach()
 set(ENV{LC_ALL} C) # plain quotation marks in messages
+
+if(must STREQUAL "precompile")
+  set(instantiate)
+  if(compiler_id MATCHES "Clang")
+    set(instantiate -fpch-instantiate-templates)
+  endif()
+  # What clang does not instantiate there it instantiates in every case.
+  execute_process(COMMAND ${command} ${instantiate} -x c++-header ${precompiled} -o ${precompiled}.gch COMMAND_ERROR_IS_FATAL ANY)
+  return()
+endif()
+file(READ ${source} text)
+list(APPEND command -fsyntax-only ${source})
+if(NOT text MATCHES "// alone: ")
+  list(APPEND command -include ${precompiled})
+endif()
 
 if(must STREQUAL "compile")
   execute_process(COMMAND ${command} RESULT_VARIABLE result OUTPUT_VARIABLE message ERROR_VARIABLE message)
@@ -27,7 +44,6 @@ if(must STREQUAL "compile")
   return()
 endif()
 
-file(READ ${source} text)
 # The text behind "// <word>:", for clang behind "// <word>-clang:" where there is one.
 function(find_comment word number found)
   set(${found} "" PARENT_SCOPE)
