@@ -33,6 +33,8 @@ HILGER_ALWAYS_INLINE constexpr bool is_known_zero(S const& x) {
         return __builtin_constant_p(x) and x == S(0);
     else if constexpr (says_what_is_constant<S>)
         return x.is_constant() and x == S(0);
+    else if constexpr (requires { x.is_zero(); }) // many digits: nothing is made to compare with
+        return x.is_zero();
     else
         return x == S(0);
 }
