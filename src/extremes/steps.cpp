@@ -18,11 +18,11 @@ struct map {
         return {x.a * y.a + x.b * y.c, x.a * y.b + x.b * y.d, x.c * y.a + x.d * y.c, x.c * y.b + x.d * y.d};
     }
 };
-map power(map x, long n) {
-    map y{1, 0, 0, 1};
-    for (; n > 0; n /= 2, x = x * x)
-        if (n % 2 == 1) y = y * x;
-    return y;
+/// 1, M, ..., M^n.
+std::vector<map> powers(map const& M, index_type n) {
+    std::vector<map> all{{1, 0, 0, 1}};
+    while (static_cast<index_type>(all.size()) <= n) all.push_back(M * all.back());
+    return all;
 }
 map order_one_map(float100 const& h) { return {1 - h * h, h, -h, 1}; }
 map verlet_map(float100 const& h) { return {1 - h * h / 2, h, -h * (1 - h * h / 4), 1 - h * h / 2}; }
@@ -39,7 +39,7 @@ double against(Flow const& flow, map (*one_step)(float100 const&), double h, ind
         q = x.q;
         p = x.p;
     }
-    map const m = power(one_step(float100(h)), N);
+    map const m = powers(one_step(float100(h)), N).back();
     // A step longer than the period adds h dL/dq to p, and that rounds as q does.
     float100 const size = std::max(float100(abs(m.a)), float100(abs(m.c))) * std::max(1.0, h);
     return std::max(in_epsilons(q, m.a, size), in_epsilons(p, m.c, size));
@@ -48,8 +48,7 @@ double against(Flow const& flow, map (*one_step)(float100 const&), double h, ind
 /// map of the steps that follow makes of it what it does.
 double rounding_of(map (*one_step)(float100 const&), double h, index_type N) {
     std::vector<float100> norms, sizes;
-    map m{1, 0, 0, 1};
-    for (index_type k = 0; k <= N; ++k, m = one_step(float100(h)) * m) {
+    for (map const& m : powers(one_step(float100(h)), N)) {
         norms.push_back(std::max(float100(abs(m.a) + abs(m.b)), float100(abs(m.c) + abs(m.d))));
         sizes.push_back(std::max(float100(abs(m.a)), float100(abs(m.c))));
     }

@@ -8,6 +8,7 @@
 #include "hilger/integrator/parts.hpp"
 #include "hilger/integrator/reversed.hpp"
 #include "hilger/integrator/separable.hpp"
+#include "hilger/integrator/small_solve.hpp"
 
 namespace hilger {
 
