@@ -3,6 +3,7 @@
 //   hilger_bench                the tables
 //   hilger_bench rounding [n]   energy error of mid-point over 10^n steps (default 7.5), plain and compensated
 //   hilger_bench drift [n]      energy after 10^n steps (default 9), plain and compensated
+//   hilger_bench plain          plain lambdas of many degrees of freedom
 //   hilger_bench history        what the memory of a fractional difference costs
 //   hilger_bench fractional     steps with fractional damping, and their errors
 //   hilger_bench boundary       two-sided fractional problems
@@ -16,6 +17,8 @@ int main(int count, char** arguments) {
         bench::drift(count > 2 ? std::atof(arguments[2]) : 9);
     else if (what == "history")
         bench::histories();
+    else if (what == "plain")
+        bench::plain_lambdas();
     else if (what == "boundary")
         bench::boundary();
     else if (what == "fractional")

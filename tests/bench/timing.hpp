@@ -43,6 +43,7 @@ inline void race(std::string const& title, long steps, int rounds, std::vector<c
 
 void small_systems();
 void large_systems();
+void plain_lambdas();
 void boundary();
 void rounding(double log10_of_steps);
 void drift(double log10_of_steps);

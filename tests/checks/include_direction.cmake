@@ -14,6 +14,8 @@ set(order
   "printing"
   "history"
   "embedding"
+  "linear"
+  "differentiation"
   "mechanics"
   "integrator identity"
   "scene")

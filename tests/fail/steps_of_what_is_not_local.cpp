@@ -3,7 +3,11 @@
 // expect 2: an action whose position or velocity reads all points before or after
 // expect 3: an action whose position or velocity reads all points before or after
 // expect 4: position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or more
+// expect 5: has an equation that looks to both ends of T, and first values do not determine its solution
+// expect 6: has an equation with rows at both ends of T, which first values do not determine
 // A step that kept two points of the past would solve another equation.
+#include <vector>
+
 #include "hilger/integrator/of_variation.hpp"
 #include "hilger/integrator/solve.hpp"
 
@@ -19,12 +23,17 @@ int main() {
     // two halves of an order make a local difference
     (void)solve(variation(nabla_integral(L(q, Delta_minus_alpha<1, 2>[Delta_minus_alpha<1, 2>[q]]), T)), T, {.q0 = 1.0, .v0 = 0.0});
     (void)embed(L, make_embedding<delta_weight>(identity_T, fraction<1, 2>{} * (Delta_plus + Delta_plus), "one step"));
+    (void)solve(variation(integral(L(q, (fraction<1, 2>{} * (Delta_plus + Delta_minus))[q]), T)), T, std::vector{1.0, 1.0, 0.9, 0.9});
 #elif MUST_NOT_COMPILE == 1
     (void)solve(two_sided, T, {.q0 = 1.0, .v0 = 0.0});
 #elif MUST_NOT_COMPILE == 2 // a step ahead of all that was
     (void)solve(variation(nabla_integral(L(q, sigma[Delta_minus_alpha<1, 2>[q]]), T)), T, {.q0 = 1.0, .v0 = 0.0});
 #elif MUST_NOT_COMPILE == 3
     (void)flow_of(variation(integral(L(antiderivative[q], Delta_plus[q]), T))).along(T, 1.0, 0.0);
+#elif MUST_NOT_COMPILE == 5
+    (void)solve(two_sided, T, std::vector{1.0, 1.0});
+#elif MUST_NOT_COMPILE == 6
+    (void)solve(variation(nabla_integral(L(q, minus_alpha<bdf<2>, 1, 1>[q]), T)), T, std::vector{1.0, 1.0, 1.0, 1.0});
 #else
     auto const mine = make_embedding<delta_weight>(identity_T, fraction<1, 2>{} * (Delta_plus + sigma * Delta_plus), "two steps");
     (void)embed(L, mine).along(T, 1.0, 0.0);

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "hilger/mechanics/derivatives.hpp"
+#include "hilger/differentiation/derivatives.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace derivatives_tests {

@@ -71,13 +71,13 @@ TEST_CASE("energy, momentum and velocity of 40 bodies ask each pair for its ener
     CHECK(calls_of([&] { (void)drift_along(path, energy(L)); }) == walking + 11 * pairs_of_them);
 }
 
-TEST_CASE("the slopes between states take first derivatives only, eight components at a time") {
+TEST_CASE("the slopes between states take first derivatives only, in one evaluation") {
     int const bodies = 8, d = 3 * bodies, pairs_of_them = bodies * (bodies - 1) / 2;
     dynamic const q = numbers<dynamic>(d, 1), p = numbers<dynamic>(d, -2);
     auto const L = mechanical(2.0, pairs<3>(all_pairs(bodies), gravity{}));
     auto const drag = [](auto const& x, auto const& v) { return -v / 4 + 0 * x; };
     slopes<dynamic> s, forced;
-    CHECK(calls_of([&] { s = slopes_at(embed(L, mid_point).mechanics(), state<double, dynamic>{0, q, p}); }) == d / 8 * pairs_of_them);
+    CHECK(calls_of([&] { s = slopes_at(embed(L, mid_point).mechanics(), state<double, dynamic>{0, q, p}); }) == pairs_of_them);
     forced = slopes_at(with_force(L, drag), state<double, dynamic>{0, q, p});
     CHECK(s.q == dynamic(p / 2));
     CHECK(forced.q == s.q);
@@ -125,11 +125,11 @@ TEST_CASE("every kind of mass, in exact numbers and in vectors of fixed size") {
 }
 
 TEST_CASE("without a structure: no derivatives by the position") {
-    int const d = 20, chunks = 5;
+    int const d = 20;
     dynamic const q = numbers<dynamic>(d, -1) / 8, p = numbers<dynamic>(d, 1) / 4;
     dynamic v;
     long long const once = calls_of([&] { (void)expand_second(row{}, q, p); });
-    CHECK(once == chunks * (chunks + 1) / 2);
+    CHECK(once == 1);
     long long const n = calls_of([&] { v = velocity_of(row{}, q, p); });
     CHECK(n % once == 0);
     CHECK(n <= 3 * once);

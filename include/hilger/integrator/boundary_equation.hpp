@@ -10,9 +10,8 @@
 // discrete problems has one, and their solutions tend to the free one, away from t_N, as h^(1 - 2 alpha).
 #pragma once
 
-#include <Eigen/LU>
-
 #include "hilger/integrator/krylov.hpp"
+#include "hilger/linear/elimination.hpp"
 #include "hilger/mechanics/fractional_problem.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
@@ -159,9 +158,9 @@ private:
             if (H == S(0)) refuse_singular(what);
             return S(1) / H;
         } else {
-            Eigen::PartialPivLU<block_of<V>> const lu(H);
-            if (not is_regular(lu)) refuse_singular(what);
-            return lu.inverse();
+            block_of<V> inverse = H;
+            if (not invert(inverse)) refuse_singular(what);
+            return inverse;
         }
     }
     /// P r = H^-1 (r + g lambda) with lambda such that the position at t_N does not move.

@@ -28,7 +28,7 @@ public:
                   "solve_boundary(equation, q_a, q_b) solves it");
     static_assert(not detail::is_local<E> or detail::is_on_one_step<E>,
                   "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or "
-                  "more; variation(action) has their equation, and its residual");
+                  "more: solve(variation(action), T, values) goes on from as many first values as their equation needs");
 
     constexpr flow(F lagrangian, Force force, E embedding)
         : problem_{std::move(lagrangian), std::move(force)}, embedding_(std::move(embedding)) {}

@@ -14,10 +14,10 @@
 #include <optional>
 #include <vector>
 
+#include "hilger/differentiation/shape.hpp"
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/whole_difference.hpp"
-#include "hilger/mechanics/shape.hpp"
 
 namespace hilger {
 

@@ -11,10 +11,12 @@
 #include "hilger/integrator/galerkin_table.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/integrator/step_force.hpp"
+#include "hilger/linear/elimination.hpp"
 #include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/contraction.hpp"
 #include "hilger/mechanics/gradients.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
+#include "hilger/mechanics/node_derivatives.hpp"
 
 namespace hilger::detail {
 
@@ -184,7 +186,7 @@ private:
     }
     // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
     void evaluate(Problem const& what, state<S, V> const& x, S const& h) {
-        if constexpr (std::is_floating_point_v<S>)
+        if constexpr (std::is_floating_point_v<S> and not is_traced_state<V>)
             flat_evaluate(what, x, h);
         else
             evaluate_all(what, x, h);
@@ -193,7 +195,14 @@ private:
     HILGER_ALWAYS_INLINE void evaluate_all(Problem const& what, state<S, V> const& x, S const& h) {
         for (std::size_t k = 0; k < N; ++k) {
             V const A = x.q + D_[k];
-            gradients_at(what, time(x, h, k), A, at_node(k), force[k], m_[k]);
+            if constexpr (is_traced_state<V>) {
+                (void)derivatives_[k].compute(what, time(x, h, k), A, at_node(k), derivatives_[k].first_order);
+                for (int c = 0; c < d_; ++c) {
+                    s::component(force[k], c) = derivatives_[k].by_q(c);
+                    s::component(m_[k], c) = derivatives_[k].by_v(c);
+                }
+            } else
+                gradients_at(what, time(x, h, k), A, at_node(k), force[k], m_[k]);
         }
         if constexpr (has_step_force<Extra>) {
             put_extra(h);
@@ -236,13 +245,19 @@ private:
                 if (M == S(0)) return false;
                 M = S(1) / M;
             } else {
-                Eigen::PartialPivLU<block_of<V>> const lu(M);
-                if (not is_regular(lu)) return false;
-                M = lu.inverse();
+                if (not invert(M)) return false;
             }
         return true;
     }
 
+    node_table<V> table_at(Problem const& what, state<S, V> const& x, S const& h, std::size_t k) {
+        V const A = x.q + D_[k];
+        if constexpr (is_traced_state<V>) {
+            (void)derivatives_[k].compute(what, time(x, h, k), A, at_node(k), derivatives_[k].with_seconds);
+            return derivatives_[k].table(d_);
+        } else
+            return expand_at(what, time(x, h, k), A, at_node(k));
+    }
     void prepare_newton() {
         if (r_.size() > 0) return;
         int const n = static_cast<int>(R) * d_;
@@ -260,7 +275,7 @@ private:
         S forces(0);
         bends_ = S(0);
         for (std::size_t k = 0; k < N; ++k) {
-            node_table<V> e = expand_at(what, time(x, h, k), V(x.q + D_[k]), at_node(k));
+            node_table<V> e = table_at(what, x, h, k);
             if constexpr (has_step_force<Extra>) e.e.by_q = e.e.by_q + room_;
             S const w = magnitude(S(h * T.weight[k]));
             forces = forces + w * magnitude(e.e.by_q) + magnitude(e.e.by_v);
@@ -296,6 +311,8 @@ private:
     V zero_, room_;
     std::array<V, N> D_, B_, m_;
     std::array<block_of<V>, R> inverse_;
+    struct not_traced {};
+    [[no_unique_address]] std::array<std::conditional_t<is_traced_state<V>, node_derivatives<Problem, V>, not_traced>, N> derivatives_;
     vector r_, correction_;
     matrix J_;
     Eigen::PartialPivLU<matrix> lu_;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hilger/mechanics/shape.hpp"
+#include "hilger/differentiation/shape.hpp"
 
 namespace hilger::detail {
 

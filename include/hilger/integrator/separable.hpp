@@ -2,11 +2,10 @@
 // The parts of a Lagrangian L = v.Mv/2 + a.v - U(q) with a constant mass: v = M^-1 (p - a), and dL/dq = -U'(q) whatever the velocity is.
 #pragma once
 
-#include <Eigen/LU>
-
 #include "hilger/inlining.hpp"
 #include "hilger/integrator/state.hpp"
 #include "hilger/integrator/structured_solvers.hpp"
+#include "hilger/linear/elimination.hpp"
 #include "hilger/mechanics/gradients.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
@@ -60,9 +59,8 @@ private:
                 if (e.vv == S(0)) return false;
                 inverse_ = S(1) / e.vv;
             } else {
-                Eigen::PartialPivLU<block_of<V>> const lu(e.vv);
-                if (not is_regular(lu)) return false;
-                inverse_ = lu.inverse();
+                inverse_ = e.vv;
+                if (not invert(inverse_)) return false;
             }
             return true;
         }

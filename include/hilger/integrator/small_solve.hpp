@@ -10,8 +10,8 @@
 
 #include <Eigen/LU>
 
+#include "hilger/differentiation/jet.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/jet.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 #include "hilger/scalar.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/flow.hpp"
+#include "hilger/integrator/march.hpp"
 
 namespace hilger {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "hilger/mechanics/shape.hpp"
+#include "hilger/differentiation/shape.hpp"
 
 namespace hilger {
 

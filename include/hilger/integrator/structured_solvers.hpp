@@ -9,17 +9,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
-#include "hilger/inlining.hpp"
+#include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/mechanics/mechanical.hpp"
 
 namespace hilger::detail {
-
-/// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
-template <class S>
-HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index_type d) {
-    using std::abs;
-    return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
-}
 
 /// M^-1 and M times a vector, for the three kinds of mass.
 template <class Mass, class V>
@@ -70,14 +63,6 @@ private:
     V inverse_;
     block_of<V> matrix_;
     std::conditional_t<is_matrix, Eigen::LLT<block_of<V>>, nothing> factors_;
-};
-
-/// A factorization of one's own: Eigen's cannot be copied, or not before they are used, and a copy makes its own.
-template <class Factors>
-struct own : std::unique_ptr<Factors> {
-    own() = default;
-    own(own const&) : own() {}
-    own& operator=(own const&) { return *this; }
 };
 
 /// A symmetric matrix in one of the patterns: zero(), add(j, k, x), factor(), solve(x).

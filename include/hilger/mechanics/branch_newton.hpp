@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Newton's method for an equation r(x) = 0 that is made of branches (mechanics/branches.hpp). On one branch a small correction proves that
-// the equation is solved; across branches nothing does but the equation itself. So an iterate is returned where Newton's last correction
-// did not leave the branch, or where r is rounding at the iterate itself. Full steps first; they can go round between branches, and are
-// then shortened until r shrinks (the method is then Newton's for semismooth equations, Qi and Sun 1993, with a line search). Where r
-// jumps over zero there is no solution, and no step, however short, makes it smaller.
+// Newton's method for an equation r(x) = 0 that is made of branches (differentiation/branches.hpp). On one branch a small correction proves
+// that the equation is solved; across branches nothing does but the equation itself. So an iterate is returned where Newton's last
+// correction did not leave the branch, or where r is rounding at the iterate itself. Full steps first; they can go round between branches,
+// and are then shortened until r shrinks (the method is then Newton's for semismooth equations, Qi and Sun 1993, with a line search). Where
+// r jumps over zero there is no solution, and no step, however short, makes it smaller.
 #pragma once
 
 #include <algorithm>
 
-#include "hilger/mechanics/branches.hpp"
+#include "hilger/differentiation/branches.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
 namespace hilger::detail {

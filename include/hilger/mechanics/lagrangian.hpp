@@ -3,7 +3,7 @@
 // which an integral turns into a discrete action (Cresson-Safi (10), (43)).
 #pragma once
 
-#include "hilger/mechanics/derivatives.hpp"
+#include "hilger/differentiation/derivatives.hpp"
 #include "hilger/operator/integral.hpp"
 #include "hilger/operator/linear_expression.hpp"
 

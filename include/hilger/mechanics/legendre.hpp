@@ -2,7 +2,7 @@
 // The Legendre map v -> p = dL/dv(q, v), its inverse, and the Hamiltonian H(p, q) = p.v - L(q, v) (Cresson-Safi (79), (81), (93)).
 #pragma once
 
-#include "hilger/mechanics/derivatives.hpp"
+#include "hilger/differentiation/derivatives.hpp"
 #include "hilger/mechanics/newton.hpp"
 
 namespace hilger {
@@ -16,6 +16,24 @@ V momentum_of(L const& lagrangian, V const& q, V const& v) {
         return gradient_second(lagrangian, q, v);
 }
 
+namespace detail {
+/// v -> dL/dv(q, v) - p and its derivative in the pattern that it has, of states of any size.
+template <class L, class V>
+newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(L const& lagrangian, V const& q, V const& v, V const& p) {
+    using S = scalar_of<V>;
+    auto const [formula, values] = traced_with_values(lagrangian, q, v, on_velocity);
+    newton_system<V, patterned_matrix<S>> made{V(-p), {}};
+    auto const& entries = formula.places.entries[block_vv];
+    std::vector<std::pair<int, int>> pattern;
+    for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
+    int const d = shape<V>::dimension(q);
+    made.jacobian.prepare(d, pattern);
+    for (auto const& e : entries) made.jacobian[made.jacobian.place(e.row, e.column)] = values[static_cast<std::size_t>(e.place)];
+    for (int k = 0; k < d; ++k) made.residual(k) += values[static_cast<std::size_t>(formula.places.by_v[static_cast<std::size_t>(k)])];
+    return made;
+}
+} // namespace detail
+
 /// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else by Newton from `guess`.
 /// @throws error::singular when d2L/dv2 is singular, error::no_convergence.
 template <class L, class V>
@@ -23,11 +41,16 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
     if constexpr (requires { lagrangian.velocity(q, p); })
         return lagrangian.velocity(q, p);
     else {
-        auto const equation = [&](V const& v) {
-            auto d = expand_second(lagrangian, q, v);
-            return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
-        };
-        return newton(equation, guess, p, "the Legendre map v -> dL/dv");
+        constexpr char const* name = "the Legendre map v -> dL/dv";
+        if constexpr (detail::is_traced_state<V> and not requires { lagrangian.expand(q, q); })
+            return newton([&](V const& v) { return detail::momentum_equation(lagrangian, q, v, p); }, guess, p, name);
+        else {
+            auto const equation = [&](V const& v) {
+                auto d = expand_second(lagrangian, q, v);
+                return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
+            };
+            return newton(equation, guess, p, name);
+        }
     }
 }
 template <class L, class V>

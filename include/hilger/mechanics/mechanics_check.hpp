@@ -31,15 +31,12 @@ consteval bool is_lagrangian() {
     else
         return false;
 }
-template <class Force, class V>
-using jets_for_force = typename shape<V>::template with<
-    jet<scalar_of<V>, 0, 2 * (shape<V>::size == Eigen::Dynamic or shape<V>::size > one_evaluation ? chunk : shape<V>::size), 1>>;
 template <class Force, class S, class V>
 consteval bool is_force() {
     if constexpr (std::same_as<Force, no_force>)
         return true;
     else {
-        using X = jets_for_force<Force, V>;
+        using X = typename jets_for<V>::of_force;
         return requires(Force const& f, S const& t, X const& x) { f(t, x, x); }
         or requires(Force const& f, X const& x) { f(x, x); };
     }
@@ -62,7 +59,7 @@ constexpr void refuse_mechanics() {
                           "them: derivatives pass through it, and through functions without std:: before them, as max(q, 0.0)");
         }
     } else {
-        using Z = jets_for_force<Force, V>;
+        using Z = typename jets_for<V>::of_force;
         constexpr bool time_first = not requires(Force const& f, S const& t, Z const& x) { f(x, x, t); };
         static_assert(time_first, "the time stands before the states, f(t, q, v), and this force takes it behind them");
         static_assert(not time_first, "a force takes two states of any number type, as [](auto const& q, auto const& v) does, or the time "

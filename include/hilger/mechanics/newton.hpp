@@ -5,33 +5,52 @@
 
 #include <string>
 
-#include <Eigen/LU>
-
+#include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/mechanics/branch_newton.hpp"
 #include "hilger/mechanics/newton_stop.hpp"
 
 namespace hilger {
 
-/// The residual of a system and its derivative at one iterate.
-template <class V>
+/// The residual of a system and its derivative at one iterate: a matrix, or one whose pattern is known.
+template <class V, class Jacobian = block_of<V>>
 struct newton_system {
     V residual;
-    block_of<V> jacobian;
+    Jacobian jacobian;
 };
 
 namespace detail {
-/// J^-1 r. @throws error::singular
-template <class V>
-V solve(block_of<V> const& J, V const& r, char const* what) {
-    for (work const each : {work::newton_round, work::factorization, work::solve}) tally<scalar_of<V>>::add(each);
-    if constexpr (requires { r.size(); }) {
-        Eigen::PartialPivLU<block_of<V>> const lu(J);
-        if (not is_regular(lu)) refuse_singular(what);
-        return lu.solve(r);
+/// x = J^-1 r; false where J is singular to rounding.
+template <class V, class Jacobian>
+bool solve_linear(Jacobian& J, V const& r, V& x) {
+    using S = scalar_of<V>;
+    for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
+    x = r;
+    if constexpr (shape<V>::is_scalar) {
+        if (J == V(0)) return false;
+        x = r / J;
+    } else if constexpr (requires { J.is_factorized(); }) {
+        if (not J.is_factorized() and not J.factorize()) return false;
+        J.solve(x);
     } else {
-        if (J == V(0)) refuse_singular(what);
-        return r / J;
+        auto e = elimination_of<S>(J);
+        if (not e.factorize()) return false;
+        e.solve(x);
     }
+    return true;
+}
+/// The same. @throws error::singular
+template <class V, class Jacobian>
+V solve(Jacobian& J, V const& r, char const* what) {
+    V x = zero_like(r);
+    if (not solve_linear(J, r, x)) refuse_singular(what);
+    return x;
+}
+template <class Jacobian>
+auto largest_entry(Jacobian& J) {
+    if constexpr (requires { J.largest(); })
+        return J.largest();
+    else
+        return magnitude(J);
 }
 /// The magnitudes of the components.
 template <class V>
@@ -45,19 +64,16 @@ V sizes(V const& x) {
 template <class V, class System>
 V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> const& small, char const* what) {
     using S = scalar_of<V>;
-    block_of<V> J;
+    decltype(system(x).jacobian) J;
     auto const evaluate_at = [&](V const& y, V& r) {
         auto const at = system(y);
         r = at.residual;
         J = at.jacobian;
-        return S(magnitude(given) + S(shape<V>::dimension(y)) * magnitude(J) * magnitude(y));
+        return S(magnitude(given) + S(shape<V>::dimension(y)) * largest_entry(J) * magnitude(y));
     };
     auto const correct = [&](V const& r, V& d) {
-        if constexpr (shape<V>::is_scalar) {
-            if (J == V(0)) return false;
-        } else if (not is_regular(Eigen::PartialPivLU<block_of<V>>(J)))
-            return false;
-        d = -solve(J, r, what);
+        if (not solve_linear(J, r, d)) return false;
+        d = -d;
         return true;
     };
     V residual = x;
@@ -69,7 +85,7 @@ V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> con
 
 /// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
 /// the equation in messages. In an exact scalar the root must be reached exactly, which linear equations do in one iteration. A system
-/// with branches (mechanics/branches.hpp) is solved at what is returned; inside of a callable none of its branches count.
+/// with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable none of its branches count.
 /// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
 V newton(System const& system, V guess, V const& given, char const* what) {
@@ -83,7 +99,7 @@ V newton(System const& system, V guess, V const& given, char const* what) {
     V residual = zero_like(x);
     detail::unwatched const inside;
     for (int iteration = 0; iteration < most; ++iteration) {
-        auto const at = system(x);
+        auto at = system(x);
         if (inside.before.saw_any()) return detail::newton_on_branches(system, std::move(x), given, small, what);
         if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
         residual = at.residual;

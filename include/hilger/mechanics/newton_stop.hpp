@@ -6,8 +6,9 @@
 #include <sstream>
 #include <string>
 
+#include "hilger/differentiation/shape.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/shape.hpp"
+#include "hilger/linear/regular.hpp"
 
 namespace hilger {
 
@@ -43,13 +44,6 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
         return S(sqrt(epsilon<S>()));
 }
 
-/// A pivot at rounding level of the largest one means that no digit of a solution is right.
-template <class LU>
-bool is_regular(LU const& lu) {
-    using S = typename LU::Scalar;
-    auto const pivots = lu.matrixLU().diagonal().cwiseAbs();
-    return pivots.maxCoeff() * S(static_cast<int>(pivots.size())) * epsilon<S>() < pivots.minCoeff();
-}
 [[noreturn]] inline void refuse_singular(std::string const& what) {
     error::raise<error::singular>(what, " has a singular derivative here: the second derivative of L by the velocity must be invertible");
 }

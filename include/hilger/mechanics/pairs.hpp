@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "hilger/differentiation/derivatives.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/derivatives.hpp"
 
 namespace hilger {
 

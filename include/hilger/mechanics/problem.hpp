@@ -3,9 +3,9 @@
 // Lagrange-d'Alembert principle a force stands beside dL/dq under the position operator's adjoint.
 #pragma once
 
+#include "hilger/differentiation/derivatives.hpp"
 #include "hilger/fixed_text.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/derivatives.hpp"
 
 namespace hilger {
 
@@ -94,6 +94,12 @@ decltype(auto) component_of(X const& x, int k) {
         return x;
 }
 
+/// The components of a traced force.
+template <class X, class T>
+void put_force(X const& force, int d, std::vector<T>& components) {
+    static_assert(has_components<X>, "a force is a state like q: a number for a number, a vector for a vector");
+    for (int k = 0; k < d; ++k) components.push_back(T(component_of(force, k)));
+}
 /// The force at (t, q, v), a state like q.
 template <class Force, class S, class V>
 V force_at(Force const& force, S const& t, V const& q, V const& v) {
@@ -104,16 +110,23 @@ V force_at(Force const& force, S const& t, V const& q, V const& v) {
     return x;
 }
 
-/// The numbers that a Lagrangian of states V meets.
+/// The numbers that a Lagrangian of states V meets: jets of few variables, or traced.
 template <class V>
 struct jets_for {
     using S = scalar_of<V>;
     using s = shape<V>;
-    static constexpr bool small = s::size != Eigen::Dynamic and s::size <= one_evaluation;
-    static constexpr int N = small ? s::size : chunk;
-    using whole = qv_jet<S, N>;
-    using position = typename s::template with<std::conditional_t<small, q_jet<S, N>, whole>>;
-    using velocity = typename s::template with<std::conditional_t<small, v_jet<S, N>, whole>>;
+    using whole = qv_jet<S, s::size>;
+    using position = typename s::template with<q_jet<S, s::size>>;
+    using velocity = typename s::template with<v_jet<S, s::size>>;
+    using of_force = typename s::template with<jet<S, 0, 2 * s::size, 1>>;
+};
+template <class V>
+    requires is_traced_state<V>
+struct jets_for<V> {
+    using whole = traced<scalar_of<V>>;
+    using position = typename shape<V>::template with<whole>;
+    using velocity = position;
+    using of_force = position;
 };
 
 /// Derivatives at one node: by_q<J>, by_v<J>, and qq<J, K> = second derivative by component J of q, then K of q. A force f adds itself to
@@ -194,18 +207,29 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
     tally<scalar_of<V>>::add(work::force);
     if constexpr (not std::same_as<Force, no_force>) {
         e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
-        constexpr int C = s::size == Eigen::Dynamic or s::size > one_evaluation ? chunk : s::size;
-        using J = jet<S, 0, 2 * C, 1>;
-        for (int first = 0; first < d; first += C) {
-            auto const f = at_time{what.force, t}(with_variables<J, C>(q, first, 0, {}), with_variables<J, C>(v, first, C, {}));
+        if constexpr (is_traced_state<V>) {
+            auto const formula = trace<S>(q, v, on_position | on_velocity, [&](auto const& x, auto const& y, std::vector<traced<S>>& f) {
+                put_force(at_time{what.force, t}(x, y), d, f);
+                return traced<S>(0);
+            });
+            auto const values = values_where_traced(formula, q, v);
+            auto const& at = formula.places;
+            for (int row = 0; row < d; ++row)
+                s::component(e.by_q, row) += values[static_cast<std::size_t>(at.by_q[static_cast<std::size_t>(row)])];
+            for (auto const& x : at.entries[block_qq]) e.qq(x.row, x.column) += values[static_cast<std::size_t>(x.place)];
+            for (auto const& x : at.entries[block_qv]) e.qv(x.row, x.column) += values[static_cast<std::size_t>(x.place)];
+        } else {
+            constexpr int C = s::size;
+            using J = jet<S, 0, 2 * C, 1>;
+            auto const f = at_time{what.force, t}(with_variables<J, C>(q, 0, 0, {}), with_variables<J, C>(v, 0, C, {}));
             static_assert(has_components<decltype(f)> != s::is_scalar,
                           "a force is a state like q: a number for a number, a vector for a vector");
             for (int row = 0; row < d; ++row) {
                 J const x(component_of(f, row));
-                if (first == 0) s::component(e.by_q, row) = s::component(e.by_q, row) + x.value;
-                for (int k = 0; k < C and first + k < d; ++k) {
-                    s::entry(e.qq, row, first + k) = s::entry(e.qq, row, first + k) + x.derivative(k);
-                    s::entry(e.qv, row, first + k) = s::entry(e.qv, row, first + k) + x.derivative(C + k);
+                s::component(e.by_q, row) = s::component(e.by_q, row) + x.value;
+                for (int k = 0; k < C; ++k) {
+                    s::entry(e.qq, row, k) = s::entry(e.qq, row, k) + x.derivative(k);
+                    s::entry(e.qv, row, k) = s::entry(e.qv, row, k) + x.derivative(C + k);
                 }
             }
         }

@@ -5,8 +5,8 @@
 
 #include <unordered_map>
 
-#include "hilger/mechanics/jet_functions.hpp"
-#include "hilger/mechanics/shape.hpp"
+#include "hilger/differentiation/jet_functions.hpp"
+#include "hilger/differentiation/shape.hpp"
 #include "hilger/mechanics/symbol_functions.hpp"
 
 namespace hilger {

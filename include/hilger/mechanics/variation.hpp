@@ -58,6 +58,18 @@ constexpr auto on_equal_steps(composition<A, B> const& ab) {
         return a * b;
 }
 
+/// 1 at one point of T, 0 at the others.
+template <class Root>
+struct unit_at : function_interface<unit_at<Root>> {
+    using root_type = Root;
+    using domain_type = hilger::domain<nodes>;
+    Root const* T;
+    index_type k;
+    [[nodiscard]] constexpr Root const& root() const { return *T; }
+    [[nodiscard]] static constexpr domain_type domain() { return {}; }
+    [[nodiscard]] constexpr auto get(index_type i) const { return typename Root::scalar_type(i == k ? 1 : 0); }
+};
+
 } // namespace detail
 
 template <class Action>
@@ -123,6 +135,35 @@ public:
             x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
         return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
     }
+    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices.
+    template <discrete_function X>
+    constexpr auto residual_slope(X const& x, index_type k) const {
+        using V = value_of<X>;
+        using S = typename Root::scalar_type;
+        auto const seconds = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return expand(detail::at_time{L, t}, V(q), V(v));
+        });
+        detail::unit_at<Root> const unit{{}, &x.root(), k};
+        auto const a = action_.position[unit];
+        auto const b = action_.velocity[unit];
+        auto const of_position =
+            apply_pointwise([](auto const& e, S const& A, S const& B) { return block_of<V>(e.qq * A + e.qv * B); }, seconds, a, b);
+        auto const of_velocity = apply_pointwise(
+            [](auto const& e, S const& A, S const& B) {
+                if constexpr (detail::shape<V>::is_scalar)
+                    return block_of<V>(e.qv * A + e.vv * B);
+                else
+                    return block_of<V>(e.qv.transpose() * A + e.vv * B);
+            },
+            seconds, a, b);
+        return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
+    }
+    /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
+    static constexpr reach reads = [] {
+        constexpr reach both = A::reads | B::reads;
+        return reach::composed<typename A::to>(reach::mirrored<typename A::from, typename A::to>(A::reads), both) |
+               reach::composed<typename B::to>(reach::mirrored<typename B::from, typename B::to>(B::reads), both);
+    }();
     /// Where the values of L that the equation reads are: on a uniform T the equation has lost the weights, and what the integral counts
     /// zero times at an end is not read there. (On other scales the weights stand in the operators.)
     template <class Base, int Front, int Back>

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 
+#include "hilger/differentiation/jet_arithmetic.hpp"
+#include "hilger/differentiation/jet_comparisons.hpp"
+#include "hilger/differentiation/jet_pairs.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/jet_arithmetic.hpp"
-#include "hilger/mechanics/jet_comparisons.hpp"
-#include "hilger/mechanics/jet_pairs.hpp"
 
 namespace hilger {
 

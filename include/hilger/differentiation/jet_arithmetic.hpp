@@ -3,8 +3,8 @@
 // no lambdas, which an optimiser sees through less well.
 #pragma once
 
+#include "hilger/differentiation/jet.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/jet.hpp"
 
 namespace hilger {
 

@@ -2,8 +2,8 @@
 // Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
 #pragma once
 
+#include "hilger/differentiation/jet_comparisons.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/jet_comparisons.hpp"
 
 namespace hilger {
 

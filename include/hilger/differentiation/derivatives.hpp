@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// Exact first and second derivatives of a generic function of two arguments x and y, scalars or Eigen vectors of size d (fixed or dynamic),
-// by jets. Gradients are columns like x; blocks are d x d, entry (j, k) = second derivative by component j of the first and k of the second
-// named argument. For scalars all of them are scalars.
+// Exact first and second derivatives of a generic function of two arguments x and y, scalars or Eigen vectors of size d (fixed or dynamic).
+// Gradients are columns like x; blocks are d x d, entry (j, k) = second derivative by component j of the first and k of the second named
+// argument. For scalars all of them are scalars.
 //
-// Up to d = 4 one evaluation gives everything. Beyond, the Hessian is put together from evaluations with eight variables at a time:
-// right for any d, and as slow as d^2; a system of that size has a structure that its author knows (hilger/mechanics/mechanical.hpp).
+// Up to d = 4 by one evaluation with jets, which lives in registers. Beyond, the function is traced into a graph, of which only the
+// derivatives that are not zero are made (hilger/differentiation).
 #pragma once
 
+#include "hilger/differentiation/jet_functions.hpp"
+#include "hilger/differentiation/shape.hpp"
+#include "hilger/differentiation/trace.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/jet_functions.hpp"
-#include "hilger/mechanics/shape.hpp"
 
 namespace hilger {
 
@@ -24,7 +25,10 @@ struct expansion {
 namespace detail {
 
 inline constexpr int one_evaluation = 4; ///< the largest d for which one evaluation has all second derivatives
-inline constexpr int chunk = 4;
+
+/// States whose Lagrangian is traced instead of evaluated with jets.
+template <class V>
+inline constexpr bool is_traced_state = shape<V>::size == Eigen::Dynamic or shape<V>::size > one_evaluation;
 
 /// What a formula returns when given jets; plain numbers are constants.
 template <class Jet, class R>
@@ -145,89 +149,54 @@ V gradient_by(V const& x, Evaluate const& evaluate) {
     return g;
 }
 
-/// Second derivatives by components j ... of the one argument and k ... of the other, in blocks of chunk x chunk. Evaluate takes the two
-/// numbers of the first components (-1: none) and returns a jet in 2 * chunk variables.
-template <class Jet, class Block>
-void copy_block(Jet const& value, Block& to, int j, int k, int d) {
-    for (int a = 0; a < chunk and j + a < d; ++a)
-        for (int b = 0; b < chunk and k + b < d; ++b) to(j + a, k + b) = value.derivative(chunk + b, a);
-}
+/// By a graph: in any dimension.
 template <class F, class V>
-expansion<V> expand_in_chunks(F const& f, V const& q, V const& v) {
-    using s = shape<V>;
-    using J = jet<scalar_of<V>, 0, 2 * chunk, 2>;
-    int const d = s::dimension(q);
-    expansion<V> e{s::zero(d), s::zero(d), s::zero_block(d), s::zero_block(d), s::zero_block(d), {}};
-    dependence const of_q{1, 0}, of_v{0, 1};
-    auto const gradient = [&](J const& value, int j, V& to) {
-        for (int a = 0; a < chunk and j + a < d; ++a) to(j + a) = value.derivative(a);
-    };
-    // Two different chunks of variables at a time; on the diagonal the second copy is taken from a shifted evaluation.
-    for (int j = 0; j < d; j += chunk) {
-        for (int k = 0; k < d; k += chunk) {
-            auto y = with_variables<J, chunk>(v, k, chunk, of_v);
-            auto const value = as_jet<J>(call(f, with_variables<J, chunk>(q, j, 0, of_q), y));
-            copy_block(value, e.qv, j, k, d);
-            e.on = e.on + value.on;
-            if (k == 0) gradient(value, j, e.by_q);
-        }
-        for (int k = j; k < d; k += chunk) {
-            auto const both = [&](V const& z, dependence on) {
-                auto y = with_variables<J, chunk>(z, j, 0, on);
-                for (int b = 0; b < chunk and k + b < d; ++b)
-                    if (k != j) y(k + b) = J::variable(z(k + b), chunk + b, on);
-                return y;
-            };
-            auto const in_q = as_jet<J>(call(f, both(q, of_q), with_variables<J, chunk>(v, d, 0, {})));
-            auto const in_v = as_jet<J>(call(f, with_variables<J, chunk>(q, d, 0, {}), both(v, of_v)));
-            e.on = e.on + in_q.on + in_v.on;
-            if (k == j) {
-                gradient(in_v, j, e.by_v);
-                for (int a = 0; a < chunk and j + a < d; ++a)
-                    for (int b = 0; b <= a; ++b) {
-                        e.qq(j + a, j + b) = e.qq(j + b, j + a) = in_q.derivative(a, b);
-                        e.vv(j + a, j + b) = e.vv(j + b, j + a) = in_v.derivative(a, b);
-                    }
-            } else {
-                copy_block(in_q, e.qq, j, k, d);
-                copy_block(in_v, e.vv, j, k, d);
-                for (int a = 0; a < chunk and j + a < d; ++a)
-                    for (int b = 0; b < chunk and k + b < d; ++b) {
-                        e.qq(k + b, j + a) = e.qq(j + a, k + b);
-                        e.vv(k + b, j + a) = e.vv(j + a, k + b);
-                    }
-            }
-        }
+auto traced_with_values(F const& f, V const& q, V const& v, std::uint8_t seconds_by) {
+    using T = traced<scalar_of<V>>;
+    auto formula =
+        trace<scalar_of<V>>(q, v, seconds_by, [&](auto const& x, auto const& y, std::vector<T>&) { return as_jet<T>(call(f, x, y)); });
+    auto values = values_where_traced(formula, q, v);
+    return std::pair(std::move(formula), std::move(values));
+}
+template <class V>
+struct pair_of_gradients {
+    V by_q, by_v;
+};
+template <class F, class V>
+pair_of_gradients<V> gradients_traced(F const& f, V const& q, V const& v) {
+    auto const [formula, values] = traced_with_values(f, q, v, on_nothing);
+    pair_of_gradients<V> g{zero_like(q), zero_like(q)};
+    for (int k = 0; k < shape<V>::dimension(q); ++k) {
+        g.by_q(k) = values[static_cast<std::size_t>(formula.places.by_q[static_cast<std::size_t>(k)])];
+        g.by_v(k) = values[static_cast<std::size_t>(formula.places.by_v[static_cast<std::size_t>(k)])];
     }
-    return e;
+    return g;
 }
-
-/// by_v and vv alone, a third of the evaluations.
+/// Second derivatives by the arguments that `by` says.
 template <class F, class V>
-expansion<V> expand_second_in_chunks(F const& f, V const& q, V const& v) {
+expansion<V> expand_traced(F const& f, V const& q, V const& v, std::uint8_t by) {
     using s = shape<V>;
-    using J = jet<scalar_of<V>, 0, 2 * chunk, 2>;
     int const d = s::dimension(q);
-    expansion<V> e{{}, s::zero(d), {}, {}, s::zero_block(d), {}};
-    dependence const of_v{0, 1};
-    auto const x = with_variables<J, chunk>(q, d, 0, {});
-    for (int j = 0; j < d; j += chunk)
-        for (int k = j; k < d; k += chunk) {
-            auto y = with_variables<J, chunk>(v, j, 0, of_v);
-            for (int b = 0; b < chunk and k + b < d; ++b)
-                if (k != j) y(k + b) = J::variable(v(k + b), chunk + b, of_v);
-            auto const value = as_jet<J>(call(f, x, y));
-            e.on = e.on + value.on;
-            if (k != j)
-                copy_block(value, e.vv, j, k, d);
-            else
-                for (int a = 0; a < chunk and j + a < d; ++a) {
-                    e.by_v(j + a) = value.derivative(a);
-                    for (int b = 0; b < chunk and j + b < d; ++b) e.vv(j + a, j + b) = value.derivative(std::max(a, b), std::min(a, b));
-                }
-        }
-    for (int j = 0; j < d; ++j)
-        for (int k = 0; k < j; ++k) e.vv(j, k) = e.vv(k, j);
+    auto const formula_and_values = traced_with_values(f, q, v, by);
+    auto const& values = formula_and_values.second;
+    auto const& at = formula_and_values.first.places;
+    bool const all = by == (on_position | on_velocity);
+    auto const zero = [&](bool needed) { return needed ? s::zero_block(d) : block_of<V>{}; };
+    expansion<V> e{s::zero(d), s::zero(d), zero(all), zero(all), zero(true), {}};
+    for (int k = 0; k < d; ++k) {
+        s::component(e.by_q, k) = values[static_cast<std::size_t>(at.by_q[static_cast<std::size_t>(k)])];
+        s::component(e.by_v, k) = values[static_cast<std::size_t>(at.by_v[static_cast<std::size_t>(k)])];
+    }
+    auto const fill = [&](block_number number, block_of<V>& block) {
+        for (auto const& x : at.entries[number]) s::entry(block, x.row, x.column) = values[static_cast<std::size_t>(x.place)];
+    };
+    fill(block_vv, e.vv);
+    if (all) {
+        fill(block_qq, e.qq);
+        fill(block_qv, e.qv);
+    }
+    auto const degree = [&](block_number b) { return at.entries[b].empty() ? 1 : at.constant[b] ? 2 : dependence::no_polynomial; };
+    e.on = {all ? degree(block_qq) : dependence::no_polynomial, degree(block_vv), not all or not at.entries[block_vq].empty()};
     return e;
 }
 
@@ -259,6 +228,8 @@ template <class F, class V, class W>
 V gradient_first(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_q;
+    else if constexpr (detail::is_traced_state<V> and std::same_as<V, W>)
+        return detail::gradients_traced(f, x, y).by_q;
     else
         return detail::gradient_by(x, [&, constant = detail::in_constants(y)](auto const& z) { return detail::call(f, z, constant); });
 }
@@ -267,19 +238,21 @@ template <class F, class V, class W>
 W gradient_second(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_v;
+    else if constexpr (detail::is_traced_state<V> and std::same_as<V, W>)
+        return detail::gradients_traced(f, x, y).by_v;
     else
         return detail::gradient_by(y, [&, constant = detail::in_constants(x)](auto const& z) { return detail::call(f, constant, z); });
 }
 
 /// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets. A member of one's own
-/// is one formula: jets write down what they are compared with (mechanics/branches.hpp), numbers do not.
+/// is one formula: jets write down what they are compared with (differentiation/branches.hpp), numbers do not.
 template <class F, class V>
 expansion<V> expand(F const& f, V const& q, V const& v) {
     using s = detail::shape<V>;
     if constexpr (requires { f.expand(q, v); })
         return f.expand(q, v);
-    else if constexpr (s::size == Eigen::Dynamic or s::size > detail::one_evaluation)
-        return detail::expand_in_chunks(f, q, v);
+    else if constexpr (detail::is_traced_state<V>)
+        return detail::expand_traced(f, q, v, detail::on_position | detail::on_velocity);
     else {
         constexpr std::make_integer_sequence<int, s::size> all;
         return detail::unpacked<V>(detail::jets_of<2, s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
@@ -290,10 +263,10 @@ expansion<V> expand(F const& f, V const& q, V const& v) {
 template <class F, class V>
 expansion<V> expand_second(F const& f, V const& q, V const& v) {
     using s = detail::shape<V>;
-    if constexpr (requires { f.expand(q, v); } or not(s::size == Eigen::Dynamic or s::size > detail::one_evaluation))
+    if constexpr (requires { f.expand(q, v); } or not detail::is_traced_state<V>)
         return expand(f, q, v);
     else
-        return detail::expand_second_in_chunks(f, q, v);
+        return detail::expand_traced(f, q, v, detail::on_velocity);
 }
 
 } // namespace hilger

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// Comparisons of jets look at values, so that branches work, and write down how they came out (mechanics/branches.hpp); and the functions
-// that are made of branches. Where both sides are equal, a function has the derivative of the side that it returns, which is the one that
-// std::max and its like return.
+// Comparisons of jets look at values, so that branches work, and write down how they came out (differentiation/branches.hpp); and the
+// functions that are made of branches. Where both sides are equal, a function has the derivative of the side that it returns, which is the
+// one that std::max and its like return.
 #pragma once
 
+#include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/jet_arithmetic.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/mechanics/branches.hpp"
-#include "hilger/mechanics/jet_arithmetic.hpp"
 
 namespace hilger {
 

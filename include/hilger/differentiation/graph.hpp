@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSL-1.0
+// A formula as an acyclic graph of operations on its arguments and on numbers, in which equal operations on equal operands are one node.
+// Operands come before what is made of them, so that the order of the nodes is an order to evaluate them in. What an operation is - its
+// value, its loop over many operands, its derivative - stands in traced.hpp and traced_functions.hpp; a node only points there.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "hilger/scalar.hpp"
+
+namespace hilger {
+
+template <class S>
+class traced;
+
+namespace detail {
+
+/// What a node does. One object for each operation and scalar, so that equality is equality of addresses.
+template <class S>
+struct traced_operation {
+    char const* name;
+    bool commutes;
+    /// x[out + i] = f(x[a[i]], x[b[i]]) for i = 0 ... count - 1
+    void (*run)(S* x, int out, int count, int const* a, int const* b);
+    /// out[i] = f(a[i], b[i]) for operands one after the other; a or b is one number for all where `all_a`, `all_b`. Nothing overlaps.
+    void (*run_in_a_row)(S* out, int count, S const* a, bool all_a, S const* b, bool all_b);
+    /// The two operands' parts of an adjoint: adjoint df/dx and adjoint df/dy.
+    std::pair<traced<S>, traced<S>> (*pull_back)(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint);
+};
+
+/// Which arguments a node depends on.
+enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2 };
+
+template <class S>
+class formula_graph {
+public:
+    struct node {
+        traced_operation<S> const* what; ///< none for arguments and numbers
+        int a, b;                        ///< operands; of a number its place in numbers(), of an argument a = -1 and its number
+        std::uint8_t on;
+    };
+    enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
+    /// A comparison, and how it came out where the formula was traced: elsewhere the formula holds where it comes out the same.
+    struct guard {
+        relation how;
+        int a, b;
+        bool outcome;
+    };
+
+    /// The arguments are the first nodes: d positions, then d velocities.
+    explicit formula_graph(int d) {
+        for (int k = 0; k < 2 * d; ++k) nodes_.push_back({nullptr, -1, k, static_cast<std::uint8_t>(k < d ? on_position : on_velocity)});
+    }
+    [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
+    [[nodiscard]] node const& operator[](int k) const { return nodes_[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] bool is_number(int k) const { return (*this)[k].what == nullptr and (*this)[k].a >= 0; }
+    [[nodiscard]] S const& number(int k) const { return numbers_[static_cast<std::size_t>((*this)[k].a)]; }
+    [[nodiscard]] std::vector<guard> const& guards() const { return guards_; }
+
+    /// The node of a number. Numbers that do not equal themselves have a node each.
+    int place_of(S const& x) {
+        if (not(x == x)) return new_number(x);
+        auto const [at, is_new] = known_numbers_.try_emplace(x, size());
+        return is_new ? new_number(x) : at->second;
+    }
+    int make(traced_operation<S> const& what, int a, int b) {
+        if (what.commutes and b < a) std::swap(a, b);
+        auto const [at, is_new] = known_.try_emplace(key{&what, a, b}, size());
+        if (is_new) nodes_.push_back({&what, a, b, static_cast<std::uint8_t>((*this)[a].on | (b < 0 ? 0 : (*this)[b].on))});
+        return at->second;
+    }
+    void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
+
+    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made.
+    bool has_values = true;
+    static formula_graph*& of_this_thread() {
+        static thread_local formula_graph* current = nullptr;
+        return current;
+    }
+
+private:
+    struct key {
+        traced_operation<S> const* what;
+        int a, b;
+        friend bool operator==(key const&, key const&) = default;
+    };
+    struct hash {
+        std::size_t operator()(key const& k) const {
+            auto const operands = static_cast<std::uint64_t>(static_cast<std::uint32_t>(k.a)) << 32U | static_cast<std::uint32_t>(k.b);
+            return static_cast<std::size_t>(
+                (operands * 0x9e3779b97f4a7c15U ^ reinterpret_cast<std::uintptr_t>(k.what)) * 0xbf58476d1ce4e5b9U >> 16U);
+        }
+    };
+    int new_number(S const& x) {
+        nodes_.push_back({nullptr, static_cast<int>(numbers_.size()), -1, on_nothing});
+        numbers_.push_back(x);
+        return size() - 1;
+    }
+    std::vector<node> nodes_;
+    std::vector<S> numbers_;
+    std::vector<guard> guards_;
+    std::unordered_map<key, int, hash> known_;
+    std::map<S, int> known_numbers_;
+};
+
+/// Makes a graph the one that this thread's traced numbers are part of.
+template <class S>
+class tracing {
+public:
+    explicit tracing(formula_graph<S>& g) : before_(std::exchange(formula_graph<S>::of_this_thread(), &g)) {}
+    tracing(tracing const&) = delete;
+    tracing& operator=(tracing const&) = delete;
+    ~tracing() { formula_graph<S>::of_this_thread() = before_; }
+
+private:
+    formula_graph<S>* before_;
+};
+
+template <class S>
+bool holds(typename formula_graph<S>::relation how, S const& x, S const& y) {
+    using relation = typename formula_graph<S>::relation;
+    switch (how) {
+    case relation::equal:
+        return x == y;
+    case relation::less:
+        return x < y;
+    case relation::less_or_equal:
+        return x <= y;
+    case relation::signs_differ:
+        break;
+    }
+    return x < S(0) != y < S(0);
+}
+
+} // namespace detail
+} // namespace hilger

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSL-1.0
+// The gradient and the second derivatives of a Lagrangian, and of a force beside it, as formulas: the callables are traced once, and of
+// their graph only what is not zero is evaluated.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hilger/differentiation/derivatives_of_graph.hpp"
+#include "hilger/differentiation/evaluation.hpp"
+#include "hilger/differentiation/shape.hpp"
+
+namespace hilger::detail {
+
+/// One of the blocks of second derivatives of L by q and v, the row first; to the rows of q belongs the force with its derivatives.
+enum block_number : int { block_qq, block_qv, block_vq, block_vv, blocks };
+
+/// Where in an array of values the derivatives are.
+struct derivative_places {
+    struct second {
+        int row, column, place;
+    };
+    std::vector<int> by_q, by_v; ///< with the force in by_q
+    std::array<std::vector<second>, blocks> entries;
+    std::array<bool, blocks> constant{}; ///< no value of the block ever changes
+};
+
+template <class S>
+struct traced_formula {
+    struct guard {
+        typename formula_graph<S>::relation how;
+        int a, b;
+        bool outcome, of_velocity;
+    };
+    derivative_places places;
+    evaluation<S> how;
+    std::vector<guard> guards;
+
+    /// Puts the arguments in their places, where `values` are prepared.
+    template <class V>
+    static void put(V const& q, V const& v, std::vector<S>& values) {
+        int const d = shape<V>::dimension(q);
+        for (int k = 0; k < d; ++k) {
+            values[static_cast<std::size_t>(k)] = shape<V>::component(q, k);
+            values[static_cast<std::size_t>(d + k)] = shape<V>::component(v, k);
+        }
+    }
+    /// Whether all comparisons come out as they did; of values whose shared part is computed.
+    [[nodiscard]] bool is_branch_of(std::vector<S> const& values) const {
+        for (auto const& g : guards)
+            if (holds<S>(g.how, values[static_cast<std::size_t>(g.a)], values[static_cast<std::size_t>(g.b)]) != g.outcome) return false;
+        return true;
+    }
+    /// Tells those who watch of the comparisons.
+    void tell_branches() const {
+        for (auto const& g : guards) compared(g.outcome, g.of_velocity);
+    }
+};
+/// All of a formula at the arguments that it was traced at.
+template <class S, class V>
+std::vector<S> values_where_traced(traced_formula<S> const& f, V const& q, V const& v) {
+    std::vector<S> values;
+    f.how.prepare(values);
+    f.put(q, v, values);
+    f.tell_branches();
+    for (int p = 0; p < evaluation<S>::parts; ++p) f.how.compute(static_cast<typename evaluation<S>::part>(p), values.data());
+    return values;
+}
+
+/// `evaluate(x, y, force)` returns L at traced x and y and gives the components of a force, where there is one; the graph holds for the
+/// branches at (q, v). Second derivatives are made by the arguments that `seconds_by` says.
+template <class S, class V, class Evaluate>
+traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
+    using s = shape<V>;
+    using T = traced<S>;
+    int const d = s::dimension(q);
+    formula_graph<S> g(d);
+    T L(0);
+    std::vector<T> force;
+    {
+        unwatched const while_tracing; // what was compared counts when the formula is evaluated
+        tracing<S> const here(g);
+        typename s::template with<T> x, y;
+        if constexpr (s::size == Eigen::Dynamic) {
+            x.resize(d);
+            y.resize(d);
+        }
+        for (int k = 0; k < d; ++k) {
+            s::component(x, k) = T::at(k, s::component(q, k));
+            s::component(y, k) = T::at(d + k, s::component(v, k));
+        }
+        L = evaluate(x, y, force);
+    }
+    differentiator<S> derive(g);
+    tracing<S> const here(g);
+    g.has_values = false;
+    auto const n = static_cast<std::size_t>(d);
+    std::vector<T> by(2 * n, T(0));
+    derive.derivatives(L, on_position | on_velocity, [&](int k, T const& x) { by[static_cast<std::size_t>(k)] = x; });
+    for (std::size_t k = 0; k < force.size(); ++k) by[k] = by[k] + force[k];
+
+    traced_formula<S> made;
+    std::array<std::vector<int>, evaluation<S>::parts> asked;
+    auto const ask = [&](typename evaluation<S>::part p, T const& x) {
+        int const node = x.place();
+        asked[static_cast<std::size_t>(p)].push_back(node);
+        return node;
+    };
+    made.places.constant.fill(true);
+    auto const put = [&](block_number block, int row, int column, T const& x) {
+        made.places.entries[block].push_back({row, column, ask(evaluation<S>::seconds, x)});
+        if (not x.is_constant()) made.places.constant[block] = false;
+    };
+    for (int k = 0; k < d; ++k) made.places.by_q.push_back(ask(evaluation<S>::forces, by[static_cast<std::size_t>(k)]));
+    for (int k = 0; k < d; ++k) made.places.by_v.push_back(ask(evaluation<S>::momenta, by[n + static_cast<std::size_t>(k)]));
+    for (int j = 0; j < d; ++j) {
+        derive.derivatives(by[n + static_cast<std::size_t>(j)], seconds_by, [&](int k, T const& x) {
+            if (k < d) {
+                put(block_vq, j, k, x);
+                if (force.empty()) put(block_qv, k, j, x);
+            } else if (k - d <= j) {
+                put(block_vv, j, k - d, x);
+                if (k - d < j) put(block_vv, k - d, j, x);
+            }
+        });
+        if ((seconds_by & on_position) == 0) continue;
+        derive.derivatives(by[static_cast<std::size_t>(j)], force.empty() ? on_position : on_position | on_velocity,
+                           [&](int k, T const& x) {
+                               if (k >= d)
+                                   put(block_qv, j, k - d, x);
+                               else if (not force.empty())
+                                   put(block_qq, j, k, x);
+                               else if (k <= j) {
+                                   put(block_qq, j, k, x);
+                                   if (k < j) put(block_qq, k, j, x);
+                               }
+                           });
+    }
+    for (auto const& w : g.guards()) // also of those that no derivative depends on: they are what the callable would do
+        for (int const node : {w.a, w.b}) asked[evaluation<S>::shared].push_back(node);
+    made.how = evaluation<S>(g, 2 * d, asked);
+    for (auto* list : {&made.places.by_q, &made.places.by_v})
+        for (int& k : *list) k = made.how.place(k);
+    for (auto& block : made.places.entries)
+        for (auto& e : block) e.place = made.how.place(e.place);
+    for (auto const& w : g.guards())
+        made.guards.push_back({w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, ((g[w.a].on | g[w.b].on) & on_velocity) != 0});
+    return made;
+}
+
+} // namespace hilger::detail

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSL-1.0
+// A number that writes down what is done with it (differentiation/graph.hpp). A callable that is generic in its numbers is called with
+// these once; from the graph come its derivatives and what they depend on, for any number of variables. Operations on numbers that are
+// constant are done and not written down. Comparisons look at values; how they came out is kept, for the graph holds where they come out
+// the same.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+#include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/graph.hpp"
+#include "hilger/differentiation/jet.hpp"
+
+namespace hilger {
+
+template <class S>
+class traced : public detail::keeps_its_derivatives<S> {
+public:
+    using scalar_type = S;
+    traced() = default;
+    template <class C>
+        requires std::constructible_from<S, C>
+    explicit(false) traced(C const& constant) : value(constant) {}
+    static traced at(int node, S const& value) {
+        traced x(value);
+        x.node = node;
+        return x;
+    }
+    [[nodiscard]] bool is_constant() const { return node < 0; }
+    [[nodiscard]] bool is(int constant) const { return node < 0 and value == S(constant); }
+    /// Its node; a constant gets one.
+    [[nodiscard]] int place() const { return node < 0 ? detail::formula_graph<S>::of_this_thread()->place_of(value) : node; }
+
+    S value{};
+    int node = -1;
+
+    template <class Y>
+    traced& operator+=(Y const& y) {
+        return *this = *this + y;
+    }
+    template <class Y>
+    traced& operator-=(Y const& y) {
+        return *this = *this - y;
+    }
+    template <class Y>
+    traced& operator*=(Y const& y) {
+        return *this = *this * y;
+    }
+    template <class Y>
+    traced& operator/=(Y const& y) {
+        return *this = *this / y;
+    }
+};
+
+template <class T>
+inline constexpr bool is_traced = false;
+template <class S>
+inline constexpr bool is_traced<traced<S>> = true;
+/// What may stand beside a traced number as a constant.
+template <class C, class S>
+concept constant_beside = std::constructible_from<S, C> and not is_traced<C>;
+
+namespace detail {
+
+/// The graph's object for operation O, which has name, value(x, y) and pull_back(x, y, result, adjoint).
+template <class O, class S>
+void run_operation(S* x, int out, int count, int const* a, int const* b) {
+    for (int i = 0; i < count; ++i) x[out + i] = O::value(x[a[i]], x[b[i]]);
+}
+template <class O, class S>
+void run_in_a_row(S* __restrict out, int count, S const* __restrict a, bool all_a, S const* __restrict b, bool all_b) {
+    if (all_a)
+        for (int i = 0; i < count; ++i) out[i] = O::value(*a, b[i]);
+    else if (all_b)
+        for (int i = 0; i < count; ++i) out[i] = O::value(a[i], *b);
+    else
+        for (int i = 0; i < count; ++i) out[i] = O::value(a[i], b[i]);
+}
+template <class O, class S>
+std::pair<traced<S>, traced<S>> pull_back_of(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint) {
+    return O::pull_back(x, y, result, adjoint);
+}
+template <class O, class S>
+inline constexpr traced_operation<S> operation_object{O::name, O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
+
+template <class O, class S>
+traced<S> make_traced(traced<S> const& x, traced<S> const& y) {
+    if (x.is_constant() and y.is_constant()) return traced<S>(O::value(x.value, y.value));
+    auto& g = *formula_graph<S>::of_this_thread();
+    int const a = x.place(), b = y.place(), made = g.make(operation_object<O, S>, a, b);
+    return traced<S>::at(made, g.has_values ? O::value(x.value, y.value) : S(0));
+}
+/// The second operand of an operation of one is the first again.
+template <class O, class S>
+traced<S> make_traced(traced<S> const& x) {
+    return make_traced<O>(x, x);
+}
+
+struct plus_traced {
+    static constexpr char const* name = "+";
+    static constexpr bool commutes = true;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        return S(x + y);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
+        return {adjoint, adjoint};
+    }
+};
+struct minus_traced {
+    static constexpr char const* name = "-";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        return S(x - y);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
+        return {adjoint, -adjoint};
+    }
+};
+struct times_traced {
+    static constexpr char const* name = "*";
+    static constexpr bool commutes = true;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        return S(x * y);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& x, T const& y, T const&, T const& adjoint) {
+        return {adjoint * y, adjoint * x};
+    }
+};
+struct over_traced {
+    static constexpr char const* name = "/";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        return S(x / y);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {
+        T const by_x = adjoint / y;
+        return {by_x, -(by_x * result)};
+    }
+};
+struct minus_of_traced {
+    static constexpr char const* name = "-";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& x, S const&) {
+        return S(-x);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
+        return {-adjoint, T(0)};
+    }
+};
+
+/// c and x where `from` is c x or -x while derivatives are made: there constants are gathered, which a formula as it was written is
+/// spared, for that rounds differently.
+template <class S>
+struct multiple_of {
+    S factor{1};
+    traced<S> rest;
+    explicit multiple_of(traced<S> const& from) : rest(from) {
+        auto const* g = formula_graph<S>::of_this_thread();
+        if (from.is_constant() or g->has_values) return;
+        auto const& n = (*g)[from.node];
+        if (n.what == &operation_object<minus_of_traced, S>) {
+            factor = S(-1);
+            rest = traced<S>::at(n.a, S(0));
+        } else if (n.what == &operation_object<times_traced, S>) {
+            for (auto const& [c, x] : {std::pair{n.a, n.b}, std::pair{n.b, n.a}})
+                if (g->is_number(c)) {
+                    factor = g->number(c);
+                    rest = traced<S>::at(x, S(0));
+                    return;
+                }
+        }
+    }
+};
+template <class S>
+bool makes_derivatives() {
+    auto const* g = formula_graph<S>::of_this_thread();
+    return g != nullptr and not g->has_values;
+}
+
+} // namespace detail
+
+template <class S>
+traced<S> operator-(traced<S> const& x) {
+    if (not x.is_constant() and detail::makes_derivatives<S>())
+        if (detail::multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(S(-m.factor)) * m.rest;
+    return detail::make_traced<detail::minus_of_traced>(x);
+}
+template <class S>
+traced<S> operator+(traced<S> const& x) {
+    return x;
+}
+template <class S>
+traced<S> operator*(traced<S> const& x, traced<S> const& y) {
+    if (x.is(1)) return y;
+    if (y.is(1)) return x;
+    if (x.is(-1) and not y.is_constant()) return -y;
+    if (y.is(-1) and not x.is_constant()) return -x;
+    if (detail::makes_derivatives<S>()) {
+        if (x.is(0) or y.is(0)) return traced<S>(S(0));
+        detail::multiple_of<S> const l(x), r(y);
+        if (l.rest.node != x.node and not y.is_constant()) return traced<S>(l.factor) * (l.rest * y);
+        if (r.rest.node != y.node and not x.is_constant()) return traced<S>(r.factor) * (x * r.rest);
+        if (x.is_constant() and r.rest.node != y.node) return traced<S>(S(x.value * r.factor)) * r.rest;
+        if (y.is_constant() and l.rest.node != x.node) return traced<S>(S(y.value * l.factor)) * l.rest;
+    }
+    return detail::make_traced<detail::times_traced>(x, y);
+}
+template <class S>
+traced<S> operator/(traced<S> const& x, traced<S> const& y) {
+    if (y.is(1)) return x;
+    if (detail::makes_derivatives<S>()) {
+        if (x.is(0)) return x;
+        if (detail::multiple_of<S> const m(x); not x.is_constant() and m.rest.node != x.node) return traced<S>(m.factor) * (m.rest / y);
+    }
+    return detail::make_traced<detail::over_traced>(x, y);
+}
+template <class S>
+traced<S> operator-(traced<S> const& x, traced<S> const& y);
+template <class S>
+traced<S> operator+(traced<S> const& x, traced<S> const& y) {
+    if (x.is(0)) return y;
+    if (y.is(0)) return x;
+    if (detail::makes_derivatives<S>() and not x.is_constant() and not y.is_constant()) {
+        detail::multiple_of<S> const l(x), r(y);
+        if (l.rest.node == r.rest.node) return traced<S>(S(l.factor + r.factor)) * l.rest;
+        if (r.rest.node != y.node and r.factor == S(-1)) return detail::make_traced<detail::minus_traced>(x, r.rest);
+        if (l.rest.node != x.node and l.factor == S(-1)) return detail::make_traced<detail::minus_traced>(y, l.rest);
+    }
+    return detail::make_traced<detail::plus_traced>(x, y);
+}
+template <class S>
+traced<S> operator-(traced<S> const& x, traced<S> const& y) {
+    if (y.is(0)) return x;
+    if (x.is(0) and not y.is_constant()) return -y;
+    if (detail::makes_derivatives<S>() and not y.is_constant()) return x + -y;
+    return detail::make_traced<detail::minus_traced>(x, y);
+}
+
+} // namespace hilger

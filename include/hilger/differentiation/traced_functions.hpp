@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSL-1.0
+// Traced numbers beside constants, their comparisons and elementary functions, and what Eigen must know to make vectors of them.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "hilger/differentiation/jet_functions.hpp"
+#include "hilger/differentiation/traced.hpp"
+
+namespace hilger {
+
+template <class S, constant_beside<S> K>
+traced<S> operator+(traced<S> const& x, K const& c) {
+    return x + traced<S>(c);
+}
+template <class S, constant_beside<S> K>
+traced<S> operator+(K const& c, traced<S> const& x) {
+    return traced<S>(c) + x;
+}
+template <class S, constant_beside<S> K>
+traced<S> operator-(traced<S> const& x, K const& c) {
+    return x - traced<S>(c);
+}
+template <class S, constant_beside<S> K>
+traced<S> operator-(K const& c, traced<S> const& x) {
+    return traced<S>(c) - x;
+}
+template <class S, constant_beside<S> K>
+traced<S> operator*(traced<S> const& x, K const& c) {
+    return x * traced<S>(c);
+}
+template <class S, constant_beside<S> K>
+traced<S> operator*(K const& c, traced<S> const& x) {
+    return traced<S>(c) * x;
+}
+template <class S, constant_beside<S> K>
+traced<S> operator/(traced<S> const& x, K const& c) {
+    return x / traced<S>(c);
+}
+template <class S, constant_beside<S> K>
+traced<S> operator/(K const& c, traced<S> const& x) {
+    return traced<S>(c) / x;
+}
+
+namespace detail {
+/// Either a traced number, or both operands of which one is.
+template <class X, class Y>
+struct traced_pair_ {};
+template <class S>
+struct traced_pair_<traced<S>, traced<S>> {
+    using type = traced<S>;
+};
+template <class S, constant_beside<S> K>
+struct traced_pair_<traced<S>, K> {
+    using type = traced<S>;
+};
+template <class S, constant_beside<S> K>
+struct traced_pair_<K, traced<S>> {
+    using type = traced<S>;
+};
+template <class X, class Y>
+using traced_pair = typename traced_pair_<X, Y>::type;
+
+/// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
+template <class S>
+bool watched(typename formula_graph<S>::relation how, traced<S> const& x, traced<S> const& y) {
+    bool const outcome = holds<S>(how, x.value, y.value);
+    if (x.is_constant() and y.is_constant()) return outcome;
+    auto& g = *formula_graph<S>::of_this_thread();
+    int const a = x.place(), b = y.place();
+    g.watch(how, a, b, outcome);
+    return compared(outcome, ((g[a].on | g[b].on) & on_velocity) != 0);
+}
+} // namespace detail
+
+template <class X, class Y>
+bool operator==(X const& x, Y const& y) requires requires {
+    typename detail::traced_pair<X, Y>;
+}
+{
+    using T = detail::traced_pair<X, Y>;
+    using S = typename T::scalar_type;
+    return detail::watched<S>(detail::formula_graph<S>::relation::equal, T(x), T(y));
+}
+template <class X, class Y>
+bool operator<(X const& x, Y const& y) requires requires {
+    typename detail::traced_pair<X, Y>;
+}
+{
+    using T = detail::traced_pair<X, Y>;
+    using S = typename T::scalar_type;
+    return detail::watched<S>(detail::formula_graph<S>::relation::less, T(x), T(y));
+}
+template <class X, class Y>
+bool operator<=(X const& x, Y const& y) requires requires {
+    typename detail::traced_pair<X, Y>;
+}
+{
+    using T = detail::traced_pair<X, Y>;
+    using S = typename T::scalar_type;
+    return detail::watched<S>(detail::formula_graph<S>::relation::less_or_equal, T(x), T(y));
+}
+template <class X, class Y>
+bool operator>(X const& x, Y const& y) requires requires {
+    typename detail::traced_pair<X, Y>;
+}
+{ return y < x; }
+template <class X, class Y>
+bool operator>=(X const& x, Y const& y) requires requires {
+    typename detail::traced_pair<X, Y>;
+}
+{ return y <= x; }
+
+template <class S>
+traced<S> abs(traced<S> const& x) {
+    return x < S(0) ? -x : x;
+}
+template <class S>
+traced<S> fabs(traced<S> const& x) {
+    return abs(x);
+}
+template <class X, class Y>
+detail::traced_pair<X, Y> max(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    return x < y ? T(y) : T(x);
+}
+template <class X, class Y>
+detail::traced_pair<X, Y> min(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    return y < x ? T(y) : T(x);
+}
+template <class X, class Y>
+detail::traced_pair<X, Y> fmax(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    return x < y or T(x).value != T(x).value ? T(y) : T(x);
+}
+template <class X, class Y>
+detail::traced_pair<X, Y> fmin(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    return y < x or T(x).value != T(x).value ? T(y) : T(x);
+}
+/// |x| with the sign of y.
+template <class X, class Y>
+detail::traced_pair<X, Y> copysign(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    using S = typename T::scalar_type;
+    T const a(x);
+    return detail::watched<S>(detail::formula_graph<S>::relation::signs_differ, a, T(y)) ? -a : a;
+}
+
+namespace detail {
+/// What the functions of one argument have in common.
+struct function_of_one {
+    static constexpr bool commutes = false;
+};
+} // namespace detail
+
+// A function and its derivative f'(x), in which y = f(x).
+#define HILGER_TRACED_FUNCTION(function, derivative, ...)                                                                                  \
+    namespace detail {                                                                                                                     \
+    struct function##_traced : function_of_one {                                                                                           \
+        static constexpr char const* name = #function;                                                                                     \
+        template <class S>                                                                                                                 \
+        static S value(S const& x, S const&) {                                                                                             \
+            using std::function;                                                                                                           \
+            return S(function(x));                                                                                                         \
+        }                                                                                                                                  \
+        template <class T>                                                                                                                 \
+        static std::pair<T, T> pull_back([[maybe_unused]] T const& x, T const&, [[maybe_unused]] T const& y, T const& adjoint) {           \
+            return {derivative, T(0)};                                                                                                     \
+        }                                                                                                                                  \
+    };                                                                                                                                     \
+    }                                                                                                                                      \
+    template <class S>                                                                                                                     \
+    traced<S> function(traced<S> const& x) {                                                                                               \
+        return detail::make_traced<detail::function##_traced>(x);                                                                          \
+    }
+template <class S>
+traced<S> cos(traced<S> const& x);
+template <class S>
+traced<S> cosh(traced<S> const& x);
+HILGER_TRACED_FUNCTION(sin, adjoint* cos(x))
+HILGER_TRACED_FUNCTION(cos, -(adjoint* sin(x)))
+HILGER_TRACED_FUNCTION(tan, adjoint*(T(1) + y * y))
+HILGER_TRACED_FUNCTION(exp, adjoint* y)
+HILGER_TRACED_FUNCTION(log, adjoint / x)
+HILGER_TRACED_FUNCTION(sqrt, adjoint / (T(2) * y))
+HILGER_TRACED_FUNCTION(sinh, adjoint* cosh(x))
+HILGER_TRACED_FUNCTION(cosh, adjoint* sinh(x))
+HILGER_TRACED_FUNCTION(tanh, adjoint*(T(1) - y * y))
+HILGER_TRACED_FUNCTION(asin, adjoint / sqrt(T(1) - x * x))
+HILGER_TRACED_FUNCTION(acos, -(adjoint / sqrt(T(1) - x * x)))
+HILGER_TRACED_FUNCTION(atan, adjoint / (T(1) + x * x))
+HILGER_TRACED_FUNCTION(cbrt, adjoint / (T(3) * (y * y)))
+HILGER_TRACED_FUNCTION(expm1, adjoint* exp(x))
+HILGER_TRACED_FUNCTION(log1p, adjoint / (T(1) + x))
+HILGER_TRACED_FUNCTION(erf, adjoint*(T(two_over_root_of_pi<typename T::scalar_type>()) * exp(-(x * x))))
+#undef HILGER_TRACED_FUNCTION
+
+namespace detail {
+struct hypot_traced {
+    static constexpr char const* name = "hypot";
+    static constexpr bool commutes = true;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        using std::hypot;
+        return S(hypot(x, y));
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& x, T const& y, T const& result, T const& adjoint) {
+        T const each = adjoint / result;
+        return {each * x, each * y};
+    }
+};
+/// Of (y, x), as the function takes them.
+struct atan2_traced {
+    static constexpr char const* name = "atan2";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& y, S const& x) {
+        using std::atan2;
+        return S(atan2(y, x));
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& y, T const& x, T const&, T const& adjoint) {
+        T const r = make_traced<hypot_traced>(x, y), each = adjoint / r; // squares of r need not be numbers of the scalar
+        return {each * (x / r), -(each * (y / r))};
+    }
+};
+/// x^c with a number c.
+struct power_traced {
+    static constexpr char const* name = "pow";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& x, S const& c) {
+        using std::pow;
+        return S(pow(x, c));
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& x, T const& c, T const&, T const& adjoint) {
+        if (c.is(0)) return {T(0), T(0)};
+        T const less(typename T::scalar_type(c.value - typename T::scalar_type(1)));
+        return {adjoint * (c * (less.is(0) ? T(1) : make_traced<power_traced>(x, less))), T(0)};
+    }
+};
+/// c^x with a number c.
+struct exponential_traced {
+    static constexpr char const* name = "pow";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& c, S const& x) {
+        using std::pow;
+        return S(pow(c, x));
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& c, T const&, T const& result, T const& adjoint) {
+        using std::log;
+        return {T(0), adjoint * (T(typename T::scalar_type(log(c.value))) * result)};
+    }
+};
+} // namespace detail
+
+template <class X, class Y>
+detail::traced_pair<X, Y> hypot(X const& x, Y const& y) {
+    using T = detail::traced_pair<X, Y>;
+    return detail::make_traced<detail::hypot_traced>(T(x), T(y));
+}
+template <class Y, class X>
+detail::traced_pair<Y, X> atan2(Y const& y, X const& x) {
+    using T = detail::traced_pair<Y, X>;
+    return detail::make_traced<detail::atan2_traced>(T(y), T(x));
+}
+/// x^n with a whole n is exact for every x; other powers need x > 0.
+template <class S, constant_beside<S> K>
+traced<S> pow(traced<S> const& x, K const& exponent) {
+    if constexpr (std::is_integral_v<K>) {
+        traced<S> y(1), square = x;
+        auto n = static_cast<unsigned long long>(exponent < K(0) ? -static_cast<long long>(exponent) : static_cast<long long>(exponent));
+        for (; n > 0; n >>= 1U) {
+            if (n & 1U) y = y * square;
+            if (n > 1) square = square * square;
+        }
+        return exponent < K(0) ? S(1) / y : y;
+    } else
+        return detail::make_traced<detail::power_traced>(x, traced<S>(exponent));
+}
+template <class S>
+traced<S> pow(traced<S> const& x, traced<S> const& y) {
+    return y.is_constant() ? detail::make_traced<detail::power_traced>(x, y) : exp(y * log(x));
+}
+template <class S, constant_beside<S> K>
+traced<S> pow(K const& base, traced<S> const& x) {
+    traced<S> const b(base);
+    return b.is(0) ? b : detail::make_traced<detail::exponential_traced>(b, x); // 0^x is 0 for all x > 0
+}
+
+} // namespace hilger
+
+namespace Eigen {
+
+template <class S>
+struct NumTraits<hilger::traced<S>> : NumTraits<S> {
+    using Real = hilger::traced<S>;
+    using NonInteger = Real;
+    using Nested = Real;
+    using Literal = typename NumTraits<S>::Literal;
+    enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 4, AddCost = 32, MulCost = 32 };
+};
+template <class S, class K, class Operation>
+    requires hilger::constant_beside<K, S>
+struct ScalarBinaryOpTraits<hilger::traced<S>, K, Operation> {
+    using ReturnType = hilger::traced<S>;
+};
+template <class S, class K, class Operation>
+    requires hilger::constant_beside<K, S>
+struct ScalarBinaryOpTraits<K, hilger::traced<S>, Operation> {
+    using ReturnType = hilger::traced<S>;
+};
+
+} // namespace Eigen

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSL-1.0
+// Any local equation marches: where the operators of an action reach over several steps, the residual of its equation at t_i reads the
+// positions from t_{i-l} to t_{i+r}, and is solved for the newest of them, row by row, from l + r values at the beginning:
+//   auto const EL = variation(integral(L(q, (Delta_minus * rho)[q]), T));
+//   auto const x = solve(EL, T, std::vector{q0, q1, q2, q3});
+// An equation that reaches over one step is solved from two values, and is the step that solve(EL, T, {.q0 = ..., .q1 = ...}) makes,
+// slower. Such schemes have solutions beside those near the continuous ones; nothing here damps them.
+#pragma once
+
+#include <ranges>
+#include <sstream>
+#include <vector>
+
+#include "hilger/function/function.hpp"
+#include "hilger/integrator/state.hpp"
+#include "hilger/mechanics/newton.hpp"
+#include "hilger/mechanics/variation.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// What there is of a function on T while it is made.
+template <class V, class Root>
+struct values_so_far : function_interface<values_so_far<V, Root>> {
+    using root_type = Root;
+    using domain_type = hilger::domain<nodes>;
+    Root const* T;
+    std::vector<V> const* values;
+    [[nodiscard]] Root const& root() const { return *T; }
+    [[nodiscard]] static constexpr domain_type domain() { return {}; }
+    [[nodiscard]] V const& get(index_type i) const { return (*values)[static_cast<std::size_t>(i)]; }
+};
+
+} // namespace detail
+
+/// The solution on T with the given first values, numbers or vectors: l + r of them (see above), which is 2 for what reaches over one step
+/// and in general twice as many as the steps that the operators of the action reach over.
+/// @throws error::mismatch when there are not so many; a row that has no solution, with its cause, says between which points the solution
+/// ends
+template <class Action, std::ranges::input_range Values>
+    requires std::constructible_from<typename Action::root_type::scalar_type, scalar_of<std::ranges::range_value_t<Values>>>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
+    using V = std::ranges::range_value_t<Values>;
+    using S = scalar_of<V>;
+    using EL = euler_lagrange<Action>;
+    static_assert(EL::reads.is_local(),
+                  "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
+                  "operator that does not say what it reads) has an equation that looks to both ends of T, and first values do not "
+                  "determine its solution; with both end values given, solve_boundary(equation, q_a, q_b) solves it");
+    constexpr index_type before = -EL::reads.on_T.first / 2, after = EL::reads.on_T.last / 2;
+    std::vector<V> x(std::ranges::begin(first), std::ranges::end(first));
+    auto const given = static_cast<index_type>(x.size());
+    detail::values_so_far<V, typename Action::root_type> const so_far{{}, &T, &x};
+    auto const residual = equation.residual(so_far);
+    using rows = typename decltype(residual)::domain_type;
+    static_assert(rows::front >= before and rows::back >= after,
+                  "an operator that has values where not all is there that it reads, as differences by weights have beside the ends of T, "
+                  "has an equation with rows at both ends of T, which first values do not determine");
+    constexpr index_type first_row = rows::front;
+    constexpr index_type needed = first_row + after;
+    if (given != needed)
+        error::raise<error::mismatch>("the equation at a point reads ", before, " points before it and ", after,
+                                      " after it, and is solved from ", needed, " values on; these are ", given);
+    x.resize(static_cast<std::size_t>(T.size()), zero_like(x[0]));
+    for (index_type n = needed; n < T.size(); ++n) {
+        index_type const row = n - after;
+        auto const at = [](std::vector<V>& all, index_type i) -> V& { return all[static_cast<std::size_t>(i)]; };
+        V& unknown = at(x, n);
+        V const &last = at(x, n - 1), &earlier = at(x, n - 2);
+        V const guess = last + (last - earlier) * S(T.step(n - 1) / T.step(n - 2));
+        auto const slope = equation.residual_slope(so_far, n);
+        auto const system = [&](V const& y) {
+            unknown = y;
+            return newton_system<V>{residual.get(row), slope.get(row)};
+        };
+        V largest = detail::sizes(guess);
+        for (index_type i = row - before; i < n; ++i)
+            for (int c = 0; c < detail::shape<V>::dimension(guess); ++c) {
+                S& most = detail::shape<V>::component(largest, c);
+                most = std::max(most, S(magnitude(detail::shape<V>::component(at(x, i), c))));
+            }
+        // The row is a difference of terms of this size.
+        auto const size = system(guess).jacobian;
+        V rounding = largest;
+        for (int c = 0; c < detail::shape<V>::dimension(guess); ++c)
+            detail::shape<V>::component(rounding, c) = S(detail::largest_entry(size)) * magnitude(largest);
+        saying_where(state<S, V>{S(T.point(n - 1)), last, zero_like(last)}, S(T.step(n - 1)),
+                     [&] { unknown = newton(system, guess, rounding, "the equation for the next position"); });
+    }
+    return function_on(T, std::move(x));
+}
+
+} // namespace hilger

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSL-1.0
+// A square matrix of which it is known before any number is what of it is not zero. That decides how it is solved with: by
+// elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen, dense or sparse.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+#include "hilger/linear/elimination.hpp"
+
+namespace hilger::detail {
+
+/// A factorization of one's own: Eigen's cannot be copied, or not before they are used, and a copy makes its own.
+template <class Factors>
+struct own : std::unique_ptr<Factors> {
+    own() = default;
+    own(own const&) : own() {}
+    own& operator=(own const&) { return *this; }
+};
+
+template <class S>
+class patterned_matrix {
+    enum class solver { elimination, dense, sparse };
+    static constexpr int small = 16; // up to here a library's blocks are not worth their setting up
+
+public:
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+    /// Entries that may be different from zero, and the diagonal.
+    void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
+        d_ = d;
+        int below = 0, above = 0;
+        for (auto const& [j, k] : entries) {
+            below = std::max(below, j - k);
+            above = std::max(above, k - j);
+        }
+        int const width = 2 * below + above + 1;
+        if (2 * width < d) {
+            how_ = solver::elimination;
+            few_ = elimination<S>(d, below, above);
+        } else if (d <= small) {
+            how_ = solver::elimination;
+            few_ = elimination<S>(d);
+        } else
+            how_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d) ? solver::sparse : solver::dense;
+        if (how_ == solver::dense)
+            data_.assign(static_cast<std::size_t>(d) * static_cast<std::size_t>(d), S(0));
+        else if (how_ == solver::sparse) {
+            std::vector<Eigen::Triplet<S>> all;
+            for (auto const& [j, k] : entries) all.emplace_back(j, k, S(0));
+            for (int k = 0; k < d; ++k) all.emplace_back(k, k, S(0));
+            sparse_.resize(d, d);
+            sparse_.setFromTriplets(all.begin(), all.end());
+            sparse_.makeCompressed();
+            sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
+            sparse_factors_->analyzePattern(sparse_);
+        }
+    }
+    [[nodiscard]] int size() const { return d_; }
+    /// Where an entry is kept.
+    [[nodiscard]] int place(int j, int k) const {
+        if (how_ == solver::elimination) return few_.place(j, k);
+        if (how_ == solver::dense) return k * d_ + j;
+        int const *first = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k],
+                  *last = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k + 1];
+        return static_cast<int>(std::lower_bound(first, last, j) - sparse_.innerIndexPtr());
+    }
+    void set_zero() {
+        factorized_ = false;
+        for (S *x = data(), *end = x + length(); x != end; ++x) *x = S(0);
+    }
+    S& operator[](int place) { return data()[place]; }
+    /// The largest entry.
+    [[nodiscard]] S largest() {
+        S most(0);
+        for (S *x = data(), *end = x + length(); x != end; ++x)
+            if (S const size = magnitude(*x); most < size) most = size;
+        return most;
+    }
+
+    /// False where it is singular to rounding.
+    bool factorize() {
+        tally<S>::add(work::factorization);
+        return factorized_ = makes_factors();
+    }
+    /// Since the entries were set.
+    [[nodiscard]] bool is_factorized() const { return factorized_ and (how_ != solver::sparse or sparse_factors_); }
+    /// x in K x = r, with the factors.
+    template <class X>
+    void solve(X& x) const {
+        tally<S>::add(work::solve);
+        if (how_ == solver::dense)
+            x = dense_factors_.solve(vector(x));
+        else if (how_ == solver::sparse)
+            x = sparse_factors_->solve(vector(x));
+        else
+            few_.solve(x);
+    }
+
+private:
+    S* data() { return how_ == solver::sparse ? sparse_.valuePtr() : how_ == solver::dense ? data_.data() : few_.data().data(); }
+    std::ptrdiff_t length() {
+        return how_ == solver::sparse ? sparse_.nonZeros()
+                                      : static_cast<std::ptrdiff_t>(how_ == solver::dense ? data_.size() : few_.data().size());
+    }
+    bool makes_factors() {
+        if (how_ == solver::elimination) return few_.factorize();
+        if (how_ == solver::dense) {
+            dense_factors_.compute(Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const>(data_.data(), d_, d_));
+            return is_regular(dense_factors_);
+        }
+        if (not sparse_factors_) {
+            sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
+            sparse_factors_->analyzePattern(sparse_);
+        }
+        sparse_factors_->factorize(sparse_);
+        return sparse_factors_->info() == Eigen::Success;
+    }
+    solver how_ = solver::elimination;
+    bool factorized_ = false;
+    int d_ = 0;
+    elimination<S> few_;
+    std::vector<S> data_;
+    Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
+    Eigen::SparseMatrix<S> sparse_;
+    own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
+};
+
+} // namespace hilger::detail

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSL-1.0
+// When a matrix counts as singular: where its pivots have no digit left.
+#pragma once
+
+#include "hilger/inlining.hpp"
+#include "hilger/scalar.hpp"
+
+namespace hilger::detail {
+
+/// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
+template <class S>
+HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index_type d) {
+    using std::abs;
+    return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
+}
+
+/// A pivot at rounding level of the largest one means that no digit of a solution is right.
+template <class LU>
+bool is_regular(LU const& lu) {
+    using S = typename LU::Scalar;
+    auto const pivots = lu.matrixLU().diagonal().cwiseAbs();
+    return pivots.maxCoeff() * S(static_cast<int>(pivots.size())) * epsilon<S>() < pivots.minCoeff();
+}
+} // namespace hilger::detail
