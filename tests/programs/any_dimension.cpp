@@ -43,6 +43,8 @@ constexpr auto stiff = [](auto const& q, auto const& v) {
     return L;
 };
 
+Eigen::VectorXd dynamic(double x, double y) { return Eigen::Vector2d(x, y); }
+
 /// Under every scheme, on steps that are equal and that are not.
 template <class V, class L>
 void is_solved_by_all(L const& l, int d, double mass) {
@@ -120,6 +122,62 @@ TEST_CASE("in rational numbers the equation holds exactly") {
     holds(quadratic, theta<1, 3>);
     holds(quartic, order_one);
     holds(quartic, order_one_left);
+}
+TEST_CASE("components of very different sizes, beside each other") {
+    // metres and an angle, which know nothing of each other
+    auto const apart = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q(0) * q(0) / 20000 - 40 * (1 - cos(q(1))); };
+    auto const angle = [&](double far, double fast) {
+        double last = 0;
+        for (auto const& x : embed(apart, mid_point).along(uniform(0.0, 0.05, 200), dynamic(far, 1), dynamic(fast, 0.2))) last = x.q(1);
+        return last;
+    };
+    CHECK(std::abs(angle(1e11, 3e9) - angle(1, 3)) <= 4096 * epsilon<double>());
+    // far away, and close together
+    auto const close = [](auto const& q, auto const& v) { return v.dot(v) / 2 - 20 * pow(q(1) - q(0) - 1, 4); };
+    auto const path = embed(close, mid_point).along(uniform(0.0, 0.05, 200), dynamic(1e8, 1e8 + 1.5), dynamic(0, 0));
+    CHECK(largest_residual(path) <= 64 * epsilon<double>() * 1e8 / (0.05 * 0.05));
+}
+TEST_CASE("a mass that is singular is refused, and a small one is not, in any dimension") {
+    // the velocity (1, ..., 1) has no momentum
+    auto const singular = [](auto const& q, auto const& v) {
+        auto L = 0 * v(0) - q.dot(q) / 2;
+        for (int k = 0; k < q.size(); ++k) L = L + (0.1 + 0.37 * k) * pow(v(k) - v((k + 1) % q.size()), 2) / 2;
+        return L;
+    };
+    auto const light = [](auto const& q, auto const& v) {
+        auto L = 1e-18 * (v(0) * v(0) / 2 - q(0) * q(0));
+        for (int j = 1; j < q.size(); ++j) {
+            L = L + v(j) * v(j) / 2 - q(j) * q(j) / 2;
+            for (int k = 0; k < j; ++k) L = L - (k == 0 ? 1e-18 : 1.0) * 1000 * pow(q(j) - q(k), 4);
+        }
+        return L;
+    };
+    for (int const d : {3, 12, 24, 40}) {
+        Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(d, 0, 1), p = 0 * q;
+        CHECK_THROWS_AS(
+            [&] {
+                for (auto const& x : embed(singular, order_one).along(T, q, p)) (void)x;
+            }(),
+            error::singular);
+        CHECK(largest_residual(embed(light, mid_point).along(uniform(0.0, 0.01, 10), q, p)) <= 1e-9);
+    }
+}
+TEST_CASE("no components, and zeros with a sign") {
+    Eigen::VectorXd const nothing(0);
+    auto const flat = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * q.dot(q); };
+    int points = 0;
+    for (auto const& x : embed(flat, mid_point).along(T, nothing, nothing)) points += x.q.size() == 0 ? 1 : 0;
+    CHECK(points == 41);
+    auto const with_signs = [](auto const& q, auto const& v) {
+        double const minus = -0.0;
+        return v.dot(v) / 2 + 0.0 * q(1) - copysign(q(0), minus) * q(1) - atan2(q(1) * q(1), minus) * q(0);
+    };
+    Eigen::Vector2d const q(1, 0.5), p(0, 1);
+    Eigen::Vector2d fixed = q;
+    Eigen::VectorXd of_any_size = q;
+    for (auto const& x : embed(with_signs, mid_point).along(T, q, p)) fixed = x.q;
+    for (auto const& x : embed(with_signs, mid_point).along(T, of_any_size, Eigen::VectorXd(p))) of_any_size = x.q;
+    CHECK((fixed - of_any_size).norm() <= 1024 * epsilon<double>() * fixed.norm());
 }
 TEST_CASE("a Lagrangian is looked at a few times, however many steps are made") {
     long long calls = 0;

@@ -108,6 +108,26 @@ TEST_CASE("what is singular to rounding is refused, and what is small is not sin
         CHECK(not zero.is_factorized());
     }
 }
+TEST_CASE("rows are weighed, and pivots without a digit are seen, by every solver") {
+    for (auto const& [d, entries] :
+         {std::pair{60, ring(60)}, std::pair{20, full(20)}, std::pair{9, full(9)}, std::pair{60, band(60, 1, 1)}})
+        for (bool const regular : {true, false}) {
+            patterned_matrix<double> K;
+            K.prepare(d, entries);
+            K.set_zero();
+            // differences of neighbours: constants are in the kernel, unless one row has something more; rows of very different sizes
+            for (auto const& [j, k] : entries)
+                if (j != k) {
+                    double const size = j == 3 ? 1e-30 : j == 5 ? 1e40 : 1 + 0.1 * (j + k);
+                    K[K.place(j, k)] -= size;
+                    K[K.place(j, j)] += size;
+                }
+            if (regular) K[K.place(3, 3)] += 1e-30;
+            int const size_of_it = d;
+            CAPTURE(size_of_it);
+            CHECK(K.factorize() == regular);
+        }
+}
 TEST_CASE("a copy makes factors of its own") {
     patterned_matrix<double> K;
     auto const entries = ring(60);

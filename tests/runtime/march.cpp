@@ -84,6 +84,13 @@ TEST_CASE("what is missing is said in a sentence") {
     auto const EL = variation(integral(pendulum(q, central[q]), T));
     CHECK_THROWS_WITH_AS((void)solve(EL, T, std::vector{1.0, 1.0}), doctest::Contains("is solved from 4 values on; these are 2"),
                          error::mismatch);
+    CHECK_THROWS_WITH_AS((void)solve(EL, uniform(0.0, 0.1, 2), std::vector{1.0, 1.0, 1.0, 1.0}), doctest::Contains("T has 3 points"),
+                         error::mismatch);
+    std::vector<Eigen::VectorXd> const uneven{Eigen::VectorXd::Ones(2), Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(2),
+                                              Eigen::VectorXd::Ones(2)};
+    auto const plane = lagrangian{[](auto const& x, auto const& v) { return v.dot(v) / 2 - x.dot(x) / 2; }};
+    CHECK_THROWS_AS((void)solve(variation(integral(plane(q, central[q]), T)), T, uneven), error::mismatch);
+    CHECK(solve(EL, T, std::vector{1, 1, 1, 1})[3] == 1.0); // whole numbers are numbers
     auto const no_mass = lagrangian{[](auto const& x, auto const& v) { return 0 * v - x * x / 2; }};
     auto const singular = variation(integral(no_mass(q, central[q]), T));
     CHECK_THROWS_AS((void)solve(singular, T, std::vector{1.0, 1.0, 1.0, 1.0}), error::singular);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "hilger/differentiation/graph.hpp"
@@ -61,22 +63,16 @@ public:
                 numbers_.push_back(g.number(k));
             }
         first_ = arguments + static_cast<int>(numbers_.size());
-        for (auto const& o : order) {
-            auto const& node = g[o.node];
-            place_[static_cast<std::size_t>(o.node)] = first_ + static_cast<int>(a_.size());
-            a_.push_back(place_[static_cast<std::size_t>(node.a)]);
-            b_.push_back(place_[static_cast<std::size_t>(node.b)]);
-        }
         int part_of_last = 0;
         for (std::size_t first = 0; first < order.size();) {
             auto const& o = order[first];
             for (; part_of_last < o.part; ++part_of_last)
                 end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
-            std::size_t last = first;
-            while (last < order.size() and order[last].part == o.part and order[last].level == o.level and order[last].what == o.what)
-                ++last;
-            add_rounds(o.what, static_cast<int>(first), static_cast<int>(last));
-            first = last;
+            std::vector<int> alike;
+            for (; first < order.size() and order[first].part == o.part and order[first].level == o.level and order[first].what == o.what;
+                 ++first)
+                alike.push_back(order[first].node);
+            add_rounds(g, *o.what, alike);
         }
         for (; part_of_last < parts; ++part_of_last) end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
     }
@@ -106,29 +102,57 @@ private:
         int count, first;
         bool in_a_row = false, all_a = false, all_b = false;
     };
-    /// Operations first ... last - 1 are of one kind: where their operands stand one after the other they are a round of their own.
-    void add_rounds(traced_operation<S> const* what, int first, int last) {
-        constexpr int worth_it = 4;
-        auto const step = [](std::vector<int> const& at, int k) {
-            return at[static_cast<std::size_t>(k + 1)] - at[static_cast<std::size_t>(k)];
-        };
-        int rest = first;
-        for (int k = first; k < last;) {
-            int end = k + 1;
-            if (end < last) {
-                int const a = step(a_, k), b = step(b_, k);
-                if (0 <= a and a <= 1 and 0 <= b and b <= 1 and a + b > 0) {
-                    while (end < last and step(a_, end - 1) == a and step(b_, end - 1) == b) ++end;
-                    if (end - k >= worth_it) {
-                        if (rest < k) rounds_.push_back({what, k - rest, rest});
-                        rounds_.push_back({what, end - k, k, true, a == 0, b == 0});
-                        rest = end;
-                    }
-                }
-            }
-            k = end;
+    /// Operations whose operands stand one after the other, or are one for all of them.
+    struct row {
+        std::vector<int> nodes;
+        int a, b, step_a = 0, step_b = 0;
+        [[nodiscard]] bool goes_on_with(int x, int y) const {
+            int const n = static_cast<int>(nodes.size()), by_x = x - a, by_y = y - b;
+            if (n == 1) return 0 <= by_x and by_x <= 1 and 0 <= by_y and by_y <= 1 and by_x + by_y > 0;
+            return by_x == n * step_a and by_y == n * step_b;
         }
-        if (rest < last) rounds_.push_back({what, last - rest, rest});
+    };
+    /// Rounds for operations of one kind on one level: one for each long row there is, and one for all others.
+    void add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes) {
+        constexpr std::size_t worth_it = 4;
+        // derivatives are made from the last operation to the first, and operands stand in the order of their places
+        std::stable_sort(nodes.begin(), nodes.end(),
+                         [&](int j, int k) { return std::pair(place(g[j].a), place(g[j].b)) < std::pair(place(g[k].a), place(g[k].b)); });
+        std::vector<row> rows;
+        std::map<std::pair<int, int>, std::size_t> next; // where a row would go on
+        for (int const k : nodes) {
+            int const a = place(g[k].a), b = place(g[k].b);
+            auto const found = next.find({a, b});
+            if (found != next.end() and rows[found->second].goes_on_with(a, b)) {
+                std::size_t const at = found->second;
+                auto& r = rows[at];
+                if (r.nodes.size() == 1) {
+                    r.step_a = a - r.a;
+                    r.step_b = b - r.b;
+                }
+                r.nodes.push_back(k);
+                next.erase(found);
+                next[{a + r.step_a, b + r.step_b}] = at;
+                continue;
+            }
+            for (auto const& [by_a, by_b] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}}) next[{a + by_a, b + by_b}] = rows.size();
+            rows.push_back({{k}, a, b});
+        }
+        auto const put = [&](int k) {
+            place_[static_cast<std::size_t>(k)] = first_ + static_cast<int>(a_.size());
+            a_.push_back(place(g[k].a));
+            b_.push_back(place(g[k].b));
+        };
+        int const before = static_cast<int>(a_.size());
+        for (auto const& r : rows)
+            if (r.nodes.size() < worth_it)
+                for (int const k : r.nodes) put(k);
+        if (int const others = static_cast<int>(a_.size()) - before; others > 0) rounds_.push_back({&what, others, before});
+        for (auto const& r : rows) {
+            if (r.nodes.size() < worth_it) continue;
+            rounds_.push_back({&what, static_cast<int>(r.nodes.size()), static_cast<int>(a_.size()), true, r.step_a == 0, r.step_b == 0});
+            for (int const k : r.nodes) put(k);
+        }
     }
     int arguments_ = 0, first_ = 0;
     std::vector<S> numbers_;

@@ -4,9 +4,11 @@
 // value, its loop over many operands, its derivative - stands in traced.hpp and traced_functions.hpp; a node only points there.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -32,6 +34,15 @@ struct traced_operation {
     /// The two operands' parts of an adjoint: adjoint df/dx and adjoint df/dy.
     std::pair<traced<S>, traced<S>> (*pull_back)(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint);
 };
+
+/// -0 has a sign too.
+template <class S>
+constexpr bool has_minus_sign(S const& x) {
+    if constexpr (std::is_floating_point_v<S>)
+        return std::signbit(x);
+    else
+        return x < S(0);
+}
 
 /// Which arguments a node depends on.
 enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2 };
@@ -65,7 +76,7 @@ public:
     /// The node of a number. Numbers that do not equal themselves have a node each.
     int place_of(S const& x) {
         if (not(x == x)) return new_number(x);
-        auto const [at, is_new] = known_numbers_.try_emplace(x, size());
+        auto const [at, is_new] = known_numbers_.try_emplace({x, has_minus_sign(x)}, size());
         return is_new ? new_number(x) : at->second;
     }
     int make(traced_operation<S> const& what, int a, int b) {
@@ -105,7 +116,7 @@ private:
     std::vector<S> numbers_;
     std::vector<guard> guards_;
     std::unordered_map<key, int, hash> known_;
-    std::map<S, int> known_numbers_;
+    std::map<std::pair<S, bool>, int> known_numbers_; ///< -0 and 0 are equal, and two
 };
 
 /// Makes a graph the one that this thread's traced numbers are part of.
@@ -134,7 +145,7 @@ bool holds(typename formula_graph<S>::relation how, S const& x, S const& y) {
     case relation::signs_differ:
         break;
     }
-    return x < S(0) != y < S(0);
+    return has_minus_sign(x) != has_minus_sign(y);
 }
 
 } // namespace detail

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/graph.hpp"
 #include "hilger/differentiation/jet_arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
@@ -84,15 +85,6 @@ struct pair_of_jets_<K, jet<S, F, C, O>> {
 };
 template <class X, class Y>
 using pair_of_jets = typename pair_of_jets_<X, Y>::type;
-
-/// -0 has a sign too.
-template <class S>
-constexpr bool has_minus_sign(S const& x) {
-    if constexpr (std::is_floating_point_v<S>)
-        return std::signbit(x);
-    else
-        return x < S(0);
-}
 
 } // namespace detail
 

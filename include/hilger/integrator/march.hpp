@@ -13,6 +13,7 @@
 
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/state.hpp"
+#include "hilger/mechanics/given_state.hpp"
 #include "hilger/mechanics/newton.hpp"
 #include "hilger/mechanics/variation.hpp"
 
@@ -39,17 +40,19 @@ struct values_so_far : function_interface<values_so_far<V, Root>> {
 /// @throws error::mismatch when there are not so many; a row that has no solution, with its cause, says between which points the solution
 /// ends
 template <class Action, std::ranges::input_range Values>
-    requires std::constructible_from<typename Action::root_type::scalar_type, scalar_of<std::ranges::range_value_t<Values>>>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
-    using V = std::ranges::range_value_t<Values>;
-    using S = scalar_of<V>;
+    requires detail::is_given_state<std::ranges::range_value_t<Values>> and detail::is_exact_state < std::ranges::range_value_t<Values>,
+typename Action::root_type::scalar_type >
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
+    using S = typename Action::root_type::scalar_type;
+    using V = detail::given_state_t<S, std::ranges::range_value_t<Values>>;
     using EL = euler_lagrange<Action>;
     static_assert(EL::reads.is_local(),
                   "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
                   "operator that does not say what it reads) has an equation that looks to both ends of T, and first values do not "
                   "determine its solution; with both end values given, solve_boundary(equation, q_a, q_b) solves it");
     constexpr index_type before = -EL::reads.on_T.first / 2, after = EL::reads.on_T.last / 2;
-    std::vector<V> x(std::ranges::begin(first), std::ranges::end(first));
+    std::vector<V> x;
+    for (auto const& value : first) x.push_back(detail::as_state<V>(value));
     auto const given = static_cast<index_type>(x.size());
     detail::values_so_far<V, typename Action::root_type> const so_far{{}, &T, &x};
     auto const residual = equation.residual(so_far);
@@ -57,8 +60,11 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     static_assert(rows::front >= before and rows::back >= after,
                   "an operator that has values where not all is there that it reads, as differences by weights have beside the ends of T, "
                   "has an equation with rows at both ends of T, which first values do not determine");
-    constexpr index_type first_row = rows::front;
-    constexpr index_type needed = first_row + after;
+    constexpr index_type needed = rows::front + after;
+    static_assert(before + after > 0,
+                  "an action whose operators read the point itself alone has no motion: its equation has one position in it");
+    for (V const& value : x) detail::require_same_dimension(x[0], value, "the first values");
+    if (T.size() < given) error::raise<error::mismatch>("T has ", T.size(), " points, and there are ", given, " first values");
     if (given != needed)
         error::raise<error::mismatch>("the equation at a point reads ", before, " points before it and ", after,
                                       " after it, and is solved from ", needed, " values on; these are ", given);
@@ -67,8 +73,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         index_type const row = n - after;
         auto const at = [](std::vector<V>& all, index_type i) -> V& { return all[static_cast<std::size_t>(i)]; };
         V& unknown = at(x, n);
-        V const &last = at(x, n - 1), &earlier = at(x, n - 2);
-        V const guess = last + (last - earlier) * S(T.step(n - 1) / T.step(n - 2));
+        V const& last = at(x, n - 1);
+        V const guess = n < 2 ? last : V(last + (last - at(x, n - 2)) * S(T.step(n - 1) / T.step(n - 2)));
         auto const slope = equation.residual_slope(so_far, n);
         auto const system = [&](V const& y) {
             unknown = y;

@@ -73,6 +73,10 @@ public:
     /// x in K x = r, with the factors.
     template <class X>
     void solve(X& x) const {
+        if (below_ == 0 and above_ == 0) {
+            for (int k = 0; k < d_; ++k) x(k) = x(k) * factors_[at(k, k)];
+            return;
+        }
         for (int k = 0; k < d_; ++k) {
             if (int const p = from_[at(k)]; p != k) std::swap(x(k), x(p));
             for (int j = k + 1, end = std::min(d_, k + below_ + 1); j < end; ++j) x(j) = x(j) - factors_[at(j, k)] * x(k);
@@ -89,7 +93,7 @@ private:
     [[nodiscard]] std::size_t at(int j, int k) const { return static_cast<std::size_t>(place(j, k)); }
     void make_room() {
         if constexpr (D == -1) {
-            data_.resize(at(place(d_ - 1, d_ - 1) + above_ + 1));
+            data_.resize(d_ == 0 ? 0 : at(place(d_ - 1, d_ - 1) + above_ + 1));
             scale_.resize(at(d_));
             from_.resize(at(d_));
         }

@@ -94,9 +94,9 @@ public:
     void solve(X& x) const {
         tally<S>::add(work::solve);
         if (how_ == solver::dense)
-            x = dense_factors_.solve(vector(x));
+            x = dense_factors_.solve(vector(weight_.cwiseProduct(x)));
         else if (how_ == solver::sparse)
-            x = sparse_factors_->solve(vector(x));
+            x = sparse_factors_->solve(vector(weight_.cwiseProduct(x)));
         else
             few_.solve(x);
     }
@@ -107,24 +107,48 @@ private:
         return how_ == solver::sparse ? sparse_.nonZeros()
                                       : static_cast<std::ptrdiff_t>(how_ == solver::dense ? data_.size() : few_.data().size());
     }
+    /// Rows are weighed by their largest entry, as elimination weighs them.
     bool makes_factors() {
         if (how_ == solver::elimination) return few_.factorize();
+        weight_.setZero(d_);
+        auto const weigh = [&](index_type row, S const& x) {
+            if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;
+        };
         if (how_ == solver::dense) {
-            dense_factors_.compute(Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const>(data_.data(), d_, d_));
+            Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const> const K(data_.data(), d_, d_);
+            for (index_type k = 0; k < d_; ++k)
+                for (index_type j = 0; j < d_; ++j) weigh(j, K(j, k));
+            if (not(S(0) < weight_.minCoeff())) return false;
+            weight_ = weight_.cwiseInverse();
+            dense_factors_.compute(weight_.asDiagonal() * K);
             return is_regular(dense_factors_);
         }
+        using entries = typename Eigen::SparseMatrix<S>::InnerIterator;
+        for (int k = 0; k < d_; ++k)
+            for (entries x(sparse_, k); x; ++x) weigh(x.row(), x.value());
+        if (not(S(0) < weight_.minCoeff())) return false;
+        weight_ = weight_.cwiseInverse();
+        Eigen::SparseMatrix<S> weighed = sparse_;
+        for (int k = 0; k < d_; ++k)
+            for (entries x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
         if (not sparse_factors_) {
             sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
-            sparse_factors_->analyzePattern(sparse_);
+            sparse_factors_->analyzePattern(weighed);
         }
-        sparse_factors_->factorize(sparse_);
-        return sparse_factors_->info() == Eigen::Success;
+        sparse_factors_->factorize(weighed);
+        if (sparse_factors_->info() != Eigen::Success) return false;
+        // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
+        vector x(d_);
+        for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
+        x = sparse_factors_->solve(x);
+        return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
     }
     solver how_ = solver::elimination;
     bool factorized_ = false;
     int d_ = 0;
     elimination<S> few_;
     std::vector<S> data_;
+    vector weight_; ///< of each row, 1 / its largest entry
     Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;
     own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
