@@ -107,7 +107,7 @@ TEST_CASE("every function has the derivatives of jets") {
     auto const in = [](auto const& q, auto const& v) { return q(0) * v(1) * v(1) + q(2) * q(1) / 3 + 0.75; };
 #define NEAR(formula)                                                                                                                      \
     near(#formula, [&](auto const& q, auto const& v) {                                                                                     \
-        auto const u = in(q, v);                                                                                                           \
+        [[maybe_unused]] auto const u = in(q, v);                                                                                          \
         return formula;                                                                                                                    \
     })
     NEAR(sin(u) * v(0));

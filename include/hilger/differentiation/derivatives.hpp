@@ -262,7 +262,6 @@ expansion<V> expand(F const& f, V const& q, V const& v) {
 /// Of the second argument alone, at least: by_v and vv.
 template <class F, class V>
 expansion<V> expand_second(F const& f, V const& q, V const& v) {
-    using s = detail::shape<V>;
     if constexpr (requires { f.expand(q, v); } or not detail::is_traced_state<V>)
         return expand(f, q, v);
     else
