@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "by_hand.hpp"
 #include "hilger/hilger.hpp"
 #include "outer_solar_system_data.hpp"
 #include "solar_system.hpp"
@@ -26,17 +27,6 @@ row fpu_start() {
     row q;
     for (std::size_t k = 0; k < N; ++k) q[k] = std::sin(3.14159265358979 * static_cast<double>(k + 1) / (N + 1));
     return q;
-}
-double fpu_order_one_by_hand(long n) {
-    row q = fpu_start(), p{}, g;
-    double s = 0;
-    for (long i = 0; i < n; ++i) {
-        s += q[3];
-        fpu_force(q, g);
-        for (std::size_t k = 0; k < N; ++k) p[k] += 0.1 * g[k];
-        for (std::size_t k = 0; k < N; ++k) q[k] += 0.1 * p[k];
-    }
-    return s + q[3];
 }
 /// Newton with a tridiagonal solve; the guess is linear.
 double fpu_newton_by_hand(long n) {
@@ -83,39 +73,12 @@ double fpu_newton_by_hand(long n) {
     }
     return s + q[3];
 }
-/// v = p + h/2 g(q + h/2 v), iterated; the guess is the polynomial through the last six velocities.
-double fpu_iteration_by_hand(long n) {
-    constexpr double h = 0.1;
-    row q = fpu_start(), p{}, g, v, A;
-    std::array<row, 6> past{};
-    double s = 0;
-    for (long i = 0; i < n; ++i) {
-        s += q[3];
-        auto const at = [&](long m) -> row const& { return past[static_cast<std::size_t>((i + 5 - m) % 6)]; };
-        row const &a = at(0), &b = at(1), &c = at(2), &d = at(3), &e = at(4), &f = at(5);
-        for (std::size_t k = 0; k < N; ++k) v[k] = i < 6 ? p[k] : 6 * (a[k] + e[k]) + 20 * c[k] - 15 * (b[k] + d[k]) - f[k];
-        double previous = 0;
-        for (int round = 0; round < 30; ++round) {
-            for (std::size_t k = 0; k < N; ++k) A[k] = q[k] + h / 2 * v[k];
-            fpu_force(A, g);
-            double size = 0, reach = 0;
-            for (std::size_t k = 0; k < N; ++k) {
-                double const next = p[k] + h / 2 * g[k];
-                size = std::max(size, std::abs(next - v[k]));
-                reach = std::max(reach, std::abs(next));
-                v[k] = next;
-            }
-            if (size <= 8 * 2.2e-16 * reach or (round > 0 and size * size <= 1.1e-16 * reach * previous)) break;
-            previous = size;
-        }
-        for (std::size_t k = 0; k < N; ++k) {
-            q[k] += h * v[k];
-            p[k] += h * g[k];
-        }
-        past[static_cast<std::size_t>(i % 6)] = v;
-    }
-    return s + q[3];
-}
+struct fpu_chain {
+    static constexpr std::size_t d = N;
+    static constexpr double h = 0.1;
+    static void force(row const& q, row& g) { fpu_force(q, g); }
+    static row start() { return fpu_start(); }
+};
 
 using program::positions;
 struct solar {
@@ -203,10 +166,10 @@ void large_systems() {
     };
     race("Fermi-Pasta-Ulam chain, d = 128, mid-point", 2000, 30,
          {{"hand: Newton, tridiagonal solve, linear guess", fpu_newton_by_hand, true},
-          {"hand: iteration, guess through 6 velocities", fpu_iteration_by_hand, true},
+          {"hand: iteration, guess through 6 velocities", mid_point_by_iteration<fpu_chain>, true},
           {"hilger: embed(mechanical(1, chain), mid_point)", fpu(hilger::mid_point)}});
     race("Fermi-Pasta-Ulam chain, d = 128, order one", 2000, 30,
-         {{"hand: symplectic Euler", fpu_order_one_by_hand, true},
+         {{"hand: symplectic Euler", symplectic_euler<fpu_chain>, true},
           {"hilger: embed(mechanical(1, chain), order_one)", fpu(hilger::order_one)}});
     static solar const planets;
     auto const run = [](auto const& how) {

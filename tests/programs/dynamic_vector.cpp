@@ -12,7 +12,6 @@ using namespace hilger::testing;
 namespace {
 
 auto const T = uniform(0.0, 0.05, 40);
-time_scale<double> const uneven{0, 0.05, 0.1, 0.2, 0.22, 0.3, 0.5, 0.55, 0.6, 0.8, 0.9, 1.0, 1.2, 1.5};
 
 constexpr auto contact = [](hilger::index_type, auto const& r) { return r < 0 ? 3 * r * r : 0 * r; };
 constexpr auto gravity = [](hilger::index_type, auto const& r) { return -1 / sqrt(1 + r.squaredNorm()); };

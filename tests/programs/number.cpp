@@ -12,7 +12,6 @@ using namespace hilger::testing;
 namespace {
 
 auto const T = uniform(0.0, 0.05, 60);
-time_scale<double> const uneven{0, 0.05, 0.1, 0.2, 0.22, 0.3, 0.5, 0.55, 0.6, 0.8, 0.9, 1.0, 1.2, 1.5};
 
 constexpr auto bead = [](auto const& q, auto const& v) { return v * v * (1 + q * q) / 2 - q * q / 2; };
 /// A spring that is stiffer when it is pressed.

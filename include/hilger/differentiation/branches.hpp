@@ -5,6 +5,7 @@
 // thread that makes them. Nothing else writes there: of a callable that compares nothing a compiler sees that nothing has changed.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -29,6 +30,15 @@ HILGER_ALWAYS_INLINE constexpr bool compared(bool outcome, bool of_velocity) {
         all.outcomes = all.outcomes * outcome_base + (outcome ? 2 : 1);
     }
     return outcome;
+}
+
+/// -0 has a sign too.
+template <class S>
+constexpr bool has_minus_sign(S const& x) {
+    if constexpr (std::is_floating_point_v<S>)
+        return std::signbit(x);
+    else
+        return x < S(0);
 }
 
 /// How many comparisons there were. One number, and not the three above: that it has not changed is then seen by a compiler too.

@@ -149,52 +149,25 @@ V gradient_by(V const& x, Evaluate const& evaluate) {
     return g;
 }
 
-/// By a graph: in any dimension.
+/// By a graph: in any dimension. Second derivatives by the arguments that `seconds_by` says.
 template <class F, class V>
-auto traced_with_values(F const& f, V const& q, V const& v, std::uint8_t seconds_by) {
+traced_there<V> trace_there(F const& f, V const& q, V const& v, std::uint8_t seconds_by) {
     using T = traced<scalar_of<V>>;
-    auto formula =
-        trace<scalar_of<V>>(q, v, seconds_by, [&](auto const& x, auto const& y, std::vector<T>&) { return as_jet<T>(call(f, x, y)); });
-    auto values = values_where_traced(formula, q, v);
-    return std::pair(std::move(formula), std::move(values));
+    return {q, v, seconds_by, [&](auto const& x, auto const& y, std::vector<T>&) { return as_jet<T>(call(f, x, y)); }};
 }
-template <class V>
-struct pair_of_gradients {
-    V by_q, by_v;
-};
-template <class F, class V>
-pair_of_gradients<V> gradients_traced(F const& f, V const& q, V const& v) {
-    auto const [formula, values] = traced_with_values(f, q, v, on_nothing);
-    pair_of_gradients<V> g{zero_like(q), zero_like(q)};
-    for (int k = 0; k < shape<V>::dimension(q); ++k) {
-        g.by_q(k) = values[static_cast<std::size_t>(formula.places.by_q[static_cast<std::size_t>(k)])];
-        g.by_v(k) = values[static_cast<std::size_t>(formula.places.by_v[static_cast<std::size_t>(k)])];
-    }
-    return g;
-}
-/// Second derivatives by the arguments that `by` says.
 template <class F, class V>
 expansion<V> expand_traced(F const& f, V const& q, V const& v, std::uint8_t by) {
     using s = shape<V>;
     int const d = s::dimension(q);
-    auto const formula_and_values = traced_with_values(f, q, v, by);
-    auto const& values = formula_and_values.second;
-    auto const& at = formula_and_values.first.places;
+    auto there = trace_there(f, q, v, by);
+    auto const& at = there.formula.places;
     bool const all = by == (on_position | on_velocity);
-    auto const zero = [&](bool needed) { return needed ? s::zero_block(d) : block_of<V>{}; };
-    expansion<V> e{s::zero(d), s::zero(d), zero(all), zero(all), zero(true), {}};
-    for (int k = 0; k < d; ++k) {
-        s::component(e.by_q, k) = values[static_cast<std::size_t>(at.by_q[static_cast<std::size_t>(k)])];
-        s::component(e.by_v, k) = values[static_cast<std::size_t>(at.by_v[static_cast<std::size_t>(k)])];
-    }
-    auto const fill = [&](block_number number, block_of<V>& block) {
-        for (auto const& x : at.entries[number]) s::entry(block, x.row, x.column) = values[static_cast<std::size_t>(x.place)];
+    auto const block = [&](block_number number, bool needed) {
+        block_of<V> made = needed ? s::zero_block(d) : block_of<V>{};
+        if (needed) there.for_each_in(number, [&](int row, int column, auto const& x) { s::entry(made, row, column) = x; });
+        return made;
     };
-    fill(block_vv, e.vv);
-    if (all) {
-        fill(block_qq, e.qq);
-        fill(block_qv, e.qv);
-    }
+    expansion<V> e{std::move(there.by_q), std::move(there.by_v), block(block_qq, all), block(block_qv, all), block(block_vv, true), {}};
     auto const degree = [&](block_number b) { return at.entries[b].empty() ? 1 : at.constant[b] ? 2 : dependence::no_polynomial; };
     e.on = {all ? degree(block_qq) : dependence::no_polynomial, degree(block_vv), not all or not at.entries[block_vq].empty()};
     return e;
@@ -229,7 +202,7 @@ V gradient_first(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_q;
     else if constexpr (detail::is_traced_state<V> and std::same_as<V, W>)
-        return detail::gradients_traced(f, x, y).by_q;
+        return detail::trace_there(f, x, y, detail::on_nothing).by_q;
     else
         return detail::gradient_by(x, [&, constant = detail::in_constants(y)](auto const& z) { return detail::call(f, z, constant); });
 }
@@ -239,7 +212,7 @@ W gradient_second(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
         return f.expand(x, y).by_v;
     else if constexpr (detail::is_traced_state<V> and std::same_as<V, W>)
-        return detail::gradients_traced(f, x, y).by_v;
+        return detail::trace_there(f, x, y, detail::on_nothing).by_v;
     else
         return detail::gradient_by(y, [&, constant = detail::in_constants(x)](auto const& z) { return detail::call(f, constant, z); });
 }

@@ -94,7 +94,6 @@ public:
                 r.what->run(values, first_ + r.first, r.count, a, b);
         }
     }
-    [[nodiscard]] std::size_t operations() const { return a_.size(); }
 
 private:
     struct round {

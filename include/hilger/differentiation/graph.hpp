@@ -4,15 +4,14 @@
 // value, its loop over many operands, its derivative - stands in traced.hpp and traced_functions.hpp; a node only points there.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "hilger/differentiation/branches.hpp"
 #include "hilger/scalar.hpp"
 
 namespace hilger {
@@ -25,7 +24,6 @@ namespace detail {
 /// What a node does. One object for each operation and scalar, so that equality is equality of addresses.
 template <class S>
 struct traced_operation {
-    char const* name;
     bool commutes;
     /// x[out + i] = f(x[a[i]], x[b[i]]) for i = 0 ... count - 1
     void (*run)(S* x, int out, int count, int const* a, int const* b);
@@ -35,17 +33,25 @@ struct traced_operation {
     std::pair<traced<S>, traced<S>> (*pull_back)(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint);
 };
 
-/// -0 has a sign too.
-template <class S>
-constexpr bool has_minus_sign(S const& x) {
-    if constexpr (std::is_floating_point_v<S>)
-        return std::signbit(x);
-    else
-        return x < S(0);
-}
-
 /// Which arguments a node depends on.
 enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2 };
+
+/// What is compared.
+enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
+template <class S>
+bool holds(relation how, S const& x, S const& y) {
+    switch (how) {
+    case relation::equal:
+        return x == y;
+    case relation::less:
+        return x < y;
+    case relation::less_or_equal:
+        return x <= y;
+    case relation::signs_differ:
+        break;
+    }
+    return has_minus_sign(x) != has_minus_sign(y);
+}
 
 template <class S>
 class formula_graph {
@@ -55,7 +61,6 @@ public:
         int a, b;                        ///< operands; of a number its place in numbers(), of an argument a = -1 and its number
         std::uint8_t on;
     };
-    enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
     /// A comparison, and how it came out where the formula was traced: elsewhere the formula holds where it comes out the same.
     struct guard {
         relation how;
@@ -82,7 +87,7 @@ public:
     int make(traced_operation<S> const& what, int a, int b) {
         if (what.commutes and b < a) std::swap(a, b);
         auto const [at, is_new] = known_.try_emplace(key{&what, a, b}, size());
-        if (is_new) nodes_.push_back({&what, a, b, static_cast<std::uint8_t>((*this)[a].on | (b < 0 ? 0 : (*this)[b].on))});
+        if (is_new) nodes_.push_back({&what, a, b, static_cast<std::uint8_t>((*this)[a].on | (*this)[b].on)});
         return at->second;
     }
     void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
@@ -131,22 +136,6 @@ public:
 private:
     formula_graph<S>* before_;
 };
-
-template <class S>
-bool holds(typename formula_graph<S>::relation how, S const& x, S const& y) {
-    using relation = typename formula_graph<S>::relation;
-    switch (how) {
-    case relation::equal:
-        return x == y;
-    case relation::less:
-        return x < y;
-    case relation::less_or_equal:
-        return x <= y;
-    case relation::signs_differ:
-        break;
-    }
-    return has_minus_sign(x) != has_minus_sign(y);
-}
 
 } // namespace detail
 } // namespace hilger

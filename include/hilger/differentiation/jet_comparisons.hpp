@@ -5,7 +5,6 @@
 #pragma once
 
 #include "hilger/differentiation/branches.hpp"
-#include "hilger/differentiation/graph.hpp"
 #include "hilger/differentiation/jet_arithmetic.hpp"
 #include "hilger/inlining.hpp"
 

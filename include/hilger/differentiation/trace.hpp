@@ -28,7 +28,7 @@ struct derivative_places {
 template <class S>
 struct traced_formula {
     struct guard {
-        typename formula_graph<S>::relation how;
+        relation how;
         int a, b;
         bool outcome, of_velocity;
     };
@@ -48,7 +48,7 @@ struct traced_formula {
     /// Whether all comparisons come out as they did; of values whose shared part is computed.
     [[nodiscard]] bool is_branch_of(std::vector<S> const& values) const {
         for (auto const& g : guards)
-            if (holds<S>(g.how, values[static_cast<std::size_t>(g.a)], values[static_cast<std::size_t>(g.b)]) != g.outcome) return false;
+            if (holds(g.how, values[static_cast<std::size_t>(g.a)], values[static_cast<std::size_t>(g.b)]) != g.outcome) return false;
         return true;
     }
     /// Tells those who watch of the comparisons.
@@ -56,17 +56,6 @@ struct traced_formula {
         for (auto const& g : guards) compared(g.outcome, g.of_velocity);
     }
 };
-/// All of a formula at the arguments that it was traced at.
-template <class S, class V>
-std::vector<S> values_where_traced(traced_formula<S> const& f, V const& q, V const& v) {
-    std::vector<S> values;
-    f.how.prepare(values);
-    f.put(q, v, values);
-    f.tell_branches();
-    for (int p = 0; p < evaluation<S>::parts; ++p) f.how.compute(static_cast<typename evaluation<S>::part>(p), values.data());
-    return values;
-}
-
 /// `evaluate(x, y, force)` returns L at traced x and y and gives the components of a force, where there is one; the graph holds for the
 /// branches at (q, v). Second derivatives are made by the arguments that `seconds_by` says.
 template <class S, class V, class Evaluate>
@@ -147,5 +136,38 @@ traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluat
         made.guards.push_back({w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, ((g[w.a].on | g[w.b].on) & on_velocity) != 0});
     return made;
 }
+
+/// A formula and all that it says at the arguments where it was traced.
+template <class V>
+class traced_there {
+    using S = scalar_of<V>;
+
+public:
+    V by_q, by_v; ///< with a force in by_q
+    traced_formula<S> formula;
+
+    /// As trace takes them.
+    template <class Evaluate>
+    traced_there(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate)
+        : by_q(zero_like(q)), by_v(zero_like(q)), formula(trace<S>(q, v, seconds_by, evaluate)) {
+        formula.how.prepare(values_);
+        formula.put(q, v, values_);
+        formula.tell_branches();
+        for (int p = 0; p < evaluation<S>::parts; ++p) formula.how.compute(static_cast<typename evaluation<S>::part>(p), values_.data());
+        for (int k = 0; k < shape<V>::dimension(q); ++k) {
+            shape<V>::component(by_q, k) = value(formula.places.by_q[static_cast<std::size_t>(k)]);
+            shape<V>::component(by_v, k) = value(formula.places.by_v[static_cast<std::size_t>(k)]);
+        }
+    }
+    /// Calls put(row, column, derivative) for what is not zero in a block.
+    template <class Put>
+    void for_each_in(block_number block, Put const& put) const {
+        for (auto const& e : formula.places.entries[block]) put(e.row, e.column, value(e.place));
+    }
+
+private:
+    [[nodiscard]] S const& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
+    std::vector<S> values_;
+};
 
 } // namespace hilger::detail

@@ -65,7 +65,7 @@ concept constant_beside = std::constructible_from<S, C> and not is_traced<C>;
 
 namespace detail {
 
-/// The graph's object for operation O, which has name, value(x, y) and pull_back(x, y, result, adjoint).
+/// The graph's object for operation O, which has commutes, value(x, y) and pull_back(x, y, result, adjoint).
 template <class O, class S>
 void run_operation(S* x, int out, int count, int const* a, int const* b) {
     for (int i = 0; i < count; ++i) x[out + i] = O::value(x[a[i]], x[b[i]]);
@@ -84,7 +84,7 @@ std::pair<traced<S>, traced<S>> pull_back_of(traced<S> const& x, traced<S> const
     return O::pull_back(x, y, result, adjoint);
 }
 template <class O, class S>
-inline constexpr traced_operation<S> operation_object{O::name, O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
+inline constexpr traced_operation<S> operation_object{O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
 
 template <class O, class S>
 traced<S> make_traced(traced<S> const& x, traced<S> const& y) {
@@ -100,7 +100,6 @@ traced<S> make_traced(traced<S> const& x) {
 }
 
 struct plus_traced {
-    static constexpr char const* name = "+";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -112,7 +111,6 @@ struct plus_traced {
     }
 };
 struct minus_traced {
-    static constexpr char const* name = "-";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -124,7 +122,6 @@ struct minus_traced {
     }
 };
 struct times_traced {
-    static constexpr char const* name = "*";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -136,7 +133,6 @@ struct times_traced {
     }
 };
 struct over_traced {
-    static constexpr char const* name = "/";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -149,7 +145,6 @@ struct over_traced {
     }
 };
 struct minus_of_traced {
-    static constexpr char const* name = "-";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const&) {

@@ -62,54 +62,40 @@ template <class X, class Y>
 using traced_pair = typename traced_pair_<X, Y>::type;
 
 /// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
-template <class S>
-bool watched(typename formula_graph<S>::relation how, traced<S> const& x, traced<S> const& y) {
-    bool const outcome = holds<S>(how, x.value, y.value);
+template <class X, class Y>
+bool watched(relation how, X const& of, Y const& with) {
+    using T = traced_pair<X, Y>;
+    using S = typename T::scalar_type;
+    T const x(of), y(with);
+    bool const outcome = holds(how, x.value, y.value);
     if (x.is_constant() and y.is_constant()) return outcome;
     auto& g = *formula_graph<S>::of_this_thread();
     int const a = x.place(), b = y.place();
     g.watch(how, a, b, outcome);
     return compared(outcome, ((g[a].on | g[b].on) & on_velocity) != 0);
 }
+/// At least one of two operands is traced, the other one may be a constant.
+template <class X, class Y>
+concept compared_traced = requires {
+    typename traced_pair<X, Y>;
+};
 } // namespace detail
 
 template <class X, class Y>
-bool operator==(X const& x, Y const& y) requires requires {
-    typename detail::traced_pair<X, Y>;
-}
-{
-    using T = detail::traced_pair<X, Y>;
-    using S = typename T::scalar_type;
-    return detail::watched<S>(detail::formula_graph<S>::relation::equal, T(x), T(y));
-}
+    requires detail::compared_traced<X, Y>
+bool operator==(X const& x, Y const& y) { return detail::watched(detail::relation::equal, x, y); }
 template <class X, class Y>
-bool operator<(X const& x, Y const& y) requires requires {
-    typename detail::traced_pair<X, Y>;
-}
-{
-    using T = detail::traced_pair<X, Y>;
-    using S = typename T::scalar_type;
-    return detail::watched<S>(detail::formula_graph<S>::relation::less, T(x), T(y));
-}
+    requires detail::compared_traced<X, Y>
+bool operator<(X const& x, Y const& y) { return detail::watched(detail::relation::less, x, y); }
 template <class X, class Y>
-bool operator<=(X const& x, Y const& y) requires requires {
-    typename detail::traced_pair<X, Y>;
-}
-{
-    using T = detail::traced_pair<X, Y>;
-    using S = typename T::scalar_type;
-    return detail::watched<S>(detail::formula_graph<S>::relation::less_or_equal, T(x), T(y));
-}
+    requires detail::compared_traced<X, Y>
+bool operator<=(X const& x, Y const& y) { return detail::watched(detail::relation::less_or_equal, x, y); }
 template <class X, class Y>
-bool operator>(X const& x, Y const& y) requires requires {
-    typename detail::traced_pair<X, Y>;
-}
-{ return y < x; }
+    requires detail::compared_traced<X, Y>
+bool operator>(X const& x, Y const& y) { return y < x; }
 template <class X, class Y>
-bool operator>=(X const& x, Y const& y) requires requires {
-    typename detail::traced_pair<X, Y>;
-}
-{ return y <= x; }
+    requires detail::compared_traced<X, Y>
+bool operator>=(X const& x, Y const& y) { return y <= x; }
 
 template <class S>
 traced<S> abs(traced<S> const& x) {
@@ -142,10 +128,8 @@ detail::traced_pair<X, Y> fmin(X const& x, Y const& y) {
 /// |x| with the sign of y.
 template <class X, class Y>
 detail::traced_pair<X, Y> copysign(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    using S = typename T::scalar_type;
-    T const a(x);
-    return detail::watched<S>(detail::formula_graph<S>::relation::signs_differ, a, T(y)) ? -a : a;
+    detail::traced_pair<X, Y> const a(x);
+    return detail::watched(detail::relation::signs_differ, x, y) ? -a : a;
 }
 
 namespace detail {
@@ -159,7 +143,6 @@ struct function_of_one {
 #define HILGER_TRACED_FUNCTION(function, derivative, ...)                                                                                  \
     namespace detail {                                                                                                                     \
     struct function##_traced : function_of_one {                                                                                           \
-        static constexpr char const* name = #function;                                                                                     \
         template <class S>                                                                                                                 \
         static S value(S const& x, S const&) {                                                                                             \
             using std::function;                                                                                                           \
@@ -199,7 +182,6 @@ HILGER_TRACED_FUNCTION(erf, adjoint*(T(two_over_root_of_pi<typename T::scalar_ty
 
 namespace detail {
 struct hypot_traced {
-    static constexpr char const* name = "hypot";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -214,7 +196,6 @@ struct hypot_traced {
 };
 /// Of (y, x), as the function takes them.
 struct atan2_traced {
-    static constexpr char const* name = "atan2";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& y, S const& x) {
@@ -229,7 +210,6 @@ struct atan2_traced {
 };
 /// x^c with a number c.
 struct power_traced {
-    static constexpr char const* name = "pow";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& c) {
@@ -245,7 +225,6 @@ struct power_traced {
 };
 /// c^x with a number c.
 struct exponential_traced {
-    static constexpr char const* name = "pow";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& c, S const& x) {

@@ -247,9 +247,7 @@ private:
         correction_.setZero();
         is_corrected_ = false;
     }
-    /// The last correction is applied to the gradients to first order, or they are evaluated again where that is not enough. As a_k0 + a_k1
-    /// = 1 and b_k0 + b_k1 = 0 the equations add up to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings
-    /// that do not reproduce constants use the latter.
+    /// The step, once its equation is solved. @throws error::not_finite, and x is as it was
     void finish(Problem const& problem, state<S, V>& x) {
         e_.gather(problem, x, correction_, is_corrected_);
         // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // Any local equation marches: where the operators of an action reach over several steps, the residual of its equation at t_i reads the
 // positions from t_{i-l} to t_{i+r}, and is solved for the newest of them, row by row, from l + r values at the beginning:
-//   auto const EL = variation(integral(L(q, (Delta_minus * rho)[q]), T));
+//   auto const EL = variation(integral(L(q, (fraction<1, 2>{} * (Delta_plus + Delta_minus))[q]), T));
 //   auto const x = solve(EL, T, std::vector{q0, q1, q2, q3});
 // An equation that reaches over one step is solved from two values, and is the step that solve(EL, T, {.q0 = ..., .q1 = ...}) makes,
 // slower. Such schemes have solutions beside those near the continuous ones; nothing here damps them.
 #pragma once
 
 #include <ranges>
-#include <sstream>
 #include <vector>
 
 #include "hilger/function/function.hpp"
@@ -20,6 +19,11 @@
 namespace hilger {
 
 namespace detail {
+
+/// A list of numbers or vectors that are states in numbers S.
+template <class Values, class S>
+concept states_over = std::ranges::input_range<Values> and is_given_state<std::ranges::range_value_t<Values>> and
+    is_exact_state<std::ranges::range_value_t<Values>, S>;
 
 /// What there is of a function on T while it is made.
 template <class V, class Root>
@@ -39,10 +43,8 @@ struct values_so_far : function_interface<values_so_far<V, Root>> {
 /// and in general twice as many as the steps that the operators of the action reach over.
 /// @throws error::mismatch when there are not so many; a row that has no solution, with its cause, says between which points the solution
 /// ends
-template <class Action, std::ranges::input_range Values>
-    requires detail::is_given_state<std::ranges::range_value_t<Values>> and detail::is_exact_state < std::ranges::range_value_t<Values>,
-typename Action::root_type::scalar_type >
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
+template <class Action, detail::states_over<typename Action::root_type::scalar_type> Values>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
     using S = typename Action::root_type::scalar_type;
     using V = detail::given_state_t<S, std::ranges::range_value_t<Values>>;
     using EL = euler_lagrange<Action>;
@@ -80,17 +82,13 @@ typename Action::root_type::scalar_type >
             unknown = y;
             return newton_system<V>{residual.get(row), slope.get(row)};
         };
-        V largest = detail::sizes(guess);
-        for (index_type i = row - before; i < n; ++i)
-            for (int c = 0; c < detail::shape<V>::dimension(guess); ++c) {
-                S& most = detail::shape<V>::component(largest, c);
-                most = std::max(most, S(magnitude(detail::shape<V>::component(at(x, i), c))));
-            }
         // The row is a difference of terms of this size.
-        auto const size = system(guess).jacobian;
-        V rounding = largest;
+        S reach = magnitude(guess);
+        for (index_type i = row - before; i < n; ++i) reach = std::max(reach, S(magnitude(at(x, i))));
+        auto jacobian = system(guess).jacobian;
+        V rounding = zero_like(guess);
         for (int c = 0; c < detail::shape<V>::dimension(guess); ++c)
-            detail::shape<V>::component(rounding, c) = S(detail::largest_entry(size)) * magnitude(largest);
+            detail::shape<V>::component(rounding, c) = S(detail::largest_entry(jacobian)) * reach;
         saying_where(state<S, V>{S(T.point(n - 1)), last, zero_like(last)}, S(T.step(n - 1)),
                      [&] { unknown = newton(system, guess, rounding, "the equation for the next position"); });
     }

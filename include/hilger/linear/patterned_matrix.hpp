@@ -56,8 +56,7 @@ public:
             sparse_.resize(d, d);
             sparse_.setFromTriplets(all.begin(), all.end());
             sparse_.makeCompressed();
-            sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
-            sparse_factors_->analyzePattern(sparse_);
+            sparse_factors_.reset(); // made for the pattern where they are first asked for
         }
     }
     [[nodiscard]] int size() const { return d_; }

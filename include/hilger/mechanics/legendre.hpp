@@ -20,16 +20,12 @@ namespace detail {
 /// v -> dL/dv(q, v) - p and its derivative in the pattern that it has, of states of any size.
 template <class L, class V>
 newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(L const& lagrangian, V const& q, V const& v, V const& p) {
-    using S = scalar_of<V>;
-    auto const [formula, values] = traced_with_values(lagrangian, q, v, on_velocity);
-    newton_system<V, patterned_matrix<S>> made{V(-p), {}};
-    auto const& entries = formula.places.entries[block_vv];
+    auto const there = trace_there(lagrangian, q, v, on_velocity);
+    newton_system<V, patterned_matrix<scalar_of<V>>> made{V(there.by_v - p), {}};
     std::vector<std::pair<int, int>> pattern;
-    for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
-    int const d = shape<V>::dimension(q);
-    made.jacobian.prepare(d, pattern);
-    for (auto const& e : entries) made.jacobian[made.jacobian.place(e.row, e.column)] = values[static_cast<std::size_t>(e.place)];
-    for (int k = 0; k < d; ++k) made.residual(k) += values[static_cast<std::size_t>(formula.places.by_v[static_cast<std::size_t>(k)])];
+    there.for_each_in(block_vv, [&](int row, int column, auto const&) { pattern.emplace_back(row, column); });
+    made.jacobian.prepare(shape<V>::dimension(q), pattern);
+    there.for_each_in(block_vv, [&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
 } // namespace detail

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The derivatives of a Lagrangian, and of a force, at one node of a step and
-// for any number of degrees of freedom, by formulas that are traced where they
-// are first needed (differentiation/trace.hpp). A callable that compares its
-// arguments is traced again where a comparison comes out differently, and one
-// that is told the time for each time. One with derivatives of its own is asked
-// for them.
+// The derivatives of a Lagrangian, and of a force, at one node of a step and for any number of degrees of freedom, by formulas that are
+// traced where they are first needed (differentiation/trace.hpp). A callable that compares its arguments is traced again where a
+// comparison comes out differently, and one that is told the time for each time. One with derivatives of its own is asked for them.
 #pragma once
 
 #include <memory>
@@ -155,9 +152,7 @@ private:
             f->how.compute(evaluation<S>::shared, values_.data());
             if (f->is_branch_of(values_)) return;
         }
-        if (known_.size() >= 64)
-            known_.clear(); // of a callable with so many branches the next one will
-                            // be another one
+        if (known_.size() >= 64) known_.clear(); // of a callable with so many branches the next one will be another one
         learn(what, t, q, v);
         now_->put(q, v, values_);
         now_->how.compute(evaluation<S>::shared, values_.data());

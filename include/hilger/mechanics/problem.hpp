@@ -208,16 +208,13 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
     if constexpr (not std::same_as<Force, no_force>) {
         e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
         if constexpr (is_traced_state<V>) {
-            auto const formula = trace<S>(q, v, on_position | on_velocity, [&](auto const& x, auto const& y, std::vector<traced<S>>& f) {
+            traced_there<V> const there(q, v, on_position | on_velocity, [&](auto const& x, auto const& y, std::vector<traced<S>>& f) {
                 put_force(at_time{what.force, t}(x, y), d, f);
                 return traced<S>(0);
             });
-            auto const values = values_where_traced(formula, q, v);
-            auto const& at = formula.places;
-            for (int row = 0; row < d; ++row)
-                s::component(e.by_q, row) += values[static_cast<std::size_t>(at.by_q[static_cast<std::size_t>(row)])];
-            for (auto const& x : at.entries[block_qq]) e.qq(x.row, x.column) += values[static_cast<std::size_t>(x.place)];
-            for (auto const& x : at.entries[block_qv]) e.qv(x.row, x.column) += values[static_cast<std::size_t>(x.place)];
+            e.by_q = e.by_q + there.by_q;
+            there.for_each_in(block_qq, [&](int row, int column, S const& x) { e.qq(row, column) += x; });
+            there.for_each_in(block_qv, [&](int row, int column, S const& x) { e.qv(row, column) += x; });
         } else {
             constexpr int C = s::size;
             using J = jet<S, 0, 2 * C, 1>;
