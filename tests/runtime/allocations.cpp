@@ -52,11 +52,16 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
 }
 }
 #else
-void* operator new(std::size_t size) {
+// A sanitizer has all of them: one left out, such as the one std::stable_sort calls, would not match the delete below.
+void* operator new(std::size_t size, std::nothrow_t const&) noexcept {
     ++allocations;
-    if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    return std::malloc(size == 0 ? 1 : size);
+}
+void* operator new(std::size_t size) {
+    if (void* const memory = ::operator new(size, std::nothrow)) return memory;
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::nothrow_t const&) noexcept { std::free(memory); }
 #endif
