@@ -3,8 +3,8 @@
 //   generated_c > pendulum.c && cc -std=c99 -c pendulum.c
 #include <iostream>
 
+#include "hilger/formula/c_code.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/c_code.hpp"
 
 using namespace hilger;
 

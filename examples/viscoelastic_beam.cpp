@@ -6,10 +6,10 @@
 #include <iomanip>
 #include <iostream>
 
+#include "hilger/fractional/newmark.hpp"
+#include "hilger/fractional/zener.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
-#include "hilger/integrator/fractional_zener.hpp"
-#include "hilger/mechanics/beam.hpp"
+#include "hilger/models/beam.hpp"
 
 using namespace hilger;
 

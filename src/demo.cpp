@@ -17,7 +17,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/integrator/flow.hpp"
-#include "hilger/mechanics/print.hpp"
+#include "hilger/variational/print.hpp"
 #include "outer_solar_system_data.hpp"
 #include "plot.hpp"
 #include "progress.hpp"

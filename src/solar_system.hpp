@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "hilger/mechanics/mechanical.hpp"
+#include "hilger/models/mechanical.hpp"
 
 namespace program {
 

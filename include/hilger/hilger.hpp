@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// hilger: time-scale calculus as a language. This file is the table of contents.
+// hilger: time-scale calculus as a language. This file is the table of contents. Each folder knows those before it only:
+//   scale, function, operator, adjoint, printing      the calculus
+//   history, embedding                                how memory is summed up; how a Lagrangian is read on a scale
+//   linear, differentiation, newton                   what equations are solved with
+//   models, variational                               Lagrangians; actions, their variations, Legendre maps
+//   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
+//   fractional, boundary                              damping with a memory; problems with values at both ends
+//   formula, identity                                 Lagrangians as symbols and as C; what holds for every scale
 #pragma once
 
 #include "hilger/version.hpp"
@@ -12,41 +19,43 @@
 #include "hilger/embedding/galerkin.hpp"
 
 // From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and how they are written
-#include "hilger/mechanics/action.hpp"
-#include "hilger/mechanics/lagrangian.hpp"
-#include "hilger/mechanics/legendre.hpp"
-#include "hilger/mechanics/legendre_transform.hpp"
-#include "hilger/mechanics/mechanical.hpp"
-#include "hilger/mechanics/print.hpp"
-#include "hilger/mechanics/restricted.hpp"
-#include "hilger/mechanics/variation.hpp"
+#include "hilger/variational/action.hpp"
+#include "hilger/variational/lagrangian.hpp"
+#include "hilger/variational/legendre.hpp"
+#include "hilger/variational/legendre_transform.hpp"
+#include "hilger/variational/print.hpp"
+#include "hilger/variational/restricted.hpp"
+#include "hilger/variational/variation.hpp"
+
+// Lagrangians that are known
+#include "hilger/models/beam.hpp"
+#include "hilger/models/mechanical.hpp"
 
 // Flows and solutions
+#include "hilger/composition/methods.hpp"
 #include "hilger/integrator/accuracy.hpp"
-#include "hilger/integrator/composition_methods.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
 // Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
+#include "hilger/boundary/extrapolation.hpp"
+#include "hilger/boundary/of_variation.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/flow.hpp"
+#include "hilger/fractional/newmark.hpp"
+#include "hilger/fractional/noether.hpp"
+#include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/integrator/boundary_extrapolation.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
-#include "hilger/integrator/fractional_zener.hpp"
-#include "hilger/integrator/of_variation.hpp"
-#include "hilger/mechanics/beam.hpp"
-#include "hilger/mechanics/fractional_noether.hpp"
 
 // Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
-#include "hilger/integrator/checkpoint.hpp"
-#include "hilger/integrator/dense_output.hpp"
-#include "hilger/integrator/diagnostics.hpp"
-#include "hilger/integrator/events.hpp"
-#include "hilger/integrator/fractional_residual.hpp"
-#include "hilger/integrator/recording.hpp"
-#include "hilger/integrator/requirements.hpp"
+#include "hilger/fractional/residual.hpp"
 #include "hilger/integrator/residual.hpp"
+#include "hilger/trajectory/checkpoint.hpp"
+#include "hilger/trajectory/dense_output.hpp"
+#include "hilger/trajectory/diagnostics.hpp"
+#include "hilger/trajectory/events.hpp"
+#include "hilger/trajectory/recording.hpp"
+#include "hilger/trajectory/requirements.hpp"
 
 // Identities as checks, for your own scales and operators too
 #include "hilger/identity/registry.hpp"

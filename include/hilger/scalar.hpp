@@ -138,7 +138,7 @@ namespace detail {
 /// What a step is made of, besides arithmetic.
 enum class work { force, newton_round, solve, factorization };
 
-/// What is told of the work while it is done: nothing, and no instruction, except by scalars that count (hilger/integrator/counted.hpp).
+/// What is told of the work while it is done: nothing, and no instruction, except by scalars that count (hilger/trajectory/counted.hpp).
 template <class S>
 struct tally {
     HILGER_ALWAYS_INLINE static constexpr void add(work) {}

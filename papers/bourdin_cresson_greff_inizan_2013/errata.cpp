@@ -4,8 +4,8 @@
 // is papers/errata.md; the slopes of section 3.4 are in dirichlet.cpp.
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/mechanics/fractional_noether.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace bourdin_errata_tests {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../table.hpp"
-#include "hilger/integrator/boundary.hpp"
+#include "hilger/boundary/solve.hpp"
 
 namespace hilger::papers {
 

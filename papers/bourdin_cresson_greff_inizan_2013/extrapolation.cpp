@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "exact.hpp"
-#include "hilger/integrator/boundary_extrapolation.hpp"
+#include "hilger/boundary/extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace bourdin_extrapolation_tests {

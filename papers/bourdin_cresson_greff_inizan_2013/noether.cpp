@@ -3,8 +3,8 @@
 // (2013), section 4: what holds along solutions of Lagrangians with a symmetry, and of those without it does not.
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/mechanics/fractional_noether.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace bourdin_noether_tests {

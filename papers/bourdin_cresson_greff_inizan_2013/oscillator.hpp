@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/mechanics/fractional_noether.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace hilger::papers {

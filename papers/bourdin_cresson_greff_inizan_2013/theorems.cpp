@@ -3,8 +3,8 @@
 // (h = 1, alpha rational): theorem 1 against the functional (12) that it is about, theorem 4 for a translation, and (28).
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/mechanics/fractional_noether.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace bourdin_theorems_tests {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../table.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
+#include "hilger/fractional/newmark.hpp"
 #include "hilger/scale/uniform.hpp"
 #include "oscillator_solution.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "../../tests/runtime/fractional_series.hpp"
+#include "../../tests/runtime/fractional/series.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 #include "newmark_oscillator.hpp"

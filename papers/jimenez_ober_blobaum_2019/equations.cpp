@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "hilger/fractional/flow.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace jimenez_equations_tests {

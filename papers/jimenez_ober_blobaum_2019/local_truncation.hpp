@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "../table.hpp"
+#include "hilger/fractional/flow.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace hilger::papers {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "hilger/error.hpp"
+#include "hilger/fractional/newmark.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
 #include "scene.hpp"
 
 namespace program {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "../papers/bourdin_cresson_greff_inizan_2013/exact.hpp"
-#include "hilger/integrator/boundary.hpp"
-#include "hilger/integrator/fractional_zener.hpp"
-#include "hilger/mechanics/beam.hpp"
+#include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/zener.hpp"
+#include "hilger/models/beam.hpp"
 
 namespace program {
 

@@ -4,7 +4,7 @@
 // form has 2F1(1/4, 1; 7/4; 1/2) in it, computed here by its series), plain and extrapolated.
 #include <fstream>
 
-#include "hilger/integrator/boundary_extrapolation.hpp"
+#include "hilger/boundary/extrapolation.hpp"
 #include "timing.hpp"
 
 namespace bench {

@@ -3,10 +3,10 @@
 // oscillator of Galucio, Deue, Dubois (3) at 2^20 steps against 45 digits.
 #include <array>
 
+#include "hilger/fractional/flow.hpp"
+#include "hilger/fractional/newmark.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
 #include "timing.hpp"
 
 namespace bench {

@@ -16,8 +16,16 @@ set(order
   "embedding"
   "linear"
   "differentiation"
-  "mechanics"
+  "newton"
+  "models"
+  "variational"
+  "step"
+  "trajectory"
   "integrator identity"
+  "composition"
+  "fractional"
+  "boundary"
+  "formula"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
 set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp whole_number.hpp scale function operator adjoint printing)

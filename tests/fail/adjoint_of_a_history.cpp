@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a flow with a history (fractional damping, Newmark) has no adjoint: its steps depend on all steps before them
-#include "hilger/integrator/composition.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/composition/composition.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

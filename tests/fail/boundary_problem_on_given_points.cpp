@@ -2,7 +2,7 @@
 // expect: a fractional boundary value problem is solved on a uniform scale T, and this one is a scale of given points
 // expect-clang: "a fractional boundary value problem is solved on a uniform scale T, and this one is " + time_scale<double>::kind()
 // Fractional differences are convolutions; on unequal steps they are none.
-#include "hilger/integrator/boundary.hpp"
+#include "hilger/boundary/solve.hpp"
 #include "hilger/scale/time_scale.hpp"
 
 using namespace hilger;

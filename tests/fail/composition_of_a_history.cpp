@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: flows with a history (fractional damping, Newmark) walk steps of one length from their first point on: they are not composed of parts of a step
 // Each part would remember the points of its own kind alone.
-#include "hilger/integrator/composition_methods.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/composition/methods.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

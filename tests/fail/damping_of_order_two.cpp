@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: the order of a fractional damping lies in ]0, 2[
 // An order of 2 is a mass.
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

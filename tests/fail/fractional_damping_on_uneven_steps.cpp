@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: fractional damping lives on a uniform T, and this one has steps of different lengths
 // Differences of fractional order are defined for one h.
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: fractional damping lives on a uniform T, and this one has steps of different lengths
 // So has a structure's.
-#include "hilger/integrator/fractional_newmark.hpp"
+#include "hilger/fractional/newmark.hpp"
 
 using namespace hilger;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: the slopes of a flow with fractional damping come from its history: give dense_output the path, dense_output(flow.along(T, q0, p0))
 // The force of the damping is not in the states.
-#include "hilger/integrator/dense_output.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/fractional/flow.hpp"
+#include "hilger/trajectory/dense_output.hpp"
 
 using namespace hilger;
 

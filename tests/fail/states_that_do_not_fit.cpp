@@ -7,7 +7,7 @@
 // expect 6: initial data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, of two numbers or two vectors of one length
 // expect 7: a state is given in numbers with no more digits than those of T
 // A number that would lose digits is rounded by whoever means it.
-#include "hilger/integrator/boundary.hpp"
+#include "hilger/boundary/solve.hpp"
 #include "hilger/integrator/flow.hpp"
 
 using namespace hilger;

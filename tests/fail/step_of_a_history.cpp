@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a step with fractional damping depends on all steps before it: walk along(T, q0, p0)
 // One state does not say how the next one is reached.
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

@@ -8,7 +8,7 @@
 // A step that kept two points of the past would solve another equation.
 #include <vector>
 
-#include "hilger/integrator/of_variation.hpp"
+#include "hilger/boundary/of_variation.hpp"
 #include "hilger/integrator/solve.hpp"
 
 using namespace hilger;

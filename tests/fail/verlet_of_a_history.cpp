@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: flows with a history (fractional damping, Newmark) walk steps of one length from their first point on: they are not composed of parts of a step
 // Stoermer-Verlet is order one over half a step, and its adjoint over the other half.
-#include "hilger/integrator/composition.hpp"
-#include "hilger/integrator/fractional_flow.hpp"
+#include "hilger/composition/composition.hpp"
+#include "hilger/fractional/flow.hpp"
 
 using namespace hilger;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Plain lambdas in any number of dimensions, under every scheme: explicit where the equation is, by iteration with the masses, by Newton's
 // method where that is too slow, whatever matrix there is to solve with. The derived equation is the judge.
-#include "hilger/integrator/composition.hpp"
+#include "hilger/composition/composition.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

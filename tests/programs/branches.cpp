@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs whose potential has two branches of very different stiffness, in states of every kind: a step is one whose equation holds on the
 // branch that it ends on.
-#include "hilger/mechanics/mechanical.hpp"
+#include "hilger/models/mechanical.hpp"
 #include "programs.hpp"
 
 namespace branches_tests {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs whose states are Eigen vectors of dynamic size, with a structure that is said and without.
-#include "hilger/mechanics/mechanical.hpp"
+#include "hilger/models/mechanical.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs with steps of higher order. Their equations are in positions that a trajectory does not have: compositions are judged by the
 // steps that they are made of, and Galerkin's of Gauss nodes by the collocation that they are.
-#include "hilger/integrator/composition_methods.hpp"
+#include "hilger/composition/methods.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

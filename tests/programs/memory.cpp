@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs with fractional damping: their equation holds with sums over all of the past, whatever engine makes them.
+#include "hilger/boundary/of_variation.hpp"
+#include "hilger/fractional/residual.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/integrator/fractional_residual.hpp"
-#include "hilger/integrator/of_variation.hpp"
-#include "hilger/integrator/recording.hpp"
+#include "hilger/trajectory/recording.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

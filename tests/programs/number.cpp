@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs with one degree of freedom.
-#include "hilger/mechanics/legendre_transform.hpp"
+#include "hilger/variational/legendre_transform.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

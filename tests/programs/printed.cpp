@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // The printed equation evaluated on the result: a program is run in double, the text of its equation is read, and what the text says of
 // the positions, as the rational numbers that they are, is as small as rounding leaves it, and what the residual is.
-#include "hilger/mechanics/print.hpp"
+#include "hilger/variational/print.hpp"
 #include "programs.hpp"
-#include "runtime/read_back.hpp"
+#include "runtime/printing/read_back.hpp"
 
 namespace printed_tests {
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <thread>
 
+#include "hilger/composition/methods.hpp"
+#include "hilger/fractional/newmark.hpp"
+#include "hilger/fractional/residual.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/integrator/checkpoint.hpp"
-#include "hilger/integrator/composition_methods.hpp"
-#include "hilger/integrator/fractional_newmark.hpp"
-#include "hilger/integrator/fractional_residual.hpp"
-#include "hilger/mechanics/mechanical.hpp"
+#include "hilger/models/mechanical.hpp"
+#include "hilger/trajectory/checkpoint.hpp"
 #include "programs.hpp"
 #include "systems.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "values.hpp"
+#include "runtime/step/values.hpp"
 
 namespace errors_tests {
 

@@ -3,7 +3,7 @@
 // of them keeps the number of instantiations down.
 #pragma once
 
-#include "hilger/mechanics/lagrangian.hpp"
+#include "hilger/variational/lagrangian.hpp"
 
 namespace hilger::testing {
 

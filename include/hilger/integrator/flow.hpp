@@ -7,13 +7,13 @@
 #pragma once
 
 #include "hilger/inlining.hpp"
-#include "hilger/integrator/galerkin_step.hpp"
-#include "hilger/integrator/many_nodes.hpp"
-#include "hilger/integrator/one_node.hpp"
-#include "hilger/integrator/structured.hpp"
-#include "hilger/integrator/trajectory.hpp"
-#include "hilger/mechanics/legendre.hpp"
-#include "hilger/mechanics/variation.hpp"
+#include "hilger/step/galerkin_step.hpp"
+#include "hilger/step/many_nodes.hpp"
+#include "hilger/step/one_node.hpp"
+#include "hilger/step/structured.hpp"
+#include "hilger/trajectory/trajectory.hpp"
+#include "hilger/variational/legendre.hpp"
+#include "hilger/variational/variation.hpp"
 
 namespace hilger {
 
@@ -56,7 +56,7 @@ public:
 
     public:
         stepper(flow const& f, S const& h, V const& like, Extra const& extra = {}) : stepper_(choose(f, h, like, extra)) {}
-        /// The force that is constant in a step (integrator/step_force.hpp).
+        /// The force that is constant in a step (step/force.hpp).
         [[nodiscard]] Extra& extra() { return stepper_.extra(); }
 
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.

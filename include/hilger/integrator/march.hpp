@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "hilger/function/function.hpp"
-#include "hilger/integrator/state.hpp"
-#include "hilger/mechanics/given_state.hpp"
-#include "hilger/mechanics/newton.hpp"
-#include "hilger/mechanics/variation.hpp"
+#include "hilger/newton/newton.hpp"
+#include "hilger/step/state.hpp"
+#include "hilger/variational/given_state.hpp"
+#include "hilger/variational/variation.hpp"
 
 namespace hilger {
 

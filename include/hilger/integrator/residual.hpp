@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // The equation is the judge: what a trajectory leaves of the discrete Euler-Lagrange equation that its method was derived from,
 //   A*[dL/dq + f] + B*[dL/dv]   at the inner points of T,
-// evaluated by the operators of the embedding (mechanics/variation.hpp), of which a step uses nothing but numbers.
+// evaluated by the operators of the embedding (variational/variation.hpp), of which a step uses nothing but numbers.
 //   largest_residual(embed(with_force(L, f), mid_point).along(T, q0, p0))
 #pragma once
 
-#include "hilger/integrator/diagnostics.hpp"
 #include "hilger/integrator/flow.hpp"
+#include "hilger/trajectory/diagnostics.hpp"
 
 namespace hilger {
 

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSL-1.0
+// Newton's method for the integral equation of a two-sided problem (boundary/equation.hpp), from the solution for L = v.M v / 2 on, with
+// GMRES for its linear equations: it takes a number of iterations that does not depend on N, each of two convolutions.
+#pragma once
+
+#include <sstream>
+
+#include "hilger/boundary/equation.hpp"
+#include "hilger/variational/given_state.hpp"
+
+namespace hilger {
+
+struct boundary_options {
+    int most_iterations = 50;    ///< of Newton's method
+    int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
+    int most_applications = 600; ///< of a derivative, in one linear equation
+};
+
+/// What solve_boundary found. The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications` is how often a
+/// derivative was applied in them.
+template <class Root, class V>
+struct boundary_solution {
+    decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
+    scalar_of<V> residual; ///< largest component of the left-hand side of (EL_h^alpha) at q
+    int iterations;
+    int applications;
+};
+
+namespace detail {
+
+template <class Root>
+auto solved_elsewhere() {
+    return does_not_compile<"a fractional boundary value problem is solved on a uniform scale T, and this one is " + Root::kind()>{};
+}
+
+template <class F, class Order, class Root, class V>
+class boundary_solver {
+    using S = scalar_of<V>;
+    using s = shape<V>;
+    using equation = boundary_equation<F, Order, Root, V>;
+    using values = typename equation::values;
+    using point = typename equation::point;
+    static constexpr bool exact = std::numeric_limits<S>::is_exact;
+
+public:
+    boundary_solver(fractional_problem<F, Order> const& problem, Root const& T, V const& first, V const& last,
+                    boundary_options const& options)
+        : problem_(problem), T_(T), equation_(problem, T, first, last), options_(options) {}
+
+    boundary_solution<Root, V> solve() {
+        point at = equation_.start();
+        equation_.evaluate(at);
+        if (not equation::all_finite(at.rest))
+            error::raise<error::not_finite>("L or its derivatives are NaN or infinite at the first guess, the solution for L = v.v / 2");
+        S size(0);
+        int iteration = 0;
+        while (not at_rest(at)) {
+            if (iteration == most()) fail(at, size, iteration);
+            ++iteration;
+            auto const [correction, accuracy] = solve_linear(at);
+            size = relative_size(correction, at.v);
+            // The error left is accuracy times size, for the linear equation, and size^2, for what is not linear.
+            bool const last = not exact and size * std::max(size, accuracy) <= small() * small();
+            branch_path const path = at.path;
+            if (not advance(at, correction, last)) fail(at, size, iteration);
+            if (last and at.path == path) break; // what a correction proves, it proves of the branches it was made on
+        }
+        values all = equation_.whole(at);
+        if (not equation::all_finite(all)) error::raise<error::not_finite>("the solution of a boundary value problem is NaN or infinite");
+        auto q = function_on(T_, std::move(all));
+        S largest(0);
+        for (auto const& rest : problem_.residual(q)) largest = std::max(largest, S(magnitude(rest)));
+        return {std::move(q), largest, iteration, applications_};
+    }
+
+private:
+    [[nodiscard]] int most() const { return exact ? most_iterations<S> : options_.most_iterations; }
+    static S small() { return square_root_of_epsilon<S>() / S(16); }
+    static S largest_of(values const& x) {
+        S largest(0);
+        for (auto const& value : x) largest = std::max(largest, S(magnitude(value)));
+        return largest;
+    }
+    static S relative_size(values const& y, values const& v) {
+        if constexpr (exact)
+            return largest_of(y);
+        else {
+            S const of = euclidean_norm(v);
+            return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
+        }
+    }
+    /// Rounding alone is left.
+    static bool at_rest(point const& at) {
+        if constexpr (exact)
+            return largest_of(at.rest) == S(0);
+        else
+            return at.merit <= S(32) * epsilon<S>() * euclidean_norm(at.v);
+    }
+
+    struct linear_solution {
+        values correction;
+        S accuracy;
+    };
+    [[nodiscard]] linear_solution solve_linear(point const& at) {
+        if (not at.coupled) return {at.rest, S(0)};
+        auto const A = [&](values const& y) {
+            ++applications_;
+            return equation_.derivative(at, y);
+        };
+        if constexpr (exact)
+            return {eliminated(A, at.rest), S(0)};
+        else {
+            auto solution = gmres<V>(A, at.rest, small(), {options_.krylov_columns, options_.most_applications});
+            return {std::move(solution.x), std::move(solution.residual)};
+        }
+    }
+    /// Gauss's elimination with the matrix written down: exact scalars have no square roots.
+    template <class Apply>
+    static values eliminated(Apply const& A, values const& b) {
+        int const d = s::dimension(b[0]), n = static_cast<int>(b.size()) * d;
+        Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> M(n, n);
+        Eigen::Matrix<S, Eigen::Dynamic, 1> rhs(n);
+        auto const component = [d](auto& x, int row) -> decltype(auto) {
+            return s::component(x[static_cast<std::size_t>(row / d)], row % d);
+        };
+        for (int column = 0; column < n; ++column) {
+            values y(b.size(), zero_like(b[0]));
+            component(y, column) = S(1);
+            y = A(y);
+            for (int row = 0; row < n; ++row) M(row, column) = component(y, row);
+            rhs(column) = component(b, column);
+        }
+        Eigen::PartialPivLU<decltype(M)> const lu(M);
+        if (not is_regular(lu)) refuse_singular("a boundary value problem");
+        rhs = lu.solve(rhs);
+        values x = b;
+        for (int row = 0; row < n; ++row) component(x, row) = rhs(row);
+        return x;
+    }
+    /// One step of Newton's method, shortened until the residual shrinks. False when it does not.
+    [[nodiscard]] bool advance(point& at, values const& correction, bool last) const {
+        S const before = at.merit;
+        S part(1);
+        for (int halvings = 0; halvings < 12; ++halvings, part = part / S(2)) {
+            point next{at.v, {}};
+            add_multiple(next.v, part, correction);
+            next.q = equation_.position(next.v);
+            equation_.hold_end(at, next);
+            if (not last or not(at.path == branch_path{})) equation_.evaluate(next);
+            bool const better = (last and next.path == at.path) or exact or
+                                (equation::all_finite(next.rest) and equation_.natural(at, next) <= (S(1) - part / S(4)) * before);
+            if (better) {
+                at = std::move(next);
+                return true;
+            }
+        }
+        return false;
+    }
+    [[noreturn]] void fail(point const& at, S const& size, int iterations) const {
+        values all = equation_.whole(at);
+        values rest;
+        for (auto const& r : problem_.residual(function_on(T_, all))) rest.push_back(r);
+        std::ostringstream message;
+        message << "a boundary value problem did not converge: after " << iterations << " Newton iterations the last correction was "
+                << size
+                << (exact ? ". An exact scalar needs an equation that is linear in the unknown"
+                          : " of the velocity. It may have no solution, or one far from that of L = v.v / 2");
+        throw newton_failure<values>(message.str(), std::move(all), std::move(rest));
+    }
+
+    fractional_problem<F, Order> const& problem_;
+    Root const& T_;
+    equation equation_;
+    boundary_options options_;
+    int applications_ = 0;
+};
+
+} // namespace detail
+
+} // namespace hilger

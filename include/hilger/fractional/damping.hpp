@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSL-1.0
+// A Lagrangian with fractional damping: -rho D^beta q beside dL/dq, 0 < beta < 2, with D^beta q from the weights of a generating function
+// and a history policy; and the history of those components of a trajectory that have a rho. What a step makes of it is a reading:
+//   fractional/mean.hpp       a mean over the step, with the unknown position in it: order two, no limit of stability
+//   fractional/impulses.hpp   impulses at the points, as the restricted variational principle has them: explicit
+// A reading r has a history r.template along<S, V>(h, like), which says what comes before and after each step without damping.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "hilger/fractional/memory.hpp"
+#include "hilger/step/state.hpp"
+
+namespace hilger {
+
+/// -rho D^beta q, D by the weights of G, with a history policy.
+template <generating_function G, class Rho, class Order, class Policy>
+struct fractional_damping {
+    using generating = G;
+    Rho coefficient;
+    [[no_unique_address]] Order order;
+    [[no_unique_address]] Policy policy;
+    initial_history history = initial_history::caputo;
+};
+
+/// A Lagrangian (with forces, perhaps) and a reading of its damping.
+template <class L, class Reading>
+struct damped_problem {
+    [[no_unique_address]] L mechanics;
+    Reading damping;
+};
+
+namespace detail {
+
+template <class L>
+inline constexpr bool is_damped = false;
+template <class L, class Reading>
+inline constexpr bool is_damped<damped_problem<L, Reading>> = true;
+
+/// Whether the type says that the order is below 1: no velocity is then asked for.
+template <class Damping>
+inline constexpr bool is_surely_below_one = false;
+template <generating_function G, class Rho, class Order, class Policy>
+inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
+
+/// A damping whose order and coefficient can be. @throws error::invalid_parameter
+template <generating_function G, class Rho, class Order, class Policy>
+auto checked_damping(Rho rho, Order beta, Policy policy, initial_history history) {
+    if (not all_finite(rho)) error::raise<error::invalid_parameter>("the coefficient of a fractional damping is a finite number");
+    if constexpr (is_fraction<Order>) {
+        static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,
+                      "the order of a fractional damping lies in ]0, 2[");
+        using order = reduced<Order::numerator, Order::denominator>;
+        return fractional_damping<G, Rho, order, Policy>{std::move(rho), {}, std::move(policy), history};
+    } else {
+        require_order(beta);
+        return fractional_damping<G, Rho, run_time<Order>, Policy>{std::move(rho), {std::move(beta)}, std::move(policy), history};
+    }
+}
+/// The components of states V that a damping acts on, and their history along one trajectory with steps h.
+template <class Damping, class S, class V>
+class damped_components {
+    using s = shape<V>;
+    static constexpr bool same_for_all = shape<decltype(Damping::coefficient)>::is_scalar;
+
+public:
+    using kept = std::conditional_t<s::is_scalar, V, Eigen::Matrix<S, Eigen::Dynamic, 1>>;
+    using memory = fractional_memory<typename Damping::generating, decltype(Damping::order), decltype(Damping::policy), S, kept>;
+
+    damped_components(Damping const& d, S const& h, V const& like)
+        : damped_(components(d, like)), taken_(shape<kept>::zero(count())), history_(d.order, d.policy, d.history, h, taken_) {}
+    [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
+    [[nodiscard]] memory& history() { return history_; }
+    [[nodiscard]] memory const& history() const { return history_; }
+    /// The number of values that each of them keeps, those that have a history, and its bytes.
+    [[nodiscard]] index_type values_kept() const { return count() == 0 ? 0 : history_.kept(); }
+    [[nodiscard]] index_type histories() const { return history_.histories(); }
+    [[nodiscard]] std::size_t history_bytes() const { return history_.bytes(); }
+    [[nodiscard]] bool needs_velocity() const { return count() > 0 and history_.needs_velocity(); }
+    /// Everything that later derivatives depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        if (count() > 0) history_.visit(each);
+    }
+    /// These components of q.
+    kept const& of(V const& q) {
+        for (int k = 0; k < count(); ++k) shape<kept>::component(taken_, k) = s::component(q, at(k));
+        return taken_;
+    }
+    /// x_j += factor y_k for the k-th of them, j
+    void add(V& x, S const& factor, kept const& y) const {
+        for (int k = 0; k < count(); ++k) {
+            S& to = s::component(x, at(k));
+            to = to + factor * shape<kept>::component(y, k);
+        }
+    }
+    /// Their coefficients.
+    [[nodiscard]] kept coefficients(Damping const& d) const {
+        kept rho = shape<kept>::zero(count());
+        for (int k = 0; k < count(); ++k) shape<kept>::component(rho, k) = coefficient(d, at(k));
+        return rho;
+    }
+    [[nodiscard]] int at(int k) const { return damped_[static_cast<std::size_t>(k)]; }
+    static S coefficient(Damping const& d, int j) {
+        if constexpr (same_for_all)
+            return S(d.coefficient);
+        else
+            return S(d.coefficient(j));
+    }
+    /// @throws error::mismatch
+    static void require_dimension(Damping const& d, V const& like) {
+        if constexpr (not same_for_all)
+            if (s::dimension(like) != d.coefficient.size())
+                error::raise<error::mismatch>("a fractional damping has one coefficient for each component, and here are ",
+                                              d.coefficient.size(), " for ", s::dimension(like));
+    }
+
+private:
+    static std::vector<int> components(Damping const& d, V const& like) {
+        std::vector<int> all;
+        for (int j = 0; j < s::dimension(like); ++j)
+            if (not(coefficient(d, j) == S(0))) all.push_back(j);
+        return all;
+    }
+    std::vector<int> damped_;
+    kept taken_;
+    memory history_;
+};
+
+} // namespace detail
+} // namespace hilger

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSL-1.0
+// The flow of a Lagrangian with fractional damping under an embedding. Each step is one of the flow without damping; what the history adds
+// to it before and after, and to its equation, says the reading of the damping: a mean over the step (with_fractional_damping,
+// fractional/mean.hpp) or impulses at the points (with_fractional_impulses, fractional/impulses.hpp).
+//   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), mid_point);
+//   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
+// A step depends on all steps before it, of one length: there is no single one, no adjoint, and no composition.
+#pragma once
+
+#include "hilger/fractional/impulses.hpp"
+#include "hilger/fractional/mean.hpp"
+#include "hilger/integrator/flow.hpp"
+
+namespace hilger {
+
+template <class Flow, class Reading>
+class damped_flow : public stepping<damped_flow<Flow, Reading>> {
+public:
+    using problem_type = typename Flow::problem_type;
+
+    damped_flow(Flow undamped, Reading damping) : undamped_(std::move(undamped)), damping_(std::move(damping)) {}
+
+    /// Each step depends on all steps before it.
+    static constexpr bool has_history = true;
+
+    /// What the undamped flow remembers, and the history.
+    template <class S, class V>
+    class memory {
+        using history = typename Reading::template history<S, V>;
+        using undamped = typename Flow::template stepper<S, V, typename history::extra>;
+
+    public:
+        memory(damped_flow const& f, S const& h, V const& like)
+            : history_(f.damping_, h, like), step_(f.undamped_, h, like, history_.extra_force(like)), h_(h), before_{S(0), like, like} {}
+
+        /// x one step h further. @throws error::mismatch when h is not the length that the history has; error::no_convergence,
+        /// error::singular, error::not_finite; x is then as it was. In the first step also what the damping refuses.
+        void advance(damped_flow const& f, state<S, V>& x, S const& h) {
+            begin(f, x, h);
+            move(f, x);
+        }
+        void begin(damped_flow const& f, state<S, V> const& x, S const& h) {
+            if (not(h == h_))
+                error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
+            if (begun_) return;
+            auto const& mechanics = f.undamped_.mechanics();
+            V v0 = zero_like(x.q);
+            if constexpr (history::may_need_velocity)
+                if (history_.needs_velocity()) v0 = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
+            history_.begin(mechanics, x, v0);
+            begun_ = true;
+        }
+        /// @throws the same as a step_failure
+        void advance_equally(damped_flow const& f, state<S, V>& x) {
+            saying_where(x, h_, [&] { move(f, x); });
+        }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(damped_flow const& f, Visit& each) {
+            int begun = begun_ ? 1 : 0;
+            each("begun", begun);
+            begun_ = begun != 0;
+            history_.visit(each);
+            step_.visit(f.undamped_, each);
+        }
+        /// The force of the damping, -rho D^beta q, at the point reached last, or with `back` at the one before.
+        [[nodiscard]] V damping_force(bool back = false) const {
+            V force = zero_like(before_.q);
+            history_.add_force(force, back);
+            return force;
+        }
+        /// The number of values that each damped component keeps, of such components, of those that have a history - none where the order
+        /// is whole - and the bytes that it takes; of all terms together.
+        [[nodiscard]] index_type values_kept() const {
+            return total([](auto const& on) { return on.values_kept(); });
+        }
+        [[nodiscard]] index_type damped_components() const {
+            return total([](auto const& on) { return index_type{on.count()}; });
+        }
+        [[nodiscard]] index_type histories() const {
+            return total([](auto const& on) { return on.histories(); });
+        }
+        [[nodiscard]] std::size_t history_bytes() const {
+            return static_cast<std::size_t>(total([](auto const& on) { return static_cast<index_type>(on.history_bytes()); }));
+        }
+
+    private:
+        /// What fails leaves x as it was.
+        struct undo {
+            state<S, V>& x;
+            state<S, V> const& before;
+            bool done = false;
+            ~undo() {
+                if (not done) x = before;
+            }
+        };
+        template <class Number>
+        index_type total(Number const& number) const {
+            index_type sum = 0;
+            history_.for_each([&](auto const& on) { sum += number(on); });
+            return sum;
+        }
+        /// In place: a copy that is stepped would have to wait until what was just written can be read as a whole.
+        void move(damped_flow const& f, state<S, V>& x) {
+            before_ = x;
+            undo guard{x, before_};
+            history_.before_step(x, step_.extra());
+            step_.advance(f.undamped_, x, h_);
+            history_.after_step(x);
+            guard.done = true;
+        }
+        history history_;
+        undamped step_;
+        S h_;
+        state<S, V> before_;
+        bool begun_ = false;
+    };
+
+    /// Only on scales with equal steps: differences of fractional order are defined there.
+    /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; while walking, a step_failure.
+    template <time_scale_like Scale, class V>
+    auto start(Scale const& T, V q0, V p0) const {
+        static_assert(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>,
+                      "fractional damping lives on a uniform T, and this one has steps of different lengths");
+        damping_.require_dimension(q0);
+        return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
+    }
+    /// One step has no history.
+    template <class S, class V>
+    state<S, V> step(state<S, V> const& from, S const&) const {
+        static_assert(sizeof(S) == 0, "a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
+        return from;
+    }
+    template <class S, class V>
+    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
+        return undamped_.momentum(t, q, v);
+    }
+    /// The Lagrangian, its forces and the damping.
+    [[nodiscard]] auto mechanics() const {
+        return damped_problem<std::remove_cvref_t<decltype(undamped_.mechanics())>, Reading>{undamped_.mechanics(), damping_};
+    }
+    /// The same without damping: another system.
+    [[nodiscard]] Flow const& undamped() const { return undamped_; }
+    [[nodiscard]] auto const& embedding() const { return undamped_.embedding(); }
+    [[nodiscard]] Reading const& damping() const { return damping_; }
+
+private:
+    Flow undamped_;
+    Reading damping_;
+};
+
+/// The flow of a Lagrangian with damping under an embedding: embed(damped, mid_point), or embed(damped, mid_point, compensated).
+template <class L, class Reading, class E>
+auto embed(damped_problem<L, Reading> const& damped, E const& how) {
+    auto flow = embed(damped.mechanics, how);
+    return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
+}
+template <class L, class Reading, class E>
+auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
+    auto flow = embed(damped.mechanics, how, compensation);
+    return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
+}
+
+} // namespace hilger

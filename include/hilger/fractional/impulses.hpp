@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSL-1.0
+// Fractional variational integrators (Jimenez, Ober-Bloebaum, section 3): the embedding of a Lagrangian L with a damping -rho D^beta q,
+// beta = 2 alpha, from the restricted variation of a pair of curves. With (Delta q)_k the difference of order beta at t_k,
+//   damping_at::start   p_k = -d_1 L_h(q_k, q_{k+1}) + h rho (Delta q)_k,   p_{k+1} = d_2 L_h(q_k, q_{k+1})              (21)
+//   damping_at::end     p_k = -d_1 L_h(q_k, q_{k+1}),   p_{k+1} = d_2 L_h(q_k, q_{k+1}) - h rho (Delta q)_{k+1}          (remark 2)
+//   damping_at::both    half of it at each end
+// All have the positions of (20), once the first two are the same: each is a step of the flow without damping, before and after which the
+// momentum is changed. So they are explicit where that flow is, whatever the embedding. Against the continuous equation the first two have
+// order one, and the third has order two with mid-point and the weights of bdf<2>. With Riemann and Liouville's history and x_0 != 0 the
+// impulse of the jump at t_0 belongs to the start: at the end it is in no step, and the order is 1 - beta.
+//
+// Being explicit they have a limit of stability. On the oscillator M q'' + K q = -rho D^beta q with mid-point it is
+//   rho h^{2 - beta} omega(-1)^beta / M < 4,   omega(-1) = 2 for Gruenwald-Letnikov and 4 for bdf<2>, beyond all limits for trapezoid:
+// beyond it the root z = -1 of both parts is passed, and positions alternate and grow. Other embeddings have a smaller one. Where L says
+// that its mass is constant the first step looks whether it is kept; where it does not, damping impulses that alternate from step to step
+// and have grown by the factor 2^16 since they began to are an error. The damping without a limit is fractional/flow.hpp.
+//   auto const flow = embed(with_fractional_impulses(L, rho, fraction<1, 2>{}), mid_point);
+//   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "hilger/fractional/damping.hpp"
+#include "hilger/models/mechanical.hpp"
+#include "hilger/step/force.hpp"
+#include "hilger/variational/gradients.hpp"
+
+namespace hilger {
+
+/// Which end of a step the impulse of a damping belongs to.
+enum class damping_at { start, end, both };
+
+struct impulse_options {
+    damping_at at = damping_at::start;
+    initial_history history = initial_history::caputo;
+};
+
+namespace detail {
+
+/// omega(-1)^beta h^{2 - beta}: times rho / M it is 4 at the limit of stability; infinite for a pole at -1. In double, which is enough to
+/// say on which side of it something is.
+template <generating_function G>
+double explicit_stiffness(double beta, double h) {
+    double p = 0, q = 0, sign = 1;
+    for (double const x : G::template numerator<double>()) p += sign * x, sign = -sign;
+    sign = 1;
+    for (double const x : G::template denominator<double>()) q += sign * x, sign = -sign;
+    return std::pow(std::abs(p / q), beta) * std::pow(std::abs(h), 2 - beta);
+}
+
+/// h rho (Delta q)_k along one trajectory, for the components that have a rho, and whether it stays within bounds.
+template <class Damping, class S, class V>
+class damping_impulse {
+    using on = damped_components<Damping, S, V>;
+    using kept = typename on::kept;
+    using s = shape<kept>;
+
+public:
+    damping_impulse(Damping const& d, S const& h, damping_at at, V const& like)
+        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h),
+          stiffness_(
+              explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()), static_cast<double>(h))) {}
+    [[nodiscard]] on const& components() const { return on_; }
+    /// @throws error::invalid_parameter where the mass of a component (`mass(j)`, NaN where it is not known) says that no run can be stable
+    template <class Mass>
+    void begin(V const& q0, V const& v0, Mass const& mass) {
+        for (int k = 0; k < on_.count(); ++k) {
+            double const m = mass(on_.at(k)), reached = stiffness_ * (static_cast<double>(s::component(rho_, k)) / m);
+            if (reached >= 4)
+                error::raise<error::invalid_parameter>(
+                    "impulses of a fractional damping are stable where rho h^(2 - beta) omega(-1)^beta / M is below 4, and here it is ",
+                    reached, " for component ", on_.at(k), ": take shorter steps, or with_fractional_damping, which has no limit");
+        }
+        if (on_.count() == 0) return;
+        kept const velocity = on_.of(v0);
+        on_.history().begin(on_.of(q0), velocity);
+        take(q0);
+        before_ = now_;
+    }
+    /// @throws error::not_finite where impulses alternate and grow
+    void arrive(V const& q) {
+        if (on_.count() == 0) return;
+        std::swap(before_, now_);
+        take(q);
+        watch();
+    }
+    /// Everything that later impulses depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        on_.visit(each);
+        for (kept* x : {&now_, &before_, &impulse_, &began_}) memory::visit_components("impulse", *x, each);
+    }
+    /// p less the impulse at the point that was arrived at last.
+    void damp(V& p) const { on_.add(p, S(-1), impulse_); }
+    void add_force(V& f, bool back) const {
+        for (int k = 0; k < on_.count(); ++k) {
+            S& to = shape<V>::component(f, on_.at(k));
+            to = to - s::component(rho_, k) * s::component(back ? before_ : now_, k);
+        }
+    }
+
+private:
+    void take(V const& q) {
+        now_ = on_.history().arrive(on_.of(q));
+        S const length = at_ == damping_at::both ? S(h_ / S(2)) : h_;
+        for (int k = 0; k < on_.count(); ++k) s::component(impulse_, k) = length * s::component(rho_, k) * s::component(now_, k);
+    }
+    /// Beyond the limit of stability the root of the equation with the largest modulus is negative. A solution that the steps resolve does
+    /// not alternate, and one that they do not resolve may for long, but does not grow so much.
+    void watch() {
+        for (int k = 0; k < on_.count(); ++k) {
+            S const &x = s::component(before_, k), &y = s::component(now_, k);
+            bool const alternates = (x < S(0) and -x < y) or (S(0) < x and y < -x);
+            if (not alternates) [[likely]]
+                s::component(began_, k) = S(0);
+            else if (s::component(began_, k) == S(0))
+                s::component(began_, k) = magnitude(x);
+            else if (S(65536) * s::component(began_, k) < magnitude(y))
+                error::raise<error::not_finite>("the impulses of a fractional damping alternate and grow: steps of ", h_,
+                                                " are beyond the limit of stability, rho h^(2 - beta) omega(-1)^beta / M < 4; take shorter "
+                                                "ones, or with_fractional_damping, which has no limit");
+        }
+    }
+    on on_;
+    kept rho_, now_, before_, impulse_, began_;
+    damping_at at_;
+    S h_;
+    double stiffness_;
+};
+
+/// The mass of component j, where L says that it is constant: M_jj, or for a full M 1 / (M^-1)_jj, with which the limit of stability is
+/// that of the whole system or beyond it. NaN where it is not known.
+template <class F, class Force, class S, class V>
+auto known_mass(problem<F, Force> const& what, S const& t, V const& q, V const& p) {
+    Eigen::VectorXd masses = Eigen::VectorXd::Constant(shape<V>::dimension(q), std::numeric_limits<double>::quiet_NaN());
+    auto const number = [](auto const& x) { return static_cast<double>(x); };
+    auto const of_matrix = [&](auto const& m) {
+        Eigen::MatrixXd const inverse = Eigen::MatrixXd(m).inverse();
+        masses = inverse.diagonal().cwiseInverse();
+    };
+    if constexpr (is_mechanical<F>) {
+        if constexpr (F::is_matrix) {
+            if (what.lagrangian.mass().rows() == q.size()) of_matrix(what.lagrangian.mass().unaryExpr(number));
+        } else if constexpr (requires { what.lagrangian.mass().size(); }) {
+            if (what.lagrangian.mass().size() == q.size()) masses = what.lagrangian.mass().unaryExpr(number);
+        } else
+            masses.setConstant(number(what.lagrangian.mass()));
+    } else if constexpr (not is_timed<F, no_force, S, V>) {
+        if (shape<V>::dimension(q) > 32) return masses; // all second derivatives of a large system take longer than many steps
+        auto const e = hilger::expand(at_time{what.lagrangian, t}, q, p);
+        if (e.on.coupled or e.on.v > 2) return masses;
+        if constexpr (shape<V>::is_scalar)
+            masses(0) = number(e.vv);
+        else
+            of_matrix(e.vv.unaryExpr(number));
+    }
+    return masses;
+}
+
+} // namespace detail
+
+/// A damping as impulses at the points of T.
+template <class Damping>
+struct impulses_at_points {
+    Damping damping;
+    damping_at at;
+
+    /// Along one trajectory of states V with steps h.
+    template <class S, class V>
+    class history {
+    public:
+        using extra = detail::no_step_force;
+        history(impulses_at_points const& of, S const& h, V const& like) : impulse_(of.damping, h, of.at, like), at_(of.at) {}
+        [[nodiscard]] extra extra_force(V const&) const { return {}; }
+        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
+        [[nodiscard]] bool needs_velocity() const { return impulse_.components().needs_velocity(); }
+        /// @throws error::invalid_parameter where the mass is known and the limit of stability not kept
+        template <class Mechanics>
+        void begin(Mechanics const& mechanics, state<S, V> const& x, V const& v0) {
+            impulse_.begin(x.q, v0, detail::known_mass(mechanics, x.t, x.q, x.p));
+        }
+        void before_step(state<S, V>& x, extra const&) {
+            if (at_ != damping_at::end) impulse_.damp(x.p);
+        }
+        /// @throws error::not_finite, also where impulses alternate and grow
+        void after_step(state<S, V>& x) {
+            impulse_.arrive(x.q);
+            if (at_ == damping_at::start) return; // the next step looks at what comes out
+            impulse_.damp(x.p);
+            if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
+        }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            impulse_.visit(each);
+        }
+        void add_force(V& force, bool back) const { impulse_.add_force(force, back); }
+        template <class What>
+        void for_each(What const& what) const {
+            what(impulse_.components());
+        }
+
+    private:
+        detail::damping_impulse<Damping, S, V> impulse_;
+        damping_at at_;
+    };
+    /// @throws error::mismatch
+    template <class V>
+    void require_dimension(V const& q) const {
+        detail::damped_components<Damping, scalar_of<V>, V>::require_dimension(damping, q);
+    }
+};
+
+/// The Lagrangian L with the damping -rho D^beta q as impulses at the points of T, as the restricted variational principle has them:
+/// explicit, of order one, and with a limit of stability, rho h^{2 - beta} omega(-1)^beta / M < 4 for mid-point. rho, beta and the policy
+/// are as for with_fractional_damping, which has no such limit. @throws error::invalid_parameter when beta or rho is out of range
+template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
+auto with_fractional_impulses(L const& l, Rho rho, Order beta, Policy policy = {}, impulse_options options = {}) {
+    static_assert(not detail::is_damped<L>, "impulses of one damping: terms that are added up belong into with_fractional_damping");
+    auto damping = detail::checked_damping<G>(std::move(rho), std::move(beta), std::move(policy), options.history);
+    return damped_problem<L, impulses_at_points<decltype(damping)>>{l, {std::move(damping), options.at}};
+}
+
+} // namespace hilger

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+// Noether's theorem for the fractional embedding (Bourdin, Cresson, Greff, Inizan 2013, section 4). Let phi(s, .) be a one-parameter group
+// with generator xi = d phi / ds (0, .), and L invariant: L(phi(s, Q), Delta_-^alpha phi(s, Q), t) does not depend on s. Then along
+// solutions of (EL_h^alpha), for k = 1..N-1,
+//   (26)  (Delta_-^alpha xi(Q))_k . p_k - xi(Q_k) . (Delta_+^alpha p)_k = 0,   p = dL/dv(Q, Delta_-^alpha Q, t),
+// and for alpha = 1, where Delta_- has a Leibniz formula,
+//   (29)  xi(Q_k) . p_{k+1}  is the same for k = 0..N-1.
+// A linear group commutes with Delta_-^alpha, and invariance is a matter of L(x, v) alone. A translation does not: for alpha < 1 the
+// fractional difference of a constant is not zero, so that L must know it (papers/bourdin_cresson_greff_inizan_2013).
+#pragma once
+
+#include "hilger/fractional/problem.hpp"
+
+namespace hilger {
+
+namespace detail {
+template <class Generator, discrete_function X>
+auto generated(Generator const& xi, X const& x) {
+    return tabulate(apply_pointwise([&xi](auto const& q) { return std::remove_cvref_t<decltype(q)>(xi(q)); }, x));
+}
+} // namespace detail
+
+/// The left-hand side of (26) on T^+-, scalars; the generator is a vector field xi(q). Zero where x solves the equation of a Lagrangian
+/// with this symmetry, up to the residual's rounding times |xi|.
+template <class F, class Order, class Generator, discrete_function X>
+auto fractional_noether_residual(fractional_problem<F, Order> const& problem, Generator const& xi, X const& x) {
+    using S = typename X::root_type::scalar_type;
+    auto const moved = detail::generated(xi, x);
+    auto const speed = problem.velocity(moved), p = problem.momentum(x);
+    auto const change = problem.right_difference(p);
+    std::vector<S> rest;
+    for (index_type k = 1; k < x.last(); ++k)
+        rest.push_back(S(dot_product(speed.get(k), p.get(k)) - dot_product(moved.get(k), change.get(k))));
+    return function_on(interior(x.root()), std::move(rest));
+}
+
+/// xi(Q_k) . p_{k+1} on T^+, the constant of motion (29) of a symmetry.
+/// @throws error::invalid_parameter when alpha is not 1: the fractional difference of a product is no sum of two products.
+template <class F, class Order, class Generator, discrete_function X>
+auto noether_constant(fractional_problem<F, Order> const& problem, Generator const& xi, X const& x) {
+    using S = typename X::root_type::scalar_type;
+    if (problem.template order<S>() != S(1))
+        error::raise<error::invalid_parameter>(
+            "Noether's theorem has an explicit constant for alpha = 1 only, and this problem has alpha = ", problem.template order<S>(),
+            "; see fractional_noether_residual");
+    auto const moved = detail::generated(xi, x);
+    auto const p = problem.momentum(x);
+    std::vector<S> constant;
+    for (index_type k = 0; k < x.last(); ++k) constant.push_back(S(dot_product(moved.get(k), p.get(k + 1))));
+    return function_on(without_last(x.root()), std::move(constant));
+}
+
+} // namespace hilger

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSL-1.0
+// What a trajectory with fractional damping leaves of its equation. At the inner points of T it is that of the flow without damping, plus
+//   (F_{i-1/2} + F_{i+1/2}) / 2,  F = -rho (theta D_{i+1} + (1 - theta) D_i)      read as a mean over each step,
+//   -rho D_i                                                                      as impulses at the points, at any end of the steps,
+// D_i = h^-beta omega(0)^beta sum_n w_n y_{i-n} being made here as it is written, from all positions and all weights: nothing of the
+// engines and of the step is used.
+#pragma once
+
+#include "hilger/fractional/flow.hpp"
+#include "hilger/integrator/residual.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// D_0, ..., D_N of one damping. Caputo's derivative is that of q less its start, and its tangent for beta >= 1, which itself has the
+/// derivative v0 for beta = 1; of Riemann and Liouville's the first value counts `jump`.
+template <class Damping, class S, class V>
+std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, S const& jump) {
+    using G = typename Damping::generating;
+    S const beta = d.order.template as<S>();
+    bool const caputo = d.history == initial_history::caputo;
+    auto const w = first_weights<G>(beta, static_cast<index_type>(q.size()));
+    S const scale = leading_weight<G>(beta) / power(h, beta);
+    std::vector<V> y, D;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+        y.push_back(caputo ? V(q[k] - q[0]) : k == 0 ? V(q[0] * jump) : q[k]);
+        if (caputo and not(beta < S(1))) y[k] = y[k] - v0 * S(h * S(static_cast<long long>(k)));
+        V sum = zero_like(q[0]);
+        for (std::size_t n = 0; n <= k; ++n) sum = sum + y[k - n] * w[n];
+        D.push_back(V(sum * scale));
+        if (caputo and beta == S(1)) D[k] = D[k] + v0;
+    }
+    return D;
+}
+/// factor rho D, by components.
+template <class Damping, class S, class V>
+void add_damping(V& to, Damping const& d, S const& factor, V const& D) {
+    using s = shape<V>;
+    for (int k = 0; k < s::dimension(to); ++k)
+        s::component(to, k) = s::component(to, k) + factor * damped_components<Damping, S, V>::coefficient(d, k) * s::component(D, k);
+}
+
+/// The forces of a damping at t_1, ..., t_{N-1}.
+template <class... Dampings, class S, class V>
+std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0) {
+    std::vector<V> force(q.size(), zero_like(q[0]));
+    for_each_in(reading.dampings, [&]<class D>(D const& d) {
+        S const theta = S(1) / S(2) + lag_of<typename D::generating, S>() * d.order.template as<S>();
+        auto const derivative = differences_along(d, h, q, v0, S(S(1) / S(2)));
+        for (std::size_t i = 0; i + 1 < q.size(); ++i)
+            for (std::size_t end : {i, i + 1}) {
+                add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1]);
+                add_damping(force[end], d, S((theta - S(1)) / S(2)), derivative[i]);
+            }
+        // What the pair at t_0 and t_1 that stands for the jump leaves at t_1.
+        if (d.history == initial_history::riemann_liouville) add_damping(force[1], d, S(theta / S(2)), derivative[0]);
+    });
+    return force;
+}
+template <class Damping, class S, class V>
+std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0) {
+    std::vector<V> force(q.size(), zero_like(q[0]));
+    auto const derivative = differences_along(reading.damping, h, q, v0, S(1));
+    for (std::size_t i = 0; i < q.size(); ++i) add_damping(force[i], reading.damping, S(-1), derivative[i]);
+    return force;
+}
+
+} // namespace detail
+
+/// As largest_residual of a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is
+/// seen here. @throws as walking does
+template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
+auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
+    using S = typename Scale::root_type::scalar_type;
+    auto const& flow = path.method().undamped();
+    auto const& mechanics = flow.mechanics();
+    auto const T = uniform(path.scale().min(), path.scale().domain().base.step(path.scale().root(), path.scale().first()),
+                           static_cast<index_type>(path.scale().size()) - 1);
+    std::vector<V> q;
+    for (auto const& x : path) q.push_back(x.q);
+    auto const start = *path.begin();
+    V const v0 = velocity_of(detail::at_time{mechanics.lagrangian, start.t}, start.q, start.p);
+    auto const damping = detail::damping_along(path.method().damping(), T.h(), q, v0);
+    auto const equation = equation_of(flow, T);
+    auto const judge = [&](auto const& residual) {
+        S worst(0);
+        for (index_type i = residual.first(); i <= residual.last(); ++i) {
+            V const r = residual.get(i) + damping[static_cast<std::size_t>(i)];
+            for (int k = 0; k < detail::shape<V>::dimension(r); ++k)
+                worst = detail::larger(worst, S(magnitude(detail::shape<V>::component(r, k))));
+        }
+        return worst;
+    };
+    auto const x = function_on(T, q);
+    if constexpr (std::same_as<Force, no_force>)
+        return judge(equation.residual(x));
+    else
+        return judge(equation.residual(x, mechanics.force));
+}
+
+} // namespace hilger

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSL-1.0
+// Large systems whose structure is known: L(q, v) = v.Mv / 2 - U(q) with a constant mass M and a potential that is a sum of small terms.
+// The sum says which second derivatives there are, so that a step of d = 1000 costs what its terms cost and no d x d matrix is filled.
+//   mechanical{mass, chain{energy}}             neighbours in a row between two walls: a tridiagonal Hessian
+//   mechanical{mass, pairs<3>{list, energy}}    bodies in space, two at a time
+//   mechanical{mass, any generic U(q)}          a dense Hessian, by jets
+// Mass is a number, a vector (one mass a component) or a symmetric positive definite matrix.
+#pragma once
+
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "hilger/inlining.hpp"
+#include "hilger/models/pairs.hpp"
+
+namespace hilger {
+
+/// U(q) = sum_{k=0..d} energy(k, q_k - q_{k-1}) with q_{-1} = q_d = 0: d particles on a line, the walls at rest. energy(k, r) is generic in
+/// r.
+template <class Energy>
+struct chain {
+    [[no_unique_address]] Energy energy;
+
+    explicit constexpr chain(Energy e) : energy(std::move(e)) {}
+
+    template <class X>
+    auto operator()(X const& q) const {
+        index_type const d = q.size();
+        auto sum = energy(index_type{0}, plain_t<decltype(q(0))>(q(0)));
+        for (index_type k = 1; k < d; ++k) sum = sum + energy(k, plain_t<decltype(q(0))>(q(k) - q(k - 1)));
+        return plain_t<decltype(sum)>(sum + energy(d, plain_t<decltype(q(0))>(-q(d - 1))));
+    }
+    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::tridiagonal; }
+    void check(index_type) const {}
+
+    /// g = dU/dq; `tension` is room for d + 1 numbers.
+    template <class V, class Room>
+    void gradient(V const& q, V& g, Room& tension) const {
+        if constexpr (std::is_floating_point_v<scalar_of<V>>)
+            flat_tensions(q, tension);
+        else
+            tensions(q, tension);
+        for (index_type k = 0; k < q.size(); ++k) g(k) = tension(k) - tension(k + 1);
+    }
+    /// put(j, k, x) for every entry j >= k of the Hessian, entries of one place adding up.
+    template <class V, class Put>
+    void hessian(V const& q, Put const& put) const {
+        using S = scalar_of<V>;
+        using J = jet<S, 0, 1, 2>;
+        index_type const d = q.size();
+        for (index_type k = 0; k <= d; ++k) {
+            S const r = k == 0 ? S(q(0)) : k == d ? S(-q(d - 1)) : S(q(k) - q(k - 1));
+            S const bend = detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0, 0>();
+            if (k < d) put(k, k, bend);
+            if (k > 0) put(k - 1, k - 1, bend);
+            if (k > 0 and k < d) put(k, k - 1, S(-bend));
+        }
+    }
+
+private:
+    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    template <class V, class Room>
+    HILGER_FLATTEN void flat_tensions(V const& q, Room& tension) const {
+        tensions(q, tension);
+    }
+    template <class V, class Room>
+    HILGER_ALWAYS_INLINE void tensions(V const& q, Room& tension) const {
+        using S = scalar_of<V>;
+        index_type const d = q.size();
+        tension(0) = slope<S>(0, q(0));
+        for (index_type k = 1; k < d; ++k) tension(k) = slope<S>(k, q(k) - q(k - 1));
+        tension(d) = slope<S>(d, -q(d - 1));
+    }
+    template <class S>
+    HILGER_ALWAYS_INLINE S slope(index_type k, S const& r) const {
+        using J = jet<S, 0, 1, 1>;
+        return detail::as_jet<J>(energy(k, J::variable(r, 0, {}))).template by<0>();
+    }
+};
+
+namespace detail {
+/// Any U(q).
+template <class U>
+struct dense_potential {
+    [[no_unique_address]] U function;
+    template <class X>
+    auto operator()(X const& q) const {
+        return function(q);
+    }
+    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::dense; }
+    void check(index_type) const {}
+    template <class V, class Room>
+    void gradient(V const& q, V& g, Room&) const {
+        g = gradient_by(q, function);
+    }
+    template <class V, class Put>
+    void hessian(V const& q, Put const& put) const {
+        auto const e = hilger::expand([this](auto const& x, auto const&) { return function(x); }, q, q);
+        for (index_type j = 0; j < q.size(); ++j)
+            for (index_type k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
+    }
+};
+template <class U>
+concept structured_potential = requires(U const& u) {
+    { u.pattern(index_type{}) } -> std::same_as<hessian_pattern>;
+};
+} // namespace detail
+
+/// L(q, v) = v.Mv / 2 - U(q).
+template <class Mass, class Potential>
+class mechanical {
+    using wrapped = std::conditional_t<detail::structured_potential<Potential>, Potential, detail::dense_potential<Potential>>;
+
+public:
+    mechanical(Mass m, Potential u) : mass_(std::move(m)), potential_{std::move(u)} {
+        if (not is_finite(mass_)) error::raise<error::not_finite>("a mass is finite, and one of these is NaN or infinite");
+        bool positive = true;
+        if constexpr (not is_matrix) {
+            if constexpr (requires { mass_.minCoeff(); })
+                positive = mass_.minCoeff() > typename Mass::Scalar(0);
+            else
+                positive = mass_ > Mass(0);
+        }
+        if (not positive) error::raise<error::singular>("a mass is positive, and one of these is not");
+    }
+    static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
+
+    /// In any number type, as every Lagrangian.
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        if constexpr (is_matrix)
+            return v.dot(mass_ * v) / 2 - potential_(q);
+        else if constexpr (requires { mass_.size(); })
+            return v.dot(mass_.cwiseProduct(v)) / 2 - potential_(q);
+        else
+            return v.dot(v) * mass_ / 2 - potential_(q);
+    }
+    /// The Legendre map p = M v and its inverse. @throws error::mismatch when M has another dimension, error::singular
+    template <class V>
+    [[nodiscard]] V momentum(V const& q, V const& v) const {
+        require_size(q.size());
+        if constexpr (is_matrix)
+            return mass_.template cast<scalar_of<V>>() * v;
+        else if constexpr (requires { mass_.size(); })
+            return mass_.template cast<scalar_of<V>>().cwiseProduct(v);
+        else
+            return v * scalar_of<V>(mass_);
+    }
+    template <class V>
+    [[nodiscard]] V velocity(V const& q, V const& p) const {
+        require_size(q.size());
+        if constexpr (is_matrix) {
+            Eigen::LLT<block_of<V>> const factors(mass_.template cast<scalar_of<V>>());
+            if (factors.info() != Eigen::Success) error::raise<error::singular>("the mass matrix is not positive definite");
+            return factors.solve(p);
+        } else if constexpr (requires { mass_.size(); })
+            return p.cwiseQuotient(mass_.template cast<scalar_of<V>>());
+        else
+            return p / scalar_of<V>(mass_);
+    }
+    [[nodiscard]] Mass const& mass() const { return mass_; }
+    [[nodiscard]] wrapped const& potential() const { return potential_; }
+
+private:
+    void require_size(index_type d) const {
+        if constexpr (requires { mass_.size(); }) {
+            index_type const m = mass_.rows();
+            if (m != d) error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
+        }
+    }
+    Mass mass_;
+    wrapped potential_;
+};
+
+template <class F>
+inline constexpr bool is_mechanical = false;
+template <class M, class U>
+inline constexpr bool is_mechanical<mechanical<M, U>> = true;
+
+} // namespace hilger

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSL-1.0
+// Newton's method for an equation r(x) = 0 that is made of branches (differentiation/branches.hpp). On one branch a small correction proves
+// that the equation is solved; across branches nothing does but the equation itself. So an iterate is returned where Newton's last
+// correction did not leave the branch, or where r is rounding at the iterate itself. Full steps first; they can go round between branches,
+// and are then shortened until r shrinks (the method is then Newton's for semismooth equations, Qi and Sun 1993, with a line search). Where
+// r jumps over zero there is no solution, and no step, however short, makes it smaller.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/differentiation/branches.hpp"
+#include "hilger/newton/stop.hpp"
+
+namespace hilger::detail {
+
+/// How a search on branches ends.
+enum class branch_search { found, singular, not_finite, between, lost };
+
+/// What evaluating r gives: r, the size of what it is the difference of, which says how it rounds, and the branches taken.
+template <class X>
+struct branch_point {
+    X r;
+    scalar_of<X> size;
+    branch_path path;
+};
+
+/// x in r(x) = 0. `evaluate(x, r)` puts r(x) into r and returns the size that its rounding is measured by; `correct(r, d)` puts Newton's
+/// correction at the last x evaluated into d, false where the derivative is singular there. `small` is the relative size below which a
+/// correction is the last. Found or not, x is the last one evaluated, and `residual` is r there.
+template <class X, class Evaluate, class Correct>
+branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Correct const& correct, scalar_of<X> const& small) {
+    using S = scalar_of<X>;
+    constexpr bool exact = std::numeric_limits<S>::is_exact;
+    constexpr int full_steps = exact ? 6 : 12, rounds = exact ? 12 : 80, halvings = exact ? 6 : 40;
+    auto const at = [&](X const& y) {
+        branch_point<X> p{y, S(0), {}};
+        branch_watch const watch;
+        p.size = evaluate(y, p.r);
+        p.path = watch.path();
+        return p;
+    };
+    auto const is_solved = [](branch_point<X> const& p, int times) { return magnitude(p.r) <= S(times) * epsilon<S>() * p.size; };
+    branch_point<X> here = at(x);
+    if (not all_finite(here.r)) return branch_search::not_finite;
+    X best = x, d = x, y = x;
+    S smallest = magnitude(here.r);
+    for (int round = 0; round < rounds; ++round) {
+        residual = here.r;
+        if (round == full_steps and smallest < magnitude(here.r)) {
+            x = best;
+            residual = (here = at(x)).r;
+        }
+        if (not correct(here.r, d)) return branch_search::singular; // of such an equation a root is one of many
+        if (is_solved(here, 4) or magnitude(d) <= S(4) * epsilon<S>() * magnitude(x)) return branch_search::found;
+        S part(1);
+        branch_path first;
+        bool better = false;
+        for (int cut = 0; cut < halvings and not better; ++cut, part = part / S(2)) {
+            y = x + d * part;
+            branch_point<X> there = at(y);
+            if (cut == 0) first = there.path;
+            if (not all_finite(there.r)) continue;
+            if (is_solved(there, 4) or (cut == 0 and there.path == here.path and magnitude(d) <= small * magnitude(y))) {
+                x = y;
+                residual = there.r;
+                return branch_search::found;
+            }
+            better = round < full_steps or magnitude(there.r) <= (S(1) - part / S(4)) * magnitude(here.r);
+            if (better) {
+                x = y;
+                here = std::move(there);
+            }
+        }
+        if (not better) { // only rounding errors are left, or there is a jump
+            branch_path const before = here.path;
+            here = at(x);
+            residual = here.r;
+            if (first == before) return is_solved(here, 64) ? branch_search::found : branch_search::lost;
+            return branch_search::between;
+        }
+        if (S const size = magnitude(here.r); size < smallest) {
+            smallest = size;
+            best = x;
+        }
+    }
+    residual = here.r;
+    return branch_search::lost;
+}
+
+/// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;
+/// error::singular, error::not_finite
+template <class V>
+[[noreturn, gnu::noinline, gnu::cold]] void give_up_on_branches(std::string const& what, branch_search how, V const& iterate,
+                                                                V const& residual) {
+    if (how == branch_search::singular) refuse_singular(what);
+    if (how == branch_search::not_finite or not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
+    if (how == branch_search::between)
+        throw newton_failure<V, error::no_branch>(
+            what +
+                " has no solution on any branch of L that was met: where L compares its arguments its derivatives jump, and the branches "
+                "on both sides of the jump lead across it. A step that does not meet the jump has one, and so has an L whose "
+                "derivatives do not jump",
+            iterate, residual);
+    throw newton_failure<V>(what + " did not converge between the branches of L. A smaller step h brings the guess closer", iterate,
+                            residual);
+}
+
+} // namespace hilger::detail

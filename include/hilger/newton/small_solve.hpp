@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSL-1.0
+// K x = r for at most four unknowns, in scalars that the optimiser can put into registers: what is known to be diagonal is divided, two
+// equations are solved by their determinant where it is a normal number, and all others by elimination.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "hilger/differentiation/jet.hpp"
+#include "hilger/inlining.hpp"
+#include "hilger/newton/stop.hpp"
+#include "hilger/scalar.hpp"
+
+namespace hilger::detail {
+
+template <std::size_t M, class S, std::size_t... I>
+HILGER_ALWAYS_INLINE inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
+    return ((I / M == I % M or is_known_zero(K[I])) and ...);
+}
+/// By elimination; false where K is singular to rounding.
+template <class S, std::size_t M, std::size_t MM>
+bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
+    // By columns, as elsewhere: what Eigen makes of one type of matrix takes the compiler seconds.
+    using by_rows = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
+    using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M)>;
+    using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
+    Eigen::PartialPivLU<matrix> const lu(matrix(Eigen::Map<by_rows const>(K.data())));
+    if (not is_regular(lu)) return false;
+    vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
+    for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
+    return true;
+}
+/// Two equations whose determinant is no normal number, as with masses of 1e+-160. By value: what a loop hands over by address is in
+/// memory in all of its rounds.
+template <class S>
+struct pair_solution {
+    S x, y;
+    bool regular;
+};
+template <class S>
+[[gnu::noinline, gnu::cold]] pair_solution<S> eliminate_pair(S a, S b, S c, S d, S x, S y) {
+    std::array<S, 2> r{x, y};
+    bool const regular = eliminate(std::array<S, 4>{a, b, c, d}, r);
+    return {r[0], r[1], regular};
+}
+/// Below it the reciprocal of a determinant may overflow, or the determinant has lost digits itself.
+template <class S>
+S smallest_determinant() {
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return S(0);
+    else
+        return S(4) * (std::numeric_limits<S>::min)();
+}
+
+/// x in K x = r for a small row-major matrix; false where K is singular to rounding.
+template <class S, std::size_t M, std::size_t MM>
+HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
+    using std::abs;
+    tally<S>::small_solve(K);
+    if constexpr (M == 1) {
+        if (K[0] == S(0)) return false;
+        r[0] = r[0] / K[0];
+        return true;
+    } else if constexpr (M == 2) {
+        S const ad = K[0] * K[3], bc = times(K[1], K[2]);
+        S const det = minus(ad, bc);
+        if (not(epsilon<S>() * (abs(ad) + abs(bc)) + smallest_determinant<S>() < abs(det))) [[unlikely]] {
+            auto const z = eliminate_pair<S>(K[0], S(K[1]), S(K[2]), K[3], r[0], r[1]);
+            r = {z.x, z.y};
+            return z.regular;
+        }
+        S const i = S(1) / det;
+        S const x = minus(S(K[3] * r[0]), times(K[1], r[1])), y = minus(S(K[0] * r[1]), times(K[2], r[0]));
+        r[0] = x * i;
+        r[1] = y * i;
+        return true;
+    } else {
+        if (is_known_diagonal<M>(K, std::make_index_sequence<MM>{})) { // a mass for each component, under order one
+            for (std::size_t k = 0; k < M; ++k) {
+                if (K[k * M + k] == S(0)) return false;
+                r[k] = r[k] / K[k * M + k];
+            }
+            return true;
+        }
+        return eliminate(K, r);
+    }
+}
+
+} // namespace hilger::detail

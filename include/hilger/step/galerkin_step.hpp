@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of a Galerkin embedding with control values inside: p_i = -d_1 L_h, p_{i+1} = d_2 L_h with L_h stationary in them (Marsden-West;
+// Cresson-Safi, section 5), in the numbers of step/galerkin_table.hpp. For L = v.Mv/2 + a.v - U(q) the forces at the nodes are
+// iterated, A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k): a round costs N forces and gains a factor of the size
+// of h^2. Any other Lagrangian, and a step for which that is too little, go to step/galerkin_equations.hpp.
+#pragma once
+
+#include "hilger/inlining.hpp"
+#include "hilger/step/galerkin_equations.hpp"
+#include "hilger/step/separable.hpp"
+#include "hilger/step/summation.hpp"
+#include "hilger/variational/legendre.hpp"
+
+namespace hilger::detail {
+
+/// What one trajectory remembers from step to step.
+template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
+class galerkin_step {
+    using s = shape<V>;
+    using separable_type = separable<Problem, S, V>;
+    static constexpr std::size_t N = Table::N, R = Table::R;
+    static constexpr bool exact = std::numeric_limits<S>::is_exact;
+    /// What is iterated, and remembered.
+    enum way : int { undecided, by_forces, by_velocities };
+
+public:
+    galerkin_step(Problem const& what, S const& h, V const& like, Extra extra = {})
+        : h_(h), d_(s::dimension(like)), separable_(what, like), equations_(like, std::move(extra)), sum_q_(d_), sum_p_(d_) {
+        v_ = before_ = next_ = room_ = s::zero(d_);
+        if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
+        D_.fill(v_);
+        F_.fill(v_);
+        guess_.fill(v_);
+        last_.fill(v_);
+    }
+    void prepare(S const& h) {
+        h_ = h;
+        way_ = undecided;
+        inspected_ = false;
+        known_ = 0;
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] Extra& extra() { return equations_.extra; }
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("known", known_);
+        each("way", way_);
+        if (way_ == by_forces) {
+            visit_components(each, "velocity", before_);
+            for (V& f : F_) visit_components(each, "force", f);
+        } else
+            for (V& v : last_) visit_components(each, "velocity", v);
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
+    void advance(Problem const& what, state<S, V>& x) {
+        if (not inspected_) {
+            bool const has_parts = not exact and separable_.inspect(what, x);
+            if (way_ == undecided) way_ = has_parts ? by_forces : by_velocities;
+            inspected_ = true;
+        }
+        if (way_ == by_forces) {
+            progress const end = iterate_forces(what, x);
+            if (end == progress::done)
+                finish_by_forces(x);
+            else if (end == progress::lost)
+                newton_from_forces(what, x);
+            else {
+                way_ = by_velocities;
+                known_ = 0;
+            }
+        }
+        if (way_ == by_velocities) solve_for_velocities(what, x);
+    }
+
+private:
+    static Table const& table() { return Table::here(); }
+    /// With compensated sums the error that an iteration leaves must not be seen either.
+    static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
+    template <class Visit>
+    void visit_components(Visit& each, char const* label, V& x) {
+        for (int c = 0; c < d_; ++c) each(label, s::component(x, c));
+    }
+
+    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    progress iterate_forces(Problem const& what, state<S, V> const& x) {
+        if constexpr (std::is_floating_point_v<S>)
+            return flat_iteration(what, x);
+        else
+            return iteration(what, x);
+    }
+    HILGER_FLATTEN progress flat_iteration(Problem const& what, state<S, V> const& x) { return iteration(what, x); }
+    /// Lost where it converges too slowly to be worth it; going where L has other parts than it had.
+    HILGER_ALWAYS_INLINE progress iteration(Problem const& what, state<S, V> const& x) {
+        separable_.velocity(x.p, v_);
+        bool is_separable = true;
+        if (known_ > 0) { // the forces of the last step, continued
+            for (std::size_t k = 0; k < N; ++k) combine(table().next_node[k], F_, guess_[k]);
+            std::swap(F_, guess_);
+        } else {
+            is_separable = separable_.force(what, x.t, x.q, F_[0]);
+            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + equations_.extra.constant;
+            for (std::size_t k = 1; k < N; ++k) F_[k] = F_[0];
+        }
+        (void)move_nodes();
+        S reach = magnitude(x.q);
+        for (V const& D : D_) reach = std::max(reach, S(magnitude(D)));
+        contraction<S> convergence(epsilon<S>() * reach, small());
+        progress end = progress::going;
+        std::uint64_t const compared = comparisons_made();
+        for (;;) {
+            for (std::size_t k = 0; k < N; ++k) {
+                room_ = x.q + D_[k];
+                is_separable = separable_.force(what, x.t, room_, F_[k]) and is_separable;
+            }
+            if constexpr (has_step_force<Extra>)
+                for (V& f : F_) f = f + extra_force_;
+            if (not is_separable) return progress::going;
+            bool const was_done = end == progress::done;
+            if (end != progress::going and not(was_done and comparisons_made() != compared)) return end;
+            S const size = move_nodes();
+            // Between branches the forces at the last positions say whether these were the last.
+            if (was_done and convergence.is_rounding(size)) return end;
+            end = convergence.after(size);
+        }
+    }
+    /// A_k - q_0 from the forces, and how far the nodes have moved.
+    HILGER_ALWAYS_INLINE S move_nodes() {
+        S const square = h_ * h_;
+        S size(0);
+        for (std::size_t k = 0; k < N; ++k) {
+            combine(table().twice[k], F_, room_);
+            separable_.solve(room_, next_);
+            next_ = v_ * S(h_ * table().node[k]) + next_ * square;
+            room_ = next_ - D_[k];
+            size = std::max(size, S(magnitude(room_)));
+            D_[k] = next_;
+        }
+        if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra());
+        return size;
+    }
+    /// q_{i+1} - q_i from the forces at the nodes, into next_.
+    HILGER_ALWAYS_INLINE void reach_end() {
+        combine(table().reach, F_, room_);
+        separable_.solve(room_, next_);
+        next_ = v_ * h_ + next_ * S(h_ * h_);
+    }
+    /// The extra force for the end that the forces lead to, and how far that has moved.
+    S renew_extra() {
+        reach_end();
+        room_ = next_ - end_;
+        end_ = next_;
+        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = equations_.extra.at(s::component(end_, c), c);
+        return magnitude(room_);
+    }
+    void finish_by_forces(state<S, V>& x) {
+        Table const& T = table();
+        reach_end();
+        combine(T.weight, F_, room_);
+        add(x);
+        before_ = v_;
+    }
+
+    /// From the velocities of the last step, which its forces say.
+    void newton_from_forces(Problem const& what, state<S, V>& x) {
+        if (known_ > 0) F_ = guess_;
+        for (std::size_t j = 0; j < R; ++j) {
+            if (known_ == 0) {
+                equations_.velocity[j] = v_;
+                continue;
+            }
+            combine(table().momentum[j], F_, room_);
+            separable_.solve(room_, next_);
+            equations_.velocity[j] = before_ + next_ * h_;
+        }
+        newton(what, x);
+        F_ = equations_.force;
+        before_ = v_;
+    }
+    void solve_for_velocities(Problem const& what, state<S, V>& x) {
+        if (known_ == 0) last_.fill(velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
+        if constexpr (not exact and not separable_type::always) {
+            // continued for the iteration, which is for short steps; as they were for Newton, which is for long ones
+            for (std::size_t j = 0; j < R; ++j)
+                if (known_ > 0)
+                    combine(table().next[j], last_, equations_.velocity[j]);
+                else
+                    equations_.velocity[j] = last_[j];
+            if (equations_.iterate(what, x, h_, small())) {
+                finish(x);
+                return;
+            }
+        }
+        equations_.velocity = last_;
+        newton(what, x);
+    }
+    void newton(Problem const& what, state<S, V>& x) {
+        equations_.newton(what, x, h_, Compensated ? S(1) / S(1024) : S(1) / S(4));
+        finish(x);
+    }
+    void finish(state<S, V>& x) {
+        combine(table().gamma, equations_.velocity, next_);
+        next_ = next_ * h_;
+        combine(table().weight, equations_.force, room_);
+        add(x);
+        last_ = equations_.velocity;
+    }
+    /// next_ to q, and h room_ to p. The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
+    void add(state<S, V>& x) {
+        if (not all_finite(next_) or not all_finite(room_)) give_up(equations_.name, false, x.q, V(next_ + room_), S(0));
+        for (int c = 0; c < d_; ++c) {
+            sum_q_.add(s::component(x.q, c), s::component(next_, c), c);
+            sum_p_.add(s::component(x.p, c), S(s::component(room_, c) * h_), c);
+        }
+        x.t = x.t + h_;
+        known_ = 1;
+    }
+
+    S h_;
+    int d_, known_ = 0, way_ = undecided;
+    bool inspected_ = false;
+    separable_type separable_;
+    galerkin_equations<Problem, Table, S, V, Extra> equations_;
+    using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
+    V v_, before_, next_, room_;                       ///< v_0; that of the last step
+    std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
+    [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
+    std::array<V, R> last_;                            ///< the last velocities, where they are what is iterated
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+};
+
+} // namespace hilger::detail

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of any embedding without control values inside the step, in any dimension: its equation (step/equation.hpp) solved
+// for y - q_i - of y itself, which differs little from q_i in a short step, a velocity would have the rounding divided by h.
+//
+// What the formula of L is made of decides how. Where no entry of the equation's matrix ever changes, it is factorized once, one correction
+// solves the equation, and what does not enter it is evaluated at its solution only: explicit schemes are that case. Where the masses are
+// constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/stop.hpp"
+#include "hilger/step/equation.hpp"
+#include "hilger/step/summation.hpp"
+
+namespace hilger::detail {
+
+template <class Problem, bool Compensated, class S, class V, class Extra = no_step_force>
+class many_nodes {
+    using s = shape<V>;
+    using equation = step_equation<Problem, S, V, Extra>;
+    using matrix = typename equation::matrix;
+    using vector = typename equation::vector;
+    using derivatives = typename equation::derivatives;
+    static constexpr int history = 8;
+
+public:
+    many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
+        : e_(like, std::move(extra)), velocity_(zero_like(like)), correction_(vector::Zero(s::dimension(like))), weight_(correction_),
+          per_weight_(correction_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+        past_.fill(zero_like(like));
+        prepare(t, h);
+    }
+    void prepare(tableau<S> const& t, S const& h) {
+        if (steps_ > 0) velocity_ = e_.moved / e_.h();
+        e_.prepare(t, h);
+        steps_ = 0;
+        stiff_ = false;
+    }
+    [[nodiscard]] S const& h() const { return e_.h(); }
+    void guess(V const& v) {
+        velocity_ = v;
+        guessed_ = 1;
+    }
+    [[nodiscard]] bool needs_guess() const { return guessed_ == 0; }
+    [[nodiscard]] Extra& extra() { return e_.extra; }
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("steps", steps_);
+        each("guessed", guessed_);
+        each("newest", newest_);
+        int stiff = stiff_ ? 1 : 0;
+        each("stiff", stiff);
+        stiff_ = stiff != 0;
+        for (int c = 0; c < dimension(); ++c) each("velocity", s::component(velocity_, c));
+        for (int c = 0; c < dimension(); ++c) each("increment", s::component(e_.moved, c));
+        for (V& x : past_)
+            for (int c = 0; c < dimension(); ++c) each("past", s::component(x, c));
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    void advance(Problem const& problem, state<S, V>& x) {
+        branch_watch const watch;
+        if (not e_.is_prepared) {
+            V const last = std::exchange(e_.moved, V(velocity_ * e_.h()));
+            e_.evaluate(problem, x, derivatives::first_order);
+            e_.moved = last;
+            watch.forget(); // it is no part of the step
+        }
+        first_guess();
+        long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
+        bool const by_newton = not e_.is_constant and (stiff_ or not e_.has_constant_mass);
+        if (not by_newton) e_.evaluate(problem, x, derivatives::first_order);
+        if (watch.saw_any())
+            search(problem, x);
+        else if (by_newton)
+            newton(problem, x, watch);
+        else if (not iterate(problem, x, watch)) {
+            stiff_ = true;
+            steps_ = made;
+            first_guess();
+            steps_ = 0;
+            newton(problem, x, watch);
+        }
+        finish(problem, x);
+        steps_ = made + 1;
+    }
+
+private:
+    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
+    [[nodiscard]] int dimension() const { return e_.dimension(); }
+    static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
+    static V value_of_nan(V x, S const& bad) {
+        s::component(x, 0) = bad;
+        return x;
+    }
+    [[nodiscard]] V const& past(int k) const { return past_[at((newest_ + k) % history)]; }
+    /// By the polynomial through the last increments, as far as there are some of this step's length.
+    void first_guess() {
+        if (steps_ == 0)
+            e_.moved = velocity_ * e_.h();
+        else if (e_.is_constant)
+            return; // any will do
+        else if (steps_ >= history) {
+            e_.moved = past(0) * S(extrapolation(history, 0));
+            for (int k = 1; k < history; ++k) e_.moved = e_.moved + past(k) * S(extrapolation(history, k));
+        } else if (steps_ >= 2)
+            e_.moved = past(0) * S(2) - past(1);
+        else
+            e_.moved = past(0);
+    }
+    /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
+    /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
+    bool iterate(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
+        S previous(-1);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            if (round > 0) e_.evaluate(problem, x, derivatives::first_order);
+            if (watch.saw_any()) {
+                search(problem, x);
+                return true;
+            }
+            e_.put_residual(x);
+            refuse_nan(x, previous);
+            if (not e_.factorize_constant_part()) {
+                if (e_.is_constant) refuse(x, true, S(0));
+                return false;
+            }
+            correct(e_.constant_part);
+            tally<S>::add(work::newton_round);
+            if (e_.is_constant) return true;
+            if (round == 0) weigh(x);
+            S const size = weighed_correction(), floor = epsilon<S>();
+            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
+                (previous > S(0) and size * (size / previous) <= floor * S(Compensated ? 1 : 128) / S(256)) or
+                is_rounding_of(x, size, previous)) {
+                is_corrected_ = false; // it is of the size of the rounding in the gradients
+                correction_.setZero();
+                return true;
+            }
+            if (previous > S(0) and not(S(4) * size < previous) and S(1024) * floor < size) return false;
+            previous = size;
+        }
+        return false;
+    }
+    void newton(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
+        bool singular = false;
+        S size(0), previous(-1);
+        S const small = small_correction();
+        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+            e_.evaluate(problem, x, derivatives::with_seconds);
+            if (watch.saw_any()) return search(problem, x);
+            e_.put_residual(x);
+            refuse_nan(x, size);
+            e_.put_matrix();
+            singular = not e_.full_matrix.factorize();
+            if (singular) break;
+            correct(e_.full_matrix);
+            tally<S>::add(work::newton_round);
+            if (iteration == 0 or std::numeric_limits<S>::is_exact) weigh(x);
+            size = weighed_correction();
+            if (is_last(small) or (iteration > 0 and e_.is_rounding(x)) or is_rounding_of(x, size, previous)) return;
+            previous = size;
+        }
+        refuse(x, singular, magnitude(correction_));
+    }
+    /// How large each component of a correction may be, in units of what decides about it: the component itself, or where it goes through
+    /// zero, what the residual is the sum of. Components may be of very different sizes.
+    void weigh(state<S, V> const& x) {
+        per_weight_.setZero();
+        e_.put_sizes(x, weight_);
+        if (e_.is_constant or (e_.has_constant_mass and not stiff_))
+            e_.constant_part.solve(weight_);
+        else
+            e_.full_matrix.solve(weight_);
+        S most(0);
+        for (int c = 0; c < dimension(); ++c) {
+            S const size = magnitude(s::component(e_.moved, c)), other = magnitude(S(weight_(c)));
+            weight_(c) = size < other ? other : size;
+            if (most < weight_(c)) most = weight_(c);
+        }
+        // what stands still has no size, and may move by the rounding of the others
+        S const least = epsilon<S>() * most;
+        for (int c = 0; c < dimension(); ++c)
+            if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
+    }
+    [[nodiscard]] S weighed_correction() const {
+        return dimension() == 0 ? S(0) : S(correction_.cwiseProduct(per_weight_).cwiseAbs().maxCoeff());
+    }
+    /// Whether Newton's next correction would be rounding: convergence is quadratic where this one is small beside what it corrects.
+    [[nodiscard]] bool is_last(S const& small) const {
+        for (int c = 0; c < dimension(); ++c) {
+            S const size = magnitude(S(correction_(c)));
+            if (not(size <= small * magnitude(s::component(e_.moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
+        }
+        return true;
+    }
+    /// Whether corrections do not shrink any more, and are what the rounding of a position does to the force.
+    [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
+        return previous > S(0) and not(size < previous) and magnitude(correction_) <= S(16) * epsilon<S>() * magnitude(x.q);
+    }
+    static S small_correction() { return square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4); }
+    void correct(matrix& K) {
+        correction_ = e_.residual;
+        K.solve(correction_);
+        is_corrected_ = true;
+        for (int c = 0; c < dimension(); ++c) s::component(e_.moved, c) = s::component(e_.moved, c) - correction_(c);
+    }
+    void refuse_nan(state<S, V> const& x, S const& size) {
+        if (is_finite(e_.residual)) return;
+        for (int k = 0; k < dimension(); ++k)
+            if (not is_finite(e_.residual(k))) give_up(name, false, x.q, value_of_nan(x.q, e_.residual(k)), size);
+    }
+    [[noreturn]] void refuse(state<S, V> const& x, bool singular, S const& size) {
+        V rest = s::zero(dimension());
+        for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c);
+        give_up(name, singular, V(x.q + e_.moved), rest, size);
+    }
+    /// The same for an L with branches: e_.moved and the derivatives there.
+    void search(Problem const& problem, state<S, V> const& x) {
+        auto const evaluate_at = [&](V const& y, V& r) {
+            e_.moved = y;
+            e_.evaluate(problem, x, derivatives::with_seconds);
+            e_.put_residual(x);
+            e_.put_matrix();
+            for (int c = 0; c < dimension(); ++c) s::component(r, c) = e_.residual(c);
+            S const reach = magnitude(x.q) + magnitude(y);
+            return S(magnitude(x.p) + e_.forces() + S(dimension()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(y)));
+        };
+        auto const correct = [&](V const& r, V& d) {
+            tally<S>::add(work::newton_round);
+            if (not e_.full_matrix.factorize()) return false;
+            for (int c = 0; c < dimension(); ++c) correction_(c) = s::component(r, c);
+            e_.full_matrix.solve(correction_);
+            for (int c = 0; c < dimension(); ++c) s::component(d, c) = -correction_(c);
+            return true;
+        };
+        V rest = e_.moved;
+        V y = e_.moved;
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, small_correction());
+        if (how != branch_search::found) give_up_on_branches(name, how, V(x.q + y), rest);
+        correction_.setZero();
+        is_corrected_ = false;
+    }
+    /// The step, once its equation is solved. @throws error::not_finite, and x is as it was
+    void finish(Problem const& problem, state<S, V>& x) {
+        e_.gather(problem, x, correction_, is_corrected_);
+        // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
+        if (not is_finite(S(total(x.q, e_.moved) + (e_.adds_up ? total(x.p, e_.increment) : total(e_.whole, e_.whole))))) [[unlikely]]
+            refuse_overflow(x);
+        for (int c = 0; c < dimension(); ++c) {
+            sum_q_.add(s::component(x.q, c), s::component(e_.moved, c), c);
+            if (e_.adds_up)
+                sum_p_.add(s::component(x.p, c), e_.increment(c), c);
+            else
+                s::component(x.p, c) = e_.whole(c);
+        }
+        x.t = x.t + e_.h();
+        if (e_.is_constant) return;
+        newest_ = (newest_ + history - 1) % history;
+        past_[at(newest_)] = e_.moved;
+    }
+
+    /// @throws error::not_finite, unless it was the sum alone that overflowed
+    [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
+        for (int c = 0; c < dimension(); ++c) {
+            S const q = s::component(x.q, c) + s::component(e_.moved, c),
+                    p = e_.adds_up ? S(s::component(x.p, c) + e_.increment(c)) : S(e_.whole(c));
+            if (not is_finite(q) or not is_finite(p)) give_up(name, false, x.q, value_of_nan(x.q, S((q - q) + (p - p))), S(0));
+        }
+    }
+    /// The sum of all components of x and y, of which one may be a number and the other a vector of one.
+    template <class X, class Y>
+    static S total(X const& x, Y const& y) {
+        if constexpr (has_components<X> and has_components<Y>)
+            return (x + y).sum();
+        else
+            return S(component_of(x, 0) + component_of(y, 0));
+    }
+
+    equation e_;
+    long long steps_ = 0; ///< of this length
+    int guessed_ = 0, newest_ = 0;
+    bool stiff_ = false, is_corrected_ = false;
+    V velocity_; ///< to start from where there are no steps of this length
+    std::array<V, history> past_;
+    vector correction_, weight_, per_weight_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+};
+
+} // namespace hilger::detail

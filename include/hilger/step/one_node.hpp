@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of an embedding whose integral has one node: mid-point, order one, theta. With the velocity v at the node as the unknown,
+//   A = q_i + a_1 h v,   p_i + a_0 h dL/dq(A, v) - dL/dv(A, v) = 0,   q_{i+1} = q_i + h v,   p_{i+1} = p_i + h dL/dq(A, v),
+// which is p_i = -d_1 L_h, p_{i+1} = d_2 L_h written out (Cresson-Safi (95), (96) for a_0 = a_1 = 1/2). For d <= 4 everything is kept in
+// scalars that the optimiser can put into registers: no Eigen arithmetic, no loop that is not unrolled.
+#pragma once
+
+#include "hilger/inlining.hpp"
+#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/small_solve.hpp"
+#include "hilger/newton/stop.hpp"
+#include "hilger/step/force.hpp"
+#include "hilger/step/state.hpp"
+#include "hilger/step/summation.hpp"
+#include "hilger/step/tableau.hpp"
+#include "hilger/variational/problem.hpp"
+
+namespace hilger::detail {
+
+template <class S, std::size_t N>
+HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
+    using std::abs;
+    S m = abs(x[0]);
+    for (std::size_t k = 1; k < N; ++k) {
+        S const y = abs(x[k]);
+        if (m < y) m = y;
+    }
+    return m;
+}
+
+/// What one trajectory remembers from step to step.
+template <class Problem, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
+class one_node {
+    using s = shape<V>;
+    static constexpr int N = s::size;
+    using components_ = std::array<S, static_cast<std::size_t>(N)>;
+    using matrix_ = std::array<S, static_cast<std::size_t>(N* N)>;
+    using all = std::make_integer_sequence<int, N>;
+    using every = std::make_integer_sequence<int, N * N>;
+    static constexpr bool exact = std::numeric_limits<S>::is_exact;
+    static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
+    /// How many velocities the first guess of the next one is made from; rationals would only grow.
+    static constexpr int history = exact or at_start or at_end ? 1 : 7;
+
+public:
+    /// `like` has the dimension of the states to come.
+    one_node(tableau<S> const& t, S const& h, V const& /*like*/, Extra extra = {}) : extra_(std::move(extra)) { prepare(t, h); }
+    /// Steps of another length.
+    void prepare(tableau<S> const& t, S const& h) {
+        h_ = h;
+        w_ = t.w(0);
+        node_ = t.a(0, 1) * h;
+        c_ = w_ * t.a(0, 1);
+        f_ = w_ * t.a(0, 0);
+        known_ = known_ > 0 ? 1 : 0; // velocities at other distances do not extrapolate
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    /// The velocity to start from where there is no step before.
+    void guess(V const& v) {
+        if (known_ > 0) return;
+        past_[0] = components(v, all{});
+        known_ = 1;
+    }
+    [[nodiscard]] bool needs_guess() const { return known_ == 0; }
+    [[nodiscard]] Extra& extra() { return extra_; }
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("known", known_);
+        for (auto& v : past_)
+            for (S& x : v) each("velocity", x);
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
+    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
+    /// @throws the same as a step_failure
+    HILGER_ALWAYS_INLINE void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
+
+private:
+    template <bool SayWhere>
+    HILGER_ALWAYS_INLINE void chosen_advance(Problem const& problem, state<S, V>& x) {
+        if (not flat_or_not<SayWhere>(problem, x)) [[unlikely]]
+            advance_on_branches<SayWhere>(problem, x, all{});
+    }
+    template <bool SayWhere>
+    HILGER_ALWAYS_INLINE bool flat_or_not(Problem const& problem, state<S, V>& x) {
+        if constexpr (std::is_floating_point_v<S>)
+            return flat_advance<SayWhere>(problem, x);
+        else
+            return advance<SayWhere>(problem, x, all{}, every{});
+    }
+    template <bool SayWhere>
+    HILGER_FLATTEN bool flat_advance(Problem const& problem, state<S, V>& x) {
+        return advance<SayWhere>(problem, x, all{}, every{});
+    }
+
+    /// False, and nothing has happened, where L has branches: what is proved is a root on the branch of the last round, and that may not be
+    /// the branch of the root.
+    template <bool SayWhere, int... K, int... M>
+    HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
+                                      std::integer_sequence<int, M...>) {
+        using std::abs;
+        components_ const q{s::component(x.q, K)...}, p{start<K>(x.p)...};
+        // One name for one number, where the type says so: what is computed from it twice is then computed once.
+        S const w = w_, c = at_end ? w : c_, f = at_start ? w : f_, t = x.t + node_;
+        // Sizes: a step may go back in time.
+        S const w_size = abs(w), c_size = abs(c), f_size = abs(f);
+        // For order one dL/dv = p + ... is often linear in v, and then any v will do to start from.
+        components_ v = at_start or at_end ? components_{} : first_guess(every_component);
+        components_ r{};
+        components_ d{};
+        bool singular = false;
+        std::uint64_t const compared_before = comparisons_made();
+        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+            std::uint64_t const compared = comparisons_made();
+            components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
+            auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
+            bool const branched = comparisons_made() != compared;
+            components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
+            r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
+            // c and f are zero by the type where the position is one of the ends
+            if constexpr (has_step_force<Extra>) ((r[K] = r[K] - half_resistance<K>() * v[K]), ...);
+            matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
+                                                : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
+            matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
+                                     : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
+                            at_end ? S(0) : times(f, D[M]))...};
+            if constexpr (has_step_force<Extra>) ((J[static_cast<std::size_t>(K * N + K)] += half_resistance<K>()), ...);
+            d = r;
+            if (not small_solve(J, d)) {
+                singular = true;
+                break;
+            }
+            bool const quadratic = not e.on().coupled and e.on().v <= 2;
+            if (not(at_start or at_end) or not quadratic) tally<S>::add(work::newton_round);
+            if constexpr (at_start or at_end)
+                if (iteration == 0 and not quadratic) {
+                    v = past_[0];
+                    continue;
+                }
+            v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
+            bool done;
+            if constexpr (at_start) {
+                done = quadratic or at_the_floor(largest(d), v);
+                if (not quadratic) (add_row<K>(g, D, d), ...);
+            } else if constexpr (at_end) {
+                done = quadratic or at_the_floor(largest(d), v);
+                if (done) {
+                    components_ const B{plus(q[K], S(c * v[K]))...};
+                    auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
+                    g = components_{again.template by_q<K>()...};
+                }
+            } else {
+                components_ change{};
+                (add_row<K>(change, D, d), ...);
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size * largest(d), largest(A) + c_size * largest(v), w_size, largest(g),
+                                                                  largest(change), largest(p))
+                                 : at_the_floor(largest(d), v);
+                g = components_{plus(g[K], change[K])...};
+            }
+            if (not done) {
+                if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
+            }
+            if (branched) [[unlikely]]
+                return false;
+            // A finite v and g may still lead beyond the largest number.
+            if constexpr (not exact)
+                if (S const nan = overflow_in<K...>(q, p, w, v, g); not(nan == S(0))) {
+                    r[0] = nan;
+                    break;
+                }
+            take<K...>(x, w, v, g);
+            return true;
+        }
+        if (comparisons_made() != compared_before) [[unlikely]]
+            return false;
+        if constexpr (SayWhere)
+            failure<K...>::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
+        else
+            failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
+    }
+    /// The same from the beginning for an L with branches.
+    template <bool SayWhere, int... K>
+    HILGER_ALWAYS_INLINE void advance_on_branches(Problem const& problem, state<S, V>& x,
+                                                  std::integer_sequence<int, K...> every_component) {
+        S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
+        components_ const v = first_guess(every_component);
+        auto const found = on_branches<K...>::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
+                                                                      start<K>(x.p)..., v[K]..., half_resistance<K>()...);
+        take<K...>(x, w_, found.v, found.g);
+    }
+    template <int... K>
+    HILGER_ALWAYS_INLINE void take(state<S, V>& x, S const& w, components_ const& v, components_ const& g) {
+        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v), K)), ...);
+        x.t = x.t + h_;
+        remember(v);
+    }
+    template <int J>
+    HILGER_ALWAYS_INLINE static void add_row(components_& g, matrix_ const& D, components_ const& d) {
+        [&]<int... K>(std::integer_sequence<int, K...>) HILGER_ALWAYS_INLINE {
+            ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
+        }
+        (all{});
+    }
+    /// What of the momentum at the start does not depend on v.
+    template <int K>
+    HILGER_ALWAYS_INLINE S start(V const& p) const {
+        if constexpr (has_step_force<Extra>)
+            return S(s::component(p, K) + h_ / S(2) * s::component(extra_.constant, K));
+        else
+            return s::component(p, K);
+    }
+    /// -h/2 dF/dv
+    template <int K>
+    HILGER_ALWAYS_INLINE S half_resistance() const {
+        if constexpr (not has_step_force<Extra>)
+            return S(0);
+        else
+            return S(h_ / S(2) * w_ * s::component(extra_.slope, K));
+    }
+    /// The change of the momentum in the step.
+    template <int K>
+    HILGER_ALWAYS_INLINE S gained(S const& w, components_ const& g, components_ const& v) const {
+        if constexpr (has_step_force<Extra>)
+            return S(w * g[K] + h_ * extra_.at(S(w * v[K]), K));
+        else
+            return S(w * g[K]);
+    }
+    /// 0 for a number, NaN for NaN and infinity.
+    HILGER_ALWAYS_INLINE static S overflow(S const& x) { return x - x; }
+    template <int... K>
+    HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v,
+                                       components_ const& g) const {
+        return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
+    }
+    /// Convergence is quadratic: after this correction the error is of the size of epsilon.
+    HILGER_ALWAYS_INLINE static bool at_the_floor(S const& size, components_ const& v) {
+        return size <= square_root_of_epsilon<S>() * small() * largest(v);
+    }
+    /// The same where v enters quadratically and the error is in dL/dq alone: `moved` is the correction of the position, `change` what it
+    /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach: as a quotient, for the
+    /// squares of positions leave the range of the scalar long before positions do.
+    HILGER_ALWAYS_INLINE static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
+        S const relative = moved / reach;
+        return w * relative * (g * relative + change) <= epsilon<S>() * small() * (p + w * g);
+    }
+    /// With compensated sums the error that Newton leaves must not be seen either.
+    static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }
+
+    /// The value of the polynomial through the last velocities at the next node.
+    template <int... K>
+    HILGER_ALWAYS_INLINE components_ first_guess(std::integer_sequence<int, K...>) const {
+        if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};
+        if (known_ >= 2) return {S(past_[0][K] + (past_[0][K] - past_[1][K]))...};
+        return past_[0];
+    }
+    template <int K, int... I>
+    HILGER_ALWAYS_INLINE S extrapolated(std::integer_sequence<int, I...>) const {
+        return ((S(extrapolation(history, I)) * past_[I][K]) + ...);
+    }
+    template <int... I>
+    HILGER_ALWAYS_INLINE void shift(std::integer_sequence<int, I...>) {
+        ((past_[history - 1 - I] = past_[history - 2 - I]), ...);
+    }
+    HILGER_ALWAYS_INLINE void remember(components_ const& v) {
+        if constexpr (history > 1) {
+            shift(std::make_integer_sequence<int, history - 1>{});
+            if (known_ < history) ++known_;
+        }
+        past_[0] = v;
+    }
+    /// How a step fails. The numbers are handed over one by one and by value: as arrays, or caught where the step is made, they would have
+    /// to be in memory for this in every step that succeeds.
+    template <int... K>
+    class failure {
+        template <int>
+        using number = S;
+
+    public:
+        [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, number<K>... d, bool singular) {
+            bool const finite = is_finite(S((v + ...))) or singular;
+            S const size = largest(components_{d...});
+            give_up("the step p = -d_1 L_h(q, y)", singular, vector(v...), finite ? vector(r...) : vector(v...), size);
+        }
+        [[noreturn, gnu::noinline, gnu::cold]] static void tell_where(S t, S h, number<K>... q, number<K>... p, number<K>... v,
+                                                                      number<K>... r, number<K>... d, bool singular) {
+            saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., d..., singular); });
+            __builtin_unreachable();
+        }
+
+    private:
+        static V vector(number<K>... x) {
+            V y;
+            ((s::component(y, K) = x), ...);
+            return y;
+        }
+    };
+
+    struct node_values {
+        components_ v, g;
+    };
+    /// The step of a Lagrangian with branches: from the iterate v on, until the equation holds at what is returned. Numbers one by one, as
+    /// above.
+    template <int... K>
+    class on_branches {
+        template <int>
+        using number = S;
+
+    public:
+        template <bool SayWhere>
+        [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
+                                                             number<K>... p, number<K>... v, number<K>... resistance) {
+            node_values found{};
+            auto const search = [&] { found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), {resistance...}); };
+            if constexpr (SayWhere)
+                saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
+            else
+                search();
+            return found;
+        }
+
+    private:
+        static node_values searched(Problem const& problem, S const& t, S const& w, S const& c, S const& f, components_ const& q,
+                                    V const& p, V v, components_ const& resistance) {
+            matrix_ J{};
+            components_ g{};
+            // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
+            auto const evaluate_at = [&](V const& y, V& r) {
+                components_ const B{s::component(y, K)...}, A{S(q[K] + c * B[K])...};
+                auto const e = evaluate<s::is_scalar, false>(problem, t, A, B, all{});
+                g = {S(e.template by_q<K>())...};
+                ((s::component(r, K) = s::component(p, K) + f * g[K] - e.template by_v<K>() - resistance[K] * B[K]), ...);
+                matrix_ D{};
+                S sizes(0);
+                auto const row = [&]<int I>(std::integral_constant<int, I>) {
+                    ((D[I * N + K] = c * e.template qq<I, K>() + e.template qv<I, K>(),
+                      J[I * N + K] = e.template vv<I, K>() + c * e.template vq<I, K>() - f * D[I * N + K],
+                      sizes = std::max(sizes, S(magnitude(S(f * e.template qq<I, K>()))))),
+                     ...);
+                };
+                (row(std::integral_constant<int, K>{}), ...);
+                ((J[K * N + K] = J[K * N + K] + resistance[K]), ...);
+                return S(magnitude(p) + magnitude(f) * largest(g) + S(N) * (sizes * largest(A) + largest(J) * magnitude(y)));
+            };
+            auto const correct = [&](V const& r, V& d) {
+                components_ x{s::component(r, K)...};
+                matrix_ copy = J;
+                if (not small_solve(copy, x)) return false;
+                d = vector(x[K]...);
+                return true;
+            };
+            V residual = v;
+            branch_search const how = search_branches(v, residual, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+            if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
+            node_values const found{{s::component(v, K)...}, g};
+            components_ const at_p{s::component(p, K)...};
+            if (S const nan = exact ? S(0) : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(at_p[K] + w * g[K])) + ...));
+                not(nan == S(0)))
+                give_up_on_branches("the step p = -d_1 L_h(q, y)", branch_search::not_finite, v, v);
+            return found;
+        }
+        static V vector(number<K>... x) {
+            V y;
+            ((s::component(y, K) = x), ...);
+            return y;
+        }
+    };
+
+    S h_, w_, node_, c_, f_;
+    [[no_unique_address]] Extra extra_;
+    std::array<components_, history> past_{};
+    int known_ = 0;
+    [[no_unique_address]] summation<Compensated, S, N> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, N> sum_p_;
+};
+
+} // namespace hilger::detail

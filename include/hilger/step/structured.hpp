@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of an embedding with one node for L = v.Mv / 2 - U(q) of any size (hilger/models/mechanical.hpp): with the velocity at the
+// node as the unknown, M v = p - a_0 h U'(q + a_1 h v). First by iteration with M alone, which costs one gradient a round and gains a
+// factor h^2 |M^-1 U''| / 4; where that is too little, by Newton, solving with M + a_0 a_1 h^2 U'' in the pattern that U has.
+#pragma once
+
+#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/stop.hpp"
+#include "hilger/step/force.hpp"
+#include "hilger/step/state.hpp"
+#include "hilger/step/structured_solvers.hpp"
+#include "hilger/step/summation.hpp"
+#include "hilger/step/tableau.hpp"
+
+namespace hilger::detail {
+
+/// What one trajectory remembers from step to step.
+template <class L, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
+class structured {
+    using s = shape<V>;
+    static constexpr bool resisted = has_step_force<Extra>;
+    /// The mass, and to its diagonal what a force that grows with the step adds to it.
+    static decltype(auto) inertia(L const& l, tableau<S> const& t, S const& h, Extra const& extra) {
+        if constexpr (resisted) {
+            V const more = extra.slope * S(h / S(2) * t.w(0));
+            if constexpr (L::is_matrix) {
+                block_of<V> m = l.mass().template cast<S>();
+                if (m.rows() == more.size() and m.cols() == more.size()) m.diagonal() += more;
+                return m;
+            } else if constexpr (requires { l.mass().size(); })
+                return l.mass().size() == more.size() ? V(l.mass().template cast<S>() + more) : V(l.mass().template cast<S>());
+            else
+                return V(more.array() + S(l.mass()));
+        } else
+            return l.mass();
+    }
+    using Mass = std::remove_cvref_t<decltype(inertia(std::declval<L const&>(), std::declval<tableau<S> const&>(), std::declval<S const&>(),
+                                                      std::declval<Extra const&>()))>;
+    static constexpr int history = Facts.at_start or Facts.at_end ? 1 : 8;
+
+public:
+    structured(tableau<S> const& t, S const& h, L const& l, V const& like, Extra extra = {})
+        : extra_(std::move(extra)), mass_(inertia(l, t, h, extra_), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like),
+          room_(like.size() + 1), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+        l.potential().check(like.size());
+        past_.fill(V(like));
+        prepare(t, h);
+    }
+    void prepare(tableau<S> const& t, S const& h) {
+        h_ = h;
+        w_ = t.w(0);
+        c_ = w_ * t.a(0, 1);
+        f_ = w_ * t.a(0, 0);
+        if (known_ > 1) known_ = 0;
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] Extra& extra() { return extra_; }
+
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        int stiff = stiff_ ? 1 : 0;
+        each("known", known_);
+        each("newest", newest_);
+        each("stiff", stiff);
+        stiff_ = stiff != 0;
+        for (V& v : past_)
+            for (int k = 0; k < s::dimension(v); ++k) each("velocity", v(k));
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    void advance(L const& l, state<S, V>& x) {
+        auto const& U = l.potential();
+        if constexpr (resisted) start_ = x.p + S(h_ / S(2)) * extra_.constant;
+        if constexpr (Facts.at_start) {
+            force(U, x.q);
+            mass_.solve(start(x) - w_ * g_, v_);
+        } else if constexpr (Facts.at_end) {
+            mass_.solve(start(x), v_);
+            A_ = x.q + c_ * v_;
+            force(U, A_);
+        } else {
+            first_guess(x);
+            bool const done = not stiff_ and functional(U, x);
+            if (not done) {
+                if (not stiff_) first_guess(x);
+                newton(l, x);
+            }
+        }
+        // A finite v and g may still lead beyond the largest number; where v comes from the new momentum it shows that one.
+        S sum = (x.q + w_ * v_).sum();
+        if constexpr (resisted) r_ = S(w_ * h_) * extra_.slope.cwiseProduct(v_) - h_ * extra_.constant; // taken beside w U'
+        if constexpr (resisted)
+            sum += (x.p - w_ * g_ - r_).sum();
+        else if constexpr (not Facts.at_start)
+            sum += (x.p - w_ * g_).sum();
+        if (not is_finite(sum)) [[unlikely]]
+            refuse_overflow(x);
+        if constexpr (Compensated)
+            for (int k = 0; k < s::dimension(x.q); ++k) {
+                sum_q_.add(x.q(k), S(w_ * v_(k)), k);
+                sum_p_.add(x.p(k), gained(k), k);
+            }
+        else {
+            x.q += w_ * v_;
+            x.p -= w_ * g_;
+            if constexpr (resisted) x.p -= r_;
+        }
+        x.t = x.t + h_;
+        if constexpr (history > 1) {
+            newest_ = (newest_ + history - 1) % history;
+            past_[static_cast<std::size_t>(newest_)] = v_;
+            if (known_ < history) ++known_;
+        }
+    }
+
+private:
+    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
+    /// @throws error::not_finite, unless it was the sum alone that overflowed
+    [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
+        next_ = resisted ? r_ : V(zero_like(r_));
+        r_ = next_ - next_;
+        r_ += (x.q + w_ * v_) - (x.q + w_ * v_);
+        r_ += (x.p - w_ * g_) - (x.p - w_ * g_);
+        if (not all_finite(r_)) give_up(name, false, v_, r_, S(0));
+    }
+    /// The momentum at the start, with what of the extra force does not depend on v.
+    [[nodiscard]] V const& start(state<S, V> const& x) const {
+        if constexpr (resisted)
+            return start_;
+        else
+            return x.p;
+    }
+    /// The change of the momentum, after which r_ is what the extra force has taken.
+    [[nodiscard]] S gained(index_type k) const {
+        if constexpr (resisted)
+            return S(-(w_ * g_(k)) - r_(k));
+        else
+            return S(-(w_ * g_(k)));
+    }
+    [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
+    template <class U>
+    void force(U const& potential, V const& q) {
+        tally<S>::add(work::force);
+        branch_watch const watch;
+        potential.gradient(q, g_, room_);
+        path_before_ = path_;
+        path_ = watch.saw_any() ? watch.path() : branch_path{};
+    }
+    [[nodiscard]] bool has_branches() const { return not(path_ == branch_path{}); }
+    /// Whether the force was the same formula the last two times: then what an iteration has concluded from the one holds of the other.
+    [[nodiscard]] bool on_one_branch() const { return path_ == path_before_; }
+    /// The same of the next force, at the velocity that is to be returned; a force without branches is none.
+    template <class U>
+    bool stays_on_its_branch(U const& potential, state<S, V> const& x) {
+        if (not has_branches()) return true;
+        A_ = x.q + c_ * v_;
+        force(potential, A_);
+        return on_one_branch();
+    }
+    void first_guess(state<S, V> const& x) {
+        if (known_ == history)
+            extrapolate(std::make_integer_sequence<int, history>{});
+        else if (known_ >= 2)
+            v_ = S(2) * past(0) - past(1);
+        else if (known_ == 1)
+            v_ = past(0);
+        else
+            mass_.solve(start(x), v_);
+    }
+    template <int... I>
+    void extrapolate(std::integer_sequence<int, I...>) {
+        v_ = ((S(extrapolation(history, I)) * past(I)) + ...);
+    }
+    /// False where it converges too slowly to be worth it.
+    template <class U>
+    bool functional(U const& potential, state<S, V> const& x) {
+        S previous(-1);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            A_ = x.q + c_ * v_;
+            force(potential, A_);
+            mass_.solve(start(x) - f_ * g_, next_);
+            S const size = largest_difference(), reach = largest_of(next_);
+            hand_over(next_, v_);
+            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            S const floor = epsilon<S>() * reach;
+            bool const converged = size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
+                                   (previous > S(0) and size * (size / previous) <= floor * small());
+            if (converged and stays_on_its_branch(potential, x)) return true;
+            if (previous > S(0)) {
+                if (not(S(4) * size < previous) and S(1024) * floor < size) { // and not among rounding errors, which do not shrink
+                    stiff_ = true;
+                    return false;
+                }
+            }
+            previous = size;
+        }
+        return false;
+    }
+    void newton(L const& l, state<S, V> const& x) {
+        auto const& U = l.potential();
+        if (not prepared_) {
+            kernel_.prepare(U.pattern(x.q.size()), x.q.size(), [&](auto const& put) {
+                U.hessian(x.q, put);
+                mass_.put(put);
+            });
+            prepared_ = true;
+        }
+        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
+        S const scale = f_ * c_;
+        S size(0);
+        for (int round = 0; round < most_iterations<S>; ++round) {
+            A_ = x.q + c_ * v_;
+            force(U, A_);
+            kernel_.zero();
+            mass_.put(put);
+            U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
+            tally<S>::add(work::newton_round);
+            // M v rounds; r = p - f U' - M v with the same mass that the kernel has
+            residual(l, x);
+            next_ = r_;
+            bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
+            if (has_branches() and not(regular and is_number)) break;
+            if (not regular) give_up(name, true, v_, r_, size);
+            v_ += next_;
+            size = largest_of(next_);
+            if (not is_number) give_up(name, false, v_, next_, size);
+            if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
+                (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
+                A_ = x.q + c_ * v_;
+                force(U, A_);
+                if (on_one_branch()) return;
+            }
+        }
+        if (not has_branches()) give_up(name, false, v_, r_, size);
+        first_guess(x);
+        search(l, x);
+    }
+    /// For a U with branches, where full steps of Newton's method go round between them.
+    [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
+        auto const& U = l.potential();
+        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
+        S const scale = f_ * c_;
+        auto const evaluate_at = [&](V const& y, V& r) {
+            v_ = y;
+            A_ = x.q + c_ * v_;
+            kernel_.zero();
+            mass_.put(put);
+            S bends(0);
+            U.hessian(A_, [&](index_type j, index_type k, S const& b) {
+                bends = std::max(bends, S(magnitude(b)));
+                kernel_.add(j, k, S(scale * tally<S>::second(b)));
+            });
+            force(U, A_);
+            residual(l, x);
+            r = r_;
+            return S(largest_of(x.p) * S(2) + magnitude(f_) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
+        };
+        auto const correct = [&](V const& r, V& d) {
+            tally<S>::add(work::newton_round);
+            d = r;
+            return kernel_.solve(d);
+        };
+        V y = v_, rest = v_;
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+        if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
+    }
+    void residual(L const& l, state<S, V> const& x) {
+        if constexpr (L::is_matrix)
+            r_ = start(x) - f_ * g_ - l.mass().template cast<S>() * v_;
+        else if constexpr (requires { l.mass().size(); })
+            r_ = start(x) - f_ * g_ - l.mass().template cast<S>().cwiseProduct(v_);
+        else
+            r_ = start(x) - f_ * g_ - S(l.mass()) * v_;
+        if constexpr (resisted) r_ -= S(w_ * h_ / S(2)) * extra_.slope.cwiseProduct(v_);
+    }
+    /// Gives `to` the numbers of `from`, which are not needed there any more: the cheapest way.
+    static void hand_over(V& from, V& to) {
+        if constexpr (s::size == Eigen::Dynamic)
+            to.swap(from);
+        else
+            to = from;
+    }
+    static S largest_of(V const& x) { return x.cwiseAbs().maxCoeff(); }
+    S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }
+    static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
+
+    [[no_unique_address]] Extra extra_;
+    [[no_unique_address]] std::conditional_t<resisted, V, no_step_force> start_;
+    S h_, w_, c_, f_;
+    mass_solver<Mass, V> mass_;
+    pattern_solver<V> kernel_;
+    bool prepared_ = false, stiff_ = false;
+    V v_, r_, g_, A_, next_;
+    Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
+    branch_path path_, path_before_; ///< of the last force and of the one before
+    std::array<V, history> past_;
+    int newest_ = 0, known_ = 0;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+};
+
+} // namespace hilger::detail

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSL-1.0
+// States between the points of a trajectory: the cubic Hermite polynomial in t through (q, p) at both ends of a step, with the slopes of
+// the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces, among them the one of a history. Its own error is of order 4 in the
+// step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.6); the error of the points adds to it.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/trajectory/recording.hpp"
+#include "hilger/variational/legendre.hpp"
+#include "hilger/variational/problem.hpp"
+
+namespace hilger {
+
+/// q' and p' of the continuous system.
+template <class V>
+struct slopes {
+    V q, p;
+};
+
+/// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
+template <class F, class Force, class S, class V>
+slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
+    V v = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
+    if constexpr (detail::shape<V>::size != Eigen::Dynamic and detail::shape<V>::size <= detail::one_evaluation) {
+        V p = detail::expand_at(mechanics, x.t, x.q, v).e.by_q; // one evaluation, which a step has compiled already
+        return {std::move(v), std::move(p)};
+    } else {
+        V p = gradient_first(detail::at_time{mechanics.lagrangian, x.t}, x.q, v);
+        if constexpr (not std::same_as<Force, no_force>) p += evaluated(detail::at_time{mechanics.force, x.t}(x.q, v));
+        return {std::move(v), std::move(p)};
+    }
+}
+
+/// Refused: the force of a history is not in the state.
+template <class Damped, class S, class V>
+    requires requires(Damped const& d) { d.mechanics, d.damping; }
+slopes<V> slopes_at(Damped const&, state<S, V> const& x) {
+    static_assert(sizeof(Damped) == 0, "the slopes of a flow with fractional damping come from its history: give dense_output the path, "
+                                       "dense_output(flow.along(T, q0, p0))");
+    return {x.q, x.p};
+}
+
+namespace detail {
+
+/// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
+template <class Walk, class Method, class State>
+auto slopes_on(Walk const& walk, Method const& method, State const& x, bool back) {
+    if constexpr (requires { walk.remembered().damping_force(back); }) {
+        auto result = slopes_at(method.undamped().mechanics(), x);
+        result.p = result.p + walk.remembered().damping_force(back);
+        return result;
+    } else {
+        static_assert(not has_history<Method>, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's "
+                                               "scheme, whose forces are no function of a state");
+        return slopes_at(method.mechanics(), x);
+    }
+}
+
+} // namespace detail
+
+/// The states between two neighbouring ones.
+template <class S, class V>
+class dense_step {
+public:
+    dense_step(state<S, V> from, slopes<V> slopes_from, state<S, V> to, slopes<V> slopes_to)
+        : a_(std::move(from)), b_(std::move(to)), da_(std::move(slopes_from)), db_(std::move(slopes_to)) {}
+    template <class Mechanics>
+    dense_step(Mechanics const& mechanics, state<S, V> const& from, state<S, V> const& to)
+        : dense_step(from, slopes_at(mechanics, from), to, slopes_at(mechanics, to)) {}
+
+    /// The state at t, the given ones exactly at the ends. @throws error::outside_domain
+    [[nodiscard]] state<S, V> operator()(S const& t) const {
+        if (not(a_.t <= t) or not(t <= b_.t)) // NaN is outside too
+            error::raise<error::outside_domain>(t, " is outside the step from ", a_.t, " to ", b_.t);
+        state<S, V> y = at_fraction(S((t - a_.t) / (b_.t - a_.t)));
+        y.t = t;
+        return y;
+    }
+    /// The state at (1 - x) t_i + x t_{i+1}, 0 <= x <= 1: q and p do not know how t rounds.
+    [[nodiscard]] state<S, V> at_fraction(S const& x) const {
+        if (x == S(1)) return b_;
+        S const h = b_.t - a_.t;
+        return {std::min(S(a_.t + x * h), b_.t), between(a_.q, da_.q, b_.q, db_.q, h, x), between(a_.p, da_.p, b_.p, db_.p, h, x)};
+    }
+
+private:
+    static V between(V const& a, V const& da, V const& b, V const& db, S const& h, S const& x) {
+        S const y = S(1) - x;
+        return V(a + (b - a) * S(x * x * (S(3) - S(2) * x)) + (da * S(y * y * x * h) - db * S(x * x * y * h)));
+    }
+    state<S, V> a_, b_;
+    slopes<V> da_, db_;
+};
+
+/// The states between those of a trajectory, which is walked for it, or of one that was kept: dense_output(path), or of a flow without a
+/// history dense_output(flow.mechanics(), states).
+template <class S, class V>
+class dense_output {
+public:
+    /// States in the order of time, two at least. @throws error::mismatch for fewer, and as slopes_at does
+    template <class Mechanics>
+    dense_output(Mechanics const& mechanics, std::vector<state<S, V>> states) : states_(std::move(states)) {
+        if (states_.size() < 2)
+            error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
+        slopes_.reserve(states_.size());
+        for (auto const& x : states_) slopes_.push_back(slopes_at(mechanics, x));
+    }
+    /// @throws what walking throws, and slopes_at
+    template <class Path>
+        requires requires(Path const& path) { path.begin(), path.method(); }
+    explicit dense_output(Path const& path) {
+        for (auto at = path.begin(); not(at == path.end()); ++at) {
+            slopes_.push_back(detail::slopes_on(at, path.method(), *at, false));
+            states_.push_back(*at);
+        }
+    }
+    /// @throws error::outside_domain when t is before the first state or after the last.
+    [[nodiscard]] state<S, V> operator()(S const& t) const {
+        if (not(states_.front().t <= t) or not(t <= states_.back().t))
+            error::raise<error::outside_domain>(t, " is outside the interval [", states_.front().t, ", ", states_.back().t, "]");
+        auto const after = std::upper_bound(states_.begin() + 1, states_.end() - 1, t, [](S const& s, auto const& x) { return s < x.t; });
+        auto const i = static_cast<std::size_t>(after - states_.begin());
+        return dense_step<S, V>(states_[i - 1], slopes_[i - 1], states_[i], slopes_[i])(t);
+    }
+
+private:
+    std::vector<state<S, V>> states_;
+    std::vector<slopes<V>> slopes_;
+};
+template <class Path>
+dense_output(Path const& path) -> dense_output<decltype((*path.begin()).t), decltype((*path.begin()).q)>;
+
+} // namespace hilger

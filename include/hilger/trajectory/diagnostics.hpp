@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSL-1.0
+// What geometric integrators are judged by, measured on any method, problem and scalar:
+//   drift_along(path, energy(L))                       error of the energy: largest, slope against time, correlation with time
+//   drift_along(path, momentum_map(xi))                the same of the momentum p.xi(q) of a symmetry with generator xi (Noether)
+//   symplecticity_error(jacobian_of_step(...))         |M^T J M - J|
+//   reversibility_error(method, adjoint, x, h)         a step there with the method and back with its adjoint
+//   largest_residual(equation, x)                      of the discrete Euler-Lagrange equation at a trajectory
+// Bounded energy errors without drift are what backward error analysis promises of symplectic methods (Hairer, Lubich, Wanner, Geometric
+// Numerical Integration, theorem IX.8.1).
+#pragma once
+
+#include "hilger/trajectory/trajectory.hpp"
+#include "hilger/variational/legendre.hpp"
+#include "hilger/variational/problem.hpp"
+#include "hilger/variational/restricted.hpp"
+#include "hilger/variational/variation.hpp"
+
+namespace hilger {
+
+namespace detail {
+/// The larger of a bound and a magnitude; not a number where either is none, so that it cannot be overlooked.
+template <class S>
+S larger(S const& bound, S const& x) {
+    return x <= bound or not(bound == bound) ? bound : x;
+}
+} // namespace detail
+
+/// How a quantity e(t) that should stay what it was at the start does not.
+template <class S>
+struct drift_statistics {
+    S largest{0};                                  ///< max |e(t) - e(start)|
+    S time_square{0}, error_square{0}, product{0}; ///< sums of squares and products of the deviations from the means
+    /// Least-squares slope of the error against time.
+    [[nodiscard]] S slope() const { return time_square == S(0) ? S(0) : S(product / time_square); }
+    /// Correlation of the error with time, between -1 and 1; 0 where there is no error.
+    [[nodiscard]] S correlation() const {
+        using std::sqrt;
+        return error_square == S(0) or time_square == S(0) ? S(0) : S(product / sqrt(S(time_square * error_square)));
+    }
+};
+
+/// The drift of quantity(state) along any range of states, in one pass and with nothing stored (Welford's update of means and sums).
+template <class Path, class Quantity>
+auto drift_along(Path const& path, Quantity const& quantity) {
+    using S = std::remove_cvref_t<decltype((*path.begin()).t)>;
+    drift_statistics<S> result;
+    S start(0), mean_t(0), mean_e(0);
+    long long count = 0;
+    for (auto const& x : path) {
+        S const value = quantity(x);
+        if (count == 0) start = value;
+        S const error = value - start;
+        result.largest = detail::larger(result.largest, S(magnitude(error)));
+        S const n(++count), from_t = x.t - mean_t, from_e = error - mean_e;
+        mean_t = mean_t + from_t / n;
+        mean_e = mean_e + from_e / n;
+        result.time_square = result.time_square + from_t * (x.t - mean_t);
+        result.error_square = result.error_square + from_e * (error - mean_e);
+        result.product = result.product + from_t * (error - mean_e);
+    }
+    return result;
+}
+
+/// The energy H(p, q) = p.v - L(q, v) of a state, for L(q, v) or L(t, q, v).
+template <class L>
+auto energy(L lagrangian) {
+    return [lagrangian = std::move(lagrangian)](auto const& x) { return hamiltonian(detail::at_time{lagrangian, x.t})(x.p, x.q); };
+}
+/// The momentum map p.xi(q) of a one-parameter group of symmetries of L with infinitesimal generator xi, a vector field.
+template <class Generator>
+auto momentum_map(Generator xi) {
+    return [xi = std::move(xi)](auto const& x) { return scalar_of<decltype(x.q)>(dot_product(x.p, decltype(x.q)(xi(x.q)))); };
+}
+
+namespace detail {
+/// A 2d x 2d matrix that acts on (q, p).
+template <class V>
+using phase_matrix = Eigen::Matrix<scalar_of<V>, shape<V>::size == Eigen::Dynamic ? Eigen::Dynamic : 2 * shape<V>::size,
+                                   shape<V>::size == Eigen::Dynamic ? Eigen::Dynamic : 2 * shape<V>::size>;
+/// Component k of (q, p).
+template <class S, class V>
+S& phase_component(state<S, V>& x, int k) {
+    using s = shape<V>;
+    int const d = s::dimension(x.q);
+    return k < d ? s::component(x.q, k) : s::component(x.p, k - d);
+}
+} // namespace detail
+
+/// The derivative M of one step (q, p) -> (q', p'), 2d x 2d, by central differences of order 4. With steps of epsilon^(1/5) their error and
+/// that of rounding are of the size of epsilon^(4/5); in an exact scalar M is exact where the step is linear. @throws as a step does
+template <class Method, class S, class V>
+auto jacobian_of_step(Method const& method, state<S, V> const& x, S const& h) {
+    int const n = 2 * detail::shape<V>::dimension(x.q);
+    detail::phase_matrix<V> M(n, n);
+    for (int column = 0; column < n; ++column) {
+        S e(1);
+        if constexpr (not std::numeric_limits<S>::is_exact) {
+            using std::pow;
+            state<S, V> here = x;
+            e = pow(epsilon<S>(), S(S(1) / S(5))) * std::max(S(1), S(magnitude(detail::phase_component(here, column))));
+        }
+        auto const moved = [&](int times) {
+            state<S, V> y = x;
+            S& z = detail::phase_component(y, column);
+            z = z + S(times) * e;
+            return method.step(y, h);
+        };
+        auto a = moved(-2), b = moved(-1), c = moved(1), d = moved(2);
+        for (int row = 0; row < n; ++row) {
+            auto const part = [&](state<S, V>& y) { return S(detail::phase_component(y, row)); };
+            M(row, column) = (S(8) * (part(c) - part(b)) - (part(d) - part(a))) / (S(12) * e);
+        }
+    }
+    return M;
+}
+
+/// The largest entry of |M^T J M - J|, zero for a symplectic M of size 2d.
+template <class Matrix>
+auto symplecticity_error(Matrix const& M) {
+    using S = typename Matrix::Scalar;
+    int const n = static_cast<int>(M.rows()), d = n / 2;
+    S worst(0);
+    for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) {
+            S sum(k == j + d ? -1 : j == k + d ? 1 : 0);
+            for (int i = 0; i < d; ++i) sum = sum + (M(i, j) * M(d + i, k) - M(d + i, j) * M(i, k));
+            worst = detail::larger(worst, S(magnitude(sum)));
+        }
+    return worst;
+}
+
+/// The distance from x, in the largest component of q and p, after a step h with the method and a step -h with its adjoint, which is the
+/// method itself for a self-adjoint one. @throws as a step does
+template <class Method, class Adjoint, class S, class V>
+S reversibility_error(Method const& method, Adjoint const& adjoint, state<S, V> const& x, S const& h) {
+    state<S, V> const back = adjoint.step(method.step(x, h), S(-h));
+    return std::max(S(magnitude(V(back.q - x.q))), S(magnitude(V(back.p - x.p))));
+}
+
+namespace detail {
+/// The largest component of a function's values.
+template <class S, class R>
+S largest_of(R const& residual) {
+    S worst(0);
+    for (auto const& r : residual)
+        for (int k = 0; k < shape<std::remove_cvref_t<decltype(r)>>::dimension(r); ++k)
+            worst = larger(worst, S(magnitude(shape<std::remove_cvref_t<decltype(r)>>::component(r, k))));
+    return worst;
+}
+} // namespace detail
+
+/// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T); 0 where T has no inner point. Terms of the
+/// size |p| / h cancel in it, so it is a few epsilons of that where x is a solution.
+template <class Action, discrete_function X>
+auto largest_residual(euler_lagrange<Action> const& equation, X const& x) {
+    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
+}
+/// The same of the equation of the first curve of a restricted principle, with its damping.
+template <class Action, linear_map A, linear_map B, class Root, discrete_function X>
+auto largest_residual(restricted_euler_lagrange<Action, A, B, Root> const& equation, X const& x) {
+    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
+}
+/// The same with a force f(q, v) or f(t, q, v) beside dL/dq.
+template <class Action, discrete_function X, class Force>
+auto largest_residual(euler_lagrange<Action> const& equation, X const& x, Force const& force) {
+    if constexpr (std::same_as<Force, no_force>)
+        return largest_residual(equation, x);
+    else
+        return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x, force));
+}
+
+} // namespace hilger

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSL-1.0
+// Where a real function g of the state passes zero along a trajectory: Poincare sections, periods, impacts. A change of sign between two
+// points is located on the dense output of that step to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748); nothing is stored.
+//   for (auto const& x : events(path, g, crossing::rising)) ...        the states where g passes zero
+//   for (auto const& x : until(path, g)) ...                           the states up to there, and that one last
+// An event is where g, not zero before, reaches or passes zero within a step: g = 0 at the start is none. Two within one step are not seen.
+#pragma once
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "hilger/trajectory/dense_output.hpp"
+
+namespace hilger {
+
+/// Which events are meant: g from negative to positive, from positive to negative, or both.
+enum class crossing { any, rising, falling };
+
+namespace detail {
+
+/// Walks a trajectory and notices sign changes of g.
+template <class Path, class G>
+class crossing_search {
+    using walk = decltype(std::declval<Path const&>().begin());
+
+public:
+    using state_type = typename walk::value_type;
+    using S = decltype(state_type::t);
+    static_assert(not std::numeric_limits<S>::is_exact, "events are located by root finding, which an exact scalar has not");
+
+    crossing_search(Path const& path, G const& g, crossing which)
+        : path_(&path), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {}
+    [[nodiscard]] bool ended() const { return walk_ == std::default_sentinel; }
+    [[nodiscard]] state_type const& state() const { return *walk_; }
+    /// One step; true when there was an event in it, unless that step would lead beyond the end.
+    bool step() {
+        before_ = *walk_;
+        was_ = now_;
+        ++walk_;
+        if (ended()) return false;
+        now_ = value(*walk_);
+        S const zero(0);
+        bool const rising = was_ < zero and not(now_ < zero), falling = zero < was_ and not(zero < now_);
+        return (rising and which_ != crossing::falling) or (falling and which_ != crossing::rising);
+    }
+    /// The first state at or behind the zero of g that step() told of.
+    [[nodiscard]] state_type located() const {
+        auto const& method = path_->method();
+        auto const inside = dense_step(before_, slopes_on(walk_, method, before_, true), *walk_, slopes_on(walk_, method, *walk_, false));
+        auto const g = [&](S const& x) { return value(inside.at_fraction(x)); };
+        auto const near_enough = [](S const& left, S const& right) { return right - left <= epsilon<S>(); };
+        std::uintmax_t most = 1000; // bisection alone would need one iteration for each binary digit
+        auto const root = boost::math::tools::toms748_solve(g, S(0), S(1), was_, now_, near_enough, most);
+        return inside.at_fraction(root.second);
+    }
+
+private:
+    /// @throws error::not_finite
+    S value(state_type const& x) const {
+        S y = (*g_)(x);
+        if (not is_finite(y)) error::raise<error::not_finite>("the function whose zeros are events is NaN or infinite at t = ", x.t);
+        return y;
+    }
+    Path const* path_;
+    G const* g_;
+    crossing which_;
+    walk walk_;
+    state_type before_;
+    S now_, was_{0};
+};
+
+/// The states at the events (Until: the states up to the first event, which is the last of them).
+template <class Path, class G, bool Until>
+class event_range {
+    using search = crossing_search<Path, G>;
+
+public:
+    class iterator {
+    public:
+        using iterator_concept = std::input_iterator_tag;
+        using value_type = typename search::state_type;
+        using difference_type = index_type;
+        explicit iterator(event_range const& range) : search_(range.path_, range.g_, range.which_), at_(search_.state()) {
+            if constexpr (not Until) advance();
+        }
+        value_type const& operator*() const { return at_; }
+        value_type const* operator->() const { return &at_; }
+        iterator& operator++() {
+            advance();
+            return *this;
+        }
+        void operator++(int) { advance(); }
+        friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.done_; }
+
+    private:
+        void advance() {
+            if constexpr (Until) {
+                if (not stopped_) {
+                    stopped_ = search_.step();
+                    done_ = search_.ended();
+                    if (not done_) at_ = stopped_ ? search_.located() : search_.state();
+                } else
+                    done_ = true;
+            } else {
+                while (not search_.step())
+                    if (search_.ended()) {
+                        done_ = true;
+                        return;
+                    }
+                at_ = search_.located();
+            }
+        }
+        search search_;
+        value_type at_;
+        bool stopped_ = false, done_ = false;
+    };
+    event_range(Path path, G g, crossing which) : path_(std::move(path)), g_(std::move(g)), which_(which) {}
+    [[nodiscard]] iterator begin() const& { return iterator(*this); }
+    template <class Kept = Path>
+    iterator begin() const&& {
+        trajectory_ends_here<Kept>();
+        return iterator(*this);
+    }
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    [[nodiscard]] auto const& scale() const { return path_.scale(); }
+
+private:
+    Path path_;
+    G g_;
+    crossing which_;
+};
+
+} // namespace detail
+
+/// The states at which g(state) passes zero, found as the range is walked. @throws error::not_finite when g is, and as the trajectory does
+template <class Path, class G>
+auto events(Path path, G g, crossing which = crossing::any) {
+    return detail::event_range<Path, G, false>(std::move(path), std::move(g), which);
+}
+/// The states of the trajectory up to the first event, with the state at that event as the last one; all of them when there is none.
+template <class Path, class G>
+auto until(Path path, G g, crossing which = crossing::any) {
+    return detail::event_range<Path, G, true>(std::move(path), std::move(g), which);
+}
+
+} // namespace hilger

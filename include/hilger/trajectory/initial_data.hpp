@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSL-1.0
+// What a trajectory starts from besides (q0, p0): initial_velocity{q0, v0}, or the first two positions, initial_positions{q0, q1}. Where
+// they are asked for they can be written in braces, with the names of their parts and anything that may be given as a state:
+//   solve(EL, T, {.q0 = 1.0, .v0 = 0})        flow.along(T, {.q0 = Eigen::Vector2d(1, 0), .q1 = x})        {.q0 = {1.0, 0.0}, .v0 = ...}
+// A list in braces has no type from which the kind of state could be deduced, so there is one overload for each: numbers, vectors of a
+// fixed size up to 6, vectors of dynamic size. Other states take the name of the type.
+#pragma once
+
+#include "hilger/variational/given_state.hpp"
+
+namespace hilger {
+
+/// Initial position and velocity. The momentum is p0 = dL/dv(q0, v0).
+template <class V>
+struct initial_velocity {
+    V q0;
+    V v0;
+};
+/// The first two positions. The momentum is p0 = -d_1 L_h(q0, q1).
+template <class V>
+struct initial_positions {
+    V q0;
+    V q1;
+};
+
+namespace detail {
+
+/// One type for two parts: numbers in the type of their sum; a vector as it is evaluated, with the length of the first.
+template <class X, class Y>
+struct common_parts {
+    using type = given_state_t<typename given_vector<X>::number, X>;
+};
+template <class X, class Y>
+    requires std::is_arithmetic_v<X> and std::is_arithmetic_v<Y>
+struct common_parts<X, Y> {
+    using type = std::common_type_t<X, Y>;
+};
+
+} // namespace detail
+
+template <class X, class Y>
+initial_velocity(X const&, Y const&) -> initial_velocity<typename detail::common_parts<X, Y>::type>;
+template <class X, class Y>
+initial_positions(X const&, Y const&) -> initial_positions<typename detail::common_parts<X, Y>::type>;
+
+namespace detail {
+
+/// Something given as the state V.
+template <class V>
+struct braced {
+    V value;
+    template <class X>
+        requires(given_size<X> == 0 and is_exact_state<X, V>)
+    constexpr explicit(false) braced(X const& x) : value(as_state<V>(x)) {}
+};
+template <class S, int Size>
+struct braced<Eigen::Matrix<S, Size, 1>> {
+    using V = Eigen::Matrix<S, Size, 1>;
+    V value;
+    template <class X>
+        requires(given_size<X> == Size and is_exact_state<X, S>)
+    explicit(false) braced(X const& x) : value(as_state<V>(x)) {}
+    template <exact_in<S>... X>
+        requires(sizeof...(X) == Size)
+    explicit(false) braced(X const&... x) : value(as_state<V>(std::array<S, sizeof...(X)>{exactly<S>(x)...})) {}
+};
+/// What stands first in these lists and cannot be written, so that their parts must be named.
+struct named {
+    explicit named() = default;
+};
+template <class S, int Size>
+struct velocity_in_braces {
+    using V = typename state_of_size<S, Size>::type;
+    named parts{};
+    braced<V> q0;
+    braced<V> v0;
+    [[nodiscard]] constexpr initial_velocity<V> data() const { return {q0.value, v0.value}; }
+};
+template <class S, int Size>
+struct positions_in_braces {
+    using V = typename state_of_size<S, Size>::type;
+    named parts{};
+    braced<V> q0;
+    braced<V> q1;
+    [[nodiscard]] constexpr initial_positions<V> data() const { return {q0.value, q1.value}; }
+};
+
+/// Takes what nothing above takes. Functions with these have another parameter that takes its argument by a conversion, which makes them
+/// the last choice.
+struct anything {
+    template <class... X>
+    constexpr explicit(false) anything(X const&...) {}
+};
+struct anything_in_braces {
+    anything q0;
+    anything v0;
+};
+struct any_positions_in_braces {
+    named parts{};
+    anything q0;
+    anything q1;
+};
+template <class T>
+constexpr int not_initial_data() {
+    static_assert(
+        not std::same_as<T, T>,
+        "initial data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, of two numbers or two vectors of one length, "
+        "in numbers with no more digits than those of T; vectors of fixed size above 6 are initial_velocity{q0, v0}");
+    return 0;
+}
+
+/// along(T, {...}) for states of one size.
+template <class Method, int Size>
+struct along_in_braces {
+    template <class Scale>
+    auto along(Scale const& T, velocity_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
+        return static_cast<Method const&>(*this).along(T, from.data());
+    }
+    template <class Scale>
+    auto along(Scale const& T, positions_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
+        return static_cast<Method const&>(*this).along(T, from.data());
+    }
+};
+template <class Method, int... Sizes>
+struct along_in_braces_of : along_in_braces<Method, Sizes>... {
+    using along_in_braces<Method, Sizes>::along...;
+};
+
+} // namespace detail
+} // namespace hilger

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSL-1.0
+// A trajectory kept in memory. A recording is whole: what a step throws is thrown by it. Who wants what there is of a run that fails says
+// so, and finds in `stopped` why and where it ended.
+//   auto const run = record(flow.along(T, q0, p0));                  run.states, run.positions(), run.momenta()
+//   auto const part = record(flow.along(T, q0, p0), keep_partial);   if (part.stopped) std::cerr << *part.stopped;
+#pragma once
+
+#include <optional>
+
+#include "hilger/function/function.hpp"
+#include "hilger/trajectory/trajectory.hpp"
+
+namespace hilger {
+
+/// Asks for what there is of a trajectory that stops before its end.
+inline constexpr struct keep_partial_t {
+} keep_partial{};
+
+/// States in the order of time; the last one is where the walk ended.
+template <class S, class V, class Scale>
+struct recording {
+    std::vector<state<S, V>> states;
+    std::optional<std::string> stopped; ///< what() of the error that ended the walk, if one did: with keep_partial alone
+    Scale scale;
+
+    /// q in C(T), one value per point. @throws error::mismatch when there is not one state for each point of T.
+    [[nodiscard]] auto positions() const { return on_scale(&state<S, V>::q); }
+    /// p in C(T), as above.
+    [[nodiscard]] auto momenta() const { return on_scale(&state<S, V>::p); }
+
+private:
+    auto on_scale(V state<S, V>::*part) const {
+        if (stopped)
+            error::raise<error::mismatch>("a function on ", scale,
+                                          " needs a trajectory that reaches its end, and this one stopped: ", *stopped);
+        std::vector<V> values;
+        values.reserve(states.size());
+        for (auto const& x : states) values.push_back(x.*part);
+        return function_on(scale, std::move(values));
+    }
+};
+
+namespace detail {
+
+template <class Path>
+using recording_of = recording<std::remove_cvref_t<decltype((*std::declval<Path const&>().begin()).t)>,
+                               std::remove_cvref_t<decltype((*std::declval<Path const&>().begin()).q)>,
+                               std::remove_cvref_t<decltype(std::declval<Path const&>().scale())>>;
+
+inline void require_stride(index_type stride) {
+    if (stride < 1) error::raise<error::invalid_parameter>("a recording keeps every stride-th state, and its stride was given as ", stride);
+}
+/// Keeps states as it walks, the one that was reached in any case; so that whoever catches what a step throws has them.
+template <class Path>
+void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
+    auto at = path.begin();
+    auto last = *at;
+    bool kept = false; // is the state that `at` stands on
+    auto const finish = [&] {
+        if (not kept) to.states.push_back(std::move(last));
+    };
+    try {
+        for (index_type walked = 0; not(at == path.end()); ++at, ++walked) {
+            last = *at;
+            kept = walked % stride == 0;
+            if (kept) to.states.push_back(last);
+        }
+    } catch (...) {
+        finish();
+        throw;
+    }
+    finish();
+}
+
+} // namespace detail
+
+/// Walks a trajectory, or what is left of one, and keeps the first state, every stride-th one after it, and the last.
+/// @throws error::invalid_parameter when stride < 1, and what steps throw: nothing is kept then
+template <class Path>
+[[nodiscard]] auto record(Path const& path, index_type stride = 1) {
+    detail::require_stride(stride);
+    detail::recording_of<Path> result{{}, {}, path.scale()};
+    detail::record_into(result, path, stride);
+    return result;
+}
+/// The same, and where a step fails the states that were reached stay, the last of them at any stride: `stopped` says why and where. It is
+/// to be read before anything else. @throws error::invalid_parameter when stride < 1
+template <class Path>
+[[nodiscard]] auto record(Path const& path, index_type stride, keep_partial_t) {
+    detail::require_stride(stride);
+    detail::recording_of<Path> result{{}, {}, path.scale()};
+    try {
+        detail::record_into(result, path, stride);
+    } catch (std::exception const& why) { // a failed step, or what the Lagrangian itself throws
+        result.stopped = why.what();
+    }
+    return result;
+}
+template <class Path>
+[[nodiscard]] auto record(Path const& path, keep_partial_t) {
+    return record(path, 1, keep_partial);
+}
+
+} // namespace hilger

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSL-1.0
+// A trajectory as a range of states, one at each point of a time scale, computed as it is walked. Everything that steps (a flow, a
+// composition of flows) derives from `stepping` and offers memory<S, V>, which advances a state in place.
+#pragma once
+
+#include <iterator>
+
+#include "hilger/inlining.hpp"
+#include "hilger/scale/time_scale.hpp"
+#include "hilger/scale/uniform.hpp"
+#include "hilger/step/state.hpp"
+#include "hilger/trajectory/initial_data.hpp"
+#include "hilger/variational/check.hpp"
+#include "hilger/variational/variation.hpp"
+
+namespace hilger {
+
+/// Steps of one length need not ask for it each time; what goes wrong in advance_equally is thrown as a step_failure, from where a step
+/// can say so without keeping its state in memory for it.
+template <class Memory, class Method, class S, class State>
+concept advances_equally = requires(Memory m, Method const& f, State x, S const& h) {
+    m.begin(f, x, h);
+    m.advance_equally(f, x);
+};
+
+/// A point of a trajectory with everything that the steps after it depend on: the state, what the method remembers (first guesses, what
+/// rounding cut off), and the number of the point.
+template <class S, class V, class Memory>
+struct checkpoint {
+    state<S, V> at;
+    Memory memory;
+    index_type number;
+};
+
+namespace detail {
+template <class Kept>
+constexpr void trajectory_ends_here() {
+    static_assert(not std::same_as<Kept, Kept>,
+                  "an iterator refers to its trajectory, which ends here: keep the trajectory in a variable first");
+}
+} // namespace detail
+
+/// A trajectory from one of its checkpoints on.
+template <class Path>
+class resumed {
+public:
+    resumed(Path path, typename Path::checkpoint_type from) : path_(std::move(path)), from_(std::move(from)) {}
+    [[nodiscard]] auto begin() const& { return typename Path::iterator(path_, from_); }
+    template <class Kept = Path>
+    typename Kept::iterator begin() const&& {
+        detail::trajectory_ends_here<Kept>();
+        return {path_, from_};
+    }
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    [[nodiscard]] auto const& scale() const { return path_.scale(); }
+    [[nodiscard]] auto const& method() const { return path_.method(); }
+
+private:
+    Path path_;
+    typename Path::checkpoint_type from_;
+};
+
+namespace detail {
+
+/// Whether a step of a method depends on all steps before it: such methods have a member has_history.
+template <class Method>
+inline constexpr bool has_history = requires {
+    requires Method::has_history;
+};
+
+} // namespace detail
+
+template <class Method, time_scale_like Scale, class V>
+class trajectory {
+    using S = typename Scale::root_type::scalar_type;
+    using memory = typename Method::template memory<S, V>;
+
+public:
+    using checkpoint_type = checkpoint<S, V, memory>;
+    class iterator {
+    public:
+        using iterator_concept = std::input_iterator_tag;
+        using value_type = state<S, V>;
+        using difference_type = index_type;
+        explicit iterator(trajectory const& path)
+            : path_(&path), memory_(begun(path)), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
+        iterator(trajectory const& path, checkpoint_type const& from)
+            : path_(&path), memory_(begun(path, from)), at_(from.at), number_(from.number), last_(path.T_.last()) {}
+        HILGER_ALWAYS_INLINE value_type const& operator*() const { return at_; }
+        HILGER_ALWAYS_INLINE value_type const* operator->() const { return &at_; }
+        HILGER_ALWAYS_INLINE iterator& operator++() {
+            advance();
+            return *this;
+        }
+        HILGER_ALWAYS_INLINE void operator++(int) { advance(); }
+        /// The number of the point of T that the state is at.
+        [[nodiscard]] index_type number() const { return number_; }
+        /// What the method remembers there.
+        [[nodiscard]] auto const& remembered() const { return memory_; }
+        /// What trajectory::resume continues from, bit for bit as if it had not stopped.
+        [[nodiscard]] checkpoint_type checkpoint() const { return {at_, memory_, number_}; }
+        friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }
+
+    private:
+        HILGER_ALWAYS_INLINE void advance() {
+            if (number_ >= last_) {
+                ++number_;
+                return;
+            }
+            if constexpr (equal_steps)
+                memory_.advance_equally(path_->method_, at_);
+            else {
+                S const h = path_->step(number_);
+                saying_where(at_, h, [&] { memory_.advance(path_->method_, at_, h); });
+            }
+            ++number_;
+            at_.t = path_->T_.element(number_);
+        }
+        static constexpr bool equal_steps = Scale::root_type::is_uniform and
+                                            detail::has_equal_steps<typename Scale::domain_type::base_type> and
+                                            advances_equally<memory, Method, S, value_type>;
+        // What comes before the first step stays out of the loop that a user writes: calls there would keep the state out of registers
+        // here.
+        [[gnu::noinline]] static memory begun(trajectory const& path) {
+            index_type const first = path.T_.first();
+            return begun(path, {path.start_, memory(path.method_, path.step(first), path.start_.q), first});
+        }
+        [[gnu::noinline]] static memory begun(trajectory const& path, checkpoint_type from) {
+            if constexpr (equal_steps)
+                if (from.number < path.T_.last()) {
+                    S const h = path.step(from.number);
+                    saying_where(from.at, h, [&] { from.memory.begin(path.method_, from.at, h); });
+                }
+            return std::move(from.memory);
+        }
+        trajectory const* path_;
+        memory memory_;
+        value_type at_;
+        index_type number_, last_;
+    };
+
+    trajectory(Method method, Scale T, V q0, V p0)
+        : method_(std::move(method)), T_(std::move(T)), start_{T_.min(), std::move(q0), std::move(p0)} {
+        if (not detail::all_finite(start_.q) or not detail::all_finite(start_.p))
+            error::raise<error::not_finite>("the initial position and momentum are finite numbers, and these contain NaN or infinity");
+        detail::require_same_dimension(start_.q, start_.p, "the initial position and momentum");
+    }
+    [[nodiscard]] iterator begin() const& { return iterator(*this); }
+    template <class Kept = trajectory>
+    iterator begin() const&& {
+        detail::trajectory_ends_here<Kept>();
+        return iterator(*this);
+    }
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    [[nodiscard]] Scale const& scale() const { return T_; }
+    [[nodiscard]] Method const& method() const { return method_; }
+    /// The rest of the trajectory, beginning with the checkpoint's own state; T may go further than the one that the checkpoint is from.
+    /// @throws error::mismatch when the checkpoint's point is not the one of that number in T.
+    [[nodiscard]] resumed<trajectory> resume(checkpoint_type from) const {
+        if (from.number < T_.first() or T_.last() < from.number or not(T_.element(from.number) == from.at.t))
+            error::raise<error::mismatch>("a trajectory on ", T_, " resumes from one of its points, and point ", from.number,
+                                          " at t = ", from.at.t, " is none");
+        detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
+        return {*this, std::move(from)};
+    }
+
+private:
+    HILGER_ALWAYS_INLINE S step(index_type i) const { return T_.domain().base.step(T_.root(), i); }
+    Method method_;
+    Scale T_;
+    state<S, V> start_;
+};
+
+template <class Method>
+class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
+    template <class Scale>
+    using scalar_on = typename Scale::root_type::scalar_type;
+    /// What a walk that was refused looks like: a range of nothing, so that the loop over it says no more.
+    template <class S, class V>
+    static constexpr std::array<state<S, V>, 0> no_states{};
+
+public:
+    /// Also from initial data in braces: along(T, {.q0 = 1.0, .v0 = 0.0}).
+    using detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic>::along;
+
+    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked. Two numbers or two
+    /// vectors, or what becomes such without losing a digit (hilger/variational/given_state.hpp); states are of the kind that q0 is.
+    /// @throws error::not_finite at once when q0 or p0 is not finite, error::mismatch when they have different lengths; while walking, a
+    /// step_failure with the last good state.
+    template <time_scale_like Scale, class X, class Y>
+    auto along(Scale const& T, X const& q0, Y const& p0) const {
+        return walked<X, Y>(T, [&]<class V>(std::type_identity<V>) { return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)}; });
+    }
+    template <time_scale_like Scale, class W>
+    auto along(Scale const& T, initial_velocity<W> const& from) const {
+        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum(T.min(), q0, detail::as_state<V>(from.v0));
+            return std::pair{std::move(q0), std::move(p0)};
+        });
+    }
+    template <time_scale_like Scale, class W>
+    auto along(Scale const& T, initial_positions<W> const& from) const {
+        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+            scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
+            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum_between(T.min(), q0, detail::as_state<V>(from.q1), h);
+            return std::pair{std::move(q0), std::move(p0)};
+        });
+    }
+    template <class Derived>
+    auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        return detail::not_initial_data<Derived>(), no_states<S, S>;
+    }
+    template <class Derived>
+    auto along(scale_interface<Derived> const&, detail::any_positions_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        return detail::not_initial_data<Derived>(), no_states<S, S>;
+    }
+    /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
+    template <class S, class V>
+    state<S, V> step(state<S, V> from, std::type_identity_t<S> const& h) const {
+        typename Method::template memory<S, V> memory(self(), h, from.q);
+        memory.advance(self(), from, h);
+        return from;
+    }
+
+    /// The trajectory from a state. Methods that ask more of T or of a state have a function of this name.
+    template <time_scale_like Scale, class V>
+    auto start(Scale const& T, V q0, V p0) const {
+        return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
+    }
+
+private:
+    /// The trajectory from the state that begin(type) makes of what was given, an X and a Y; or nothing, after a sentence that says why.
+    template <class X, class Y, class Scale, class Begin>
+    auto walked(Scale const& T, Begin const& begin) const {
+        using S = scalar_on<Scale>;
+        using V = detail::given_state_t<S, X>;
+        using F = typename detail::mechanics_of<Method>::lagrangian;
+        using Force = typename detail::mechanics_of<Method>::force;
+        if constexpr (not detail::are_given_states<S, X, Y>())
+            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
+        else if constexpr (not detail::is_lagrangian<F, S, V>() or not detail::is_force<Force, S, V>())
+            return detail::refuse_mechanics<F, Force, S, V>(), no_states<S, V>;
+        else {
+            auto [q0, p0] = begin(std::type_identity<V>{});
+            return self().start(T, std::move(q0), std::move(p0));
+        }
+    }
+    [[nodiscard]] Method const& self() const { return static_cast<Method const&>(*this); }
+};
+
+} // namespace hilger

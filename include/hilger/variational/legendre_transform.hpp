@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+// The Lagrangian of a given Hamiltonian H(p, q) or H(t, p, q): L(q, v) = p.v - H(p, q) with p from dH/dp(p, q) = v (Cresson-Safi (93), read
+// backwards). Its derivatives come from those of H by the rules of the Legendre transform, so nothing is differentiated through an
+// iteration:
+//   dL/dq = -dH/dq,  dL/dv = p,  L_vv = H_pp^-1,  L_qv = -H_qp H_pp^-1,  L_qq = H_qp H_pp^-1 H_pq - H_qq.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "hilger/newton/newton.hpp"
+#include "hilger/variational/problem.hpp"
+
+namespace hilger {
+
+template <class H>
+class legendre_transform {
+public:
+    constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
+
+    /// p with dH/dp(p, q) = v, and v = dH/dp(p, q). H may depend on the time.
+    /// @throws error::singular where d2H/dp2 is, error::no_convergence
+    template <class V>
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] V momentum(V const& q, V const& v) const { return momentum_for(hamiltonian_, q, v); }
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const { return momentum_for(detail::at_time{hamiltonian_, t}, q, v); }
+    template <class V>
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] V velocity(V const& q, V const& p) const { return gradient_first(hamiltonian_, p, q); }
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] V velocity(S const& t, V const& q, V const& p) const { return gradient_first(detail::at_time{hamiltonian_, t}, p, q); }
+    /// L(q, v), a number.
+    template <class V>
+    scalar_of<V> operator()(V const& q, V const& v) const {
+        V const p = momentum(q, v);
+        return scalar_of<V>(dot_product(p, v) - detail::number_from(hamiltonian_, p, q));
+    }
+    template <class V>
+    [[nodiscard]] expansion<V> expand(V const& q, V const& v) const {
+        return expand_with(hamiltonian_, q, v);
+    }
+    /// H may depend on the time.
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] expansion<V> expand(S const& t, V const& q, V const& v) const {
+        return expand_with(detail::at_time{hamiltonian_, t}, q, v);
+    }
+
+private:
+    template <class F, class V>
+    static V momentum_for(F const& h, V const& q, V const& v) {
+        auto const equation = [&](V const& p) {
+            auto const e = hilger::expand(h, p, q);
+            return newton_system<V>{V(e.by_q - v), e.qq};
+        };
+        return newton(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
+    }
+    template <class F, class V>
+    static expansion<V> expand_with(F const& h, V const& q, V const& v) {
+        using s = detail::shape<V>;
+        V const p = momentum_for(h, q, v);
+        auto const e = hilger::expand(h, p, q); // by_q, qq: by p; qv: by p, then q; by_v, vv: by q
+        expansion<V> l;
+        l.by_q = -e.by_v;
+        l.by_v = p;
+        if constexpr (s::is_scalar) {
+            l.vv = scalar_of<V>(1) / e.qq;
+            l.qv = -e.qv * l.vv;
+            l.qq = e.qv * e.qv * l.vv - e.vv;
+        } else {
+            l.vv = e.qq.inverse();
+            l.qv = -e.qv.transpose() * l.vv;
+            l.qq = -l.qv * e.qv - e.vv;
+        }
+        bool const quadratic = not e.on.coupled and e.on.q <= 2;
+        l.on = quadratic ? dependence{e.on.v, 2, false} : dependence{dependence::no_polynomial, dependence::no_polynomial, true};
+        return l;
+    }
+    [[no_unique_address]] H hamiltonian_;
+};
+
+/// H(p, q) as a Lagrangian, to be embedded like any other: embed(lagrangian_of(H), mid_point).
+template <class H>
+constexpr auto lagrangian_of(H h) {
+    return legendre_transform<H>(std::move(h));
+}
+
+} // namespace hilger

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSL-1.0
+// The generated equations, written out: the discrete Euler-Lagrange equation (Cresson-Safi (14), (56)) and the discrete Hamiltonian
+// system ((18), (94)) of an action, for a terminal or in LaTeX, from the same types that run (printing/notation.hpp).
+//   std::cout << EL;            terminal
+//   std::cout << latex(EL);     LaTeX, an aligned display
+// A function on T_o that stands in an equation on T_half is meant at those points.
+#pragma once
+
+#include <sstream>
+
+#include "hilger/printing/notation.hpp"
+#include "hilger/variational/restricted.hpp"
+
+namespace hilger {
+
+/// The discrete Hamiltonian system of an Euler-Lagrange equation: with p = dL/dv(A q, B q) on the scale of the integral,
+///   -B*[p] = A*[-dH/dq(p, A q)],   B[q] = dH/dp(p, A q).
+template <class Action>
+struct hamiltonian_system {
+    euler_lagrange<Action> equation;
+};
+/// The Hamiltonian form of an equation, to be printed.
+template <class Action>
+constexpr auto hamiltonian_form(euler_lagrange<Action> const& equation) {
+    return hamiltonian_system<Action>{equation};
+}
+
+namespace detail {
+
+/// dL/dq, dH/dp, ... of arguments in brackets.
+inline spelled derivative_of(char function, char by, spelled const& arguments, bool negative = false) {
+    return {(negative ? "−∂" : "∂") + std::string(1, function) + "/∂" + by + arguments.terminal,
+            (negative ? "-\\frac{\\partial " : "\\frac{\\partial ") + std::string(1, function) + "}{\\partial " + by + "}" +
+                arguments.latex};
+}
+
+template <class Action>
+class equation_writer {
+    using A = typename Action::position_type;
+    using B = typename Action::velocity_type;
+    using base_type = typename A::to;
+    static constexpr bool on_T = std::same_as<base_type, nodes>;
+    // For A = identity and B a derivative, the integrand lives where B[q] does.
+    using integrand = decltype(euler_lagrange<Action>::counted(
+        intersect(std::declval<A const&>().image(domain<nodes>{}), std::declval<B const&>().image(domain<nodes>{}))));
+
+public:
+    equation_writer(euler_lagrange<Action> const& equation, print_style style) : EL_(equation), s_(style) {}
+
+    [[nodiscard]] std::string equals() const { return s_ == print_style::latex ? " &= " : " = "; }
+    [[nodiscard]] expression left_hand_side() const {
+        return written_on(EL_.force(), expression::name(derivative_of('L', 'q', star))) +
+               written_on(EL_.momentum(), expression::name(derivative_of('L', 'v', star)));
+    }
+    [[nodiscard]] std::string arguments() const {
+        return (s_ == print_style::latex ? "\\star = (" : "⋆ = (") + position().in(s_) + ", " + velocity().in(s_) + ")";
+    }
+    [[nodiscard]] std::string momentum_equation() const {
+        auto const force = expression::name(derivative_of('H', 'q', state(), true), true);
+        return written_on(EL_.momentum(), expression::name(p())).times(-1, 1).in(s_) + equals() + written_on(EL_.force(), force).in(s_);
+    }
+    [[nodiscard]] std::string position_equation() const { return velocity().in(s_) + equals() + derivative_of('H', 'p', state()).in(s_); }
+    [[nodiscard]] std::string definition_of_p() const { return p().in(s_) + " = " + derivative_of('L', 'v', star).in(s_); }
+    /// Where the equation holds: at inner points, which have numbers one lower on T_half.
+    [[nodiscard]] std::string inner() const {
+        auto const here = domain_of_equation();
+        using D = std::remove_const_t<decltype(here)>;
+        return written_domain(domain<base_type, std::max(D::front, 1), std::max(D::back, on_T ? 1 : 0)>{here.base}, s_);
+    }
+    [[nodiscard]] std::string whole() const { return written_domain(integrand{base()}, s_); }
+    /// What has to be said about symbols in an equation, each after `before`.
+    [[nodiscard]] std::string notes(std::string const& before) const {
+        std::vector<std::string> all;
+        left_hand_side().collect_notes(s_, all);
+        position().collect_notes(s_, all);
+        velocity().collect_notes(s_, all);
+        std::string text;
+        for (auto const& note : all) text += before + note;
+        return text;
+    }
+    /// An operator on T in an equation that is written on T_half: the value at t_i stands at t_{i+1/2}.
+    [[nodiscard]] expression on_scale_of_equation(expression const& e) const {
+        if constexpr (on_T)
+            return e;
+        else
+            return written_alone(projection<std::remove_cvref_t<decltype(base_type{}.lambda)>, true>{{}, base().lambda}, e);
+    }
+
+private:
+    inline static spelled const star{"(⋆)", "(\\star)"};
+
+    [[nodiscard]] base_type base() const { return EL_.action().position.image(domain<nodes>{}).base; }
+    [[nodiscard]] auto domain_of_equation() const {
+        auto const image = [](auto const& op) { return on_uniform_of<std::remove_cvref_t<decltype(op)>>::get(op).image(integrand{}); };
+        return intersect(image(EL_.force()), image(EL_.momentum()));
+    }
+    template <class Op>
+    [[nodiscard]] expression of_q(Op const& op) const {
+        auto const e = written_on(op, expression::name({"q", "q"}));
+        if constexpr (on_T)
+            return e;
+        else
+            return e.without("|" + written_domain(domain<base_type>{base()}, print_style::terminal));
+    }
+    [[nodiscard]] expression position() const { return of_q(EL_.action().position); }
+    [[nodiscard]] expression velocity() const { return of_q(EL_.action().velocity); }
+    [[nodiscard]] spelled p() const {
+        if constexpr (on_T)
+            return {"p", "p"};
+        else {
+            auto const circle = foot(joined<std::remove_cvref_t<decltype(base_type{}.lambda)>>{base().lambda});
+            return {"p" + circle.terminal, "p_{" + circle.latex + "}"};
+        }
+    }
+    [[nodiscard]] spelled state() const {
+        return {"(" + p().terminal + ", " + position().in(print_style::terminal) + ")",
+                "(" + p().latex + ", " + position().in(print_style::latex) + ")"};
+    }
+    euler_lagrange<Action> const& EL_;
+    print_style s_;
+};
+
+} // namespace detail
+
+/// The equation, where it holds, and at which arguments L is taken, in one line.
+template <class Action>
+std::ostream& operator<<(std::ostream& out, euler_lagrange<Action> const& equation) {
+    detail::equation_writer<Action> const w(equation, print_style::terminal);
+    return out << w.left_hand_side().in(print_style::terminal) << " = 0   on " << w.inner() << ",   " << w.arguments() << w.notes(",   ")
+               << '\n';
+}
+/// Both equations, a line each.
+template <class Action>
+std::ostream& operator<<(std::ostream& out, hamiltonian_system<Action> const& system) {
+    detail::equation_writer<Action> const w(system.equation, print_style::terminal);
+    return out << w.momentum_equation() << "   on " << w.inner() << '\n'
+               << w.position_equation() << "   on " << w.whole() << ",   " << w.definition_of_p() << w.notes(",   ") << '\n';
+}
+/// The equation as a LaTeX display (amsmath).
+template <class Action>
+std::string latex(euler_lagrange<Action> const& equation) {
+    detail::equation_writer<Action> const w(equation, print_style::latex);
+    return "\\begin{aligned}\n  " + w.left_hand_side().in(print_style::latex) + w.equals() + "0, && t \\in " + w.inner() + ", \\quad " +
+           w.arguments() + w.notes(", \\quad ") + "\n\\end{aligned}\n";
+}
+template <class Action>
+std::string latex(hamiltonian_system<Action> const& system) {
+    detail::equation_writer<Action> const w(system.equation, print_style::latex);
+    return "\\begin{aligned}\n  " + w.momentum_equation() + ", && t \\in " + w.inner() + ", \\\\\n  " + w.position_equation() +
+           ", && t \\in " + w.whole() + ", \\quad " + w.definition_of_p() + w.notes(", \\quad ") + "\n\\end{aligned}\n";
+}
+
+/// The equation of x and that of y, in reversed time: what is not damped on the left, rho times the damping on the right.
+template <class Action, linear_map A, linear_map B, class Root>
+std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A, B, Root> const& equation) {
+    auto const conservative = equation.conservative();
+    detail::equation_writer<Action> const w(conservative, print_style::terminal);
+    auto const damping = [&](auto const& D, char const* of) {
+        return w.on_scale_of_equation(detail::written_on(D, detail::expression::name({of, of}))).times_constant({"ρ", "\\rho"});
+    };
+    return out << w.left_hand_side().in(print_style::terminal) << " = " << damping(equation.damping(), "q").in(print_style::terminal)
+               << "   on " << w.inner() << ",   " << w.arguments() << w.notes(",   ") << '\n'
+               << "the same of y = " << damping(equation.reversed_damping(), "y").in(print_style::terminal)
+               << ",   ρ = " << detail::written_number(equation.factor()) << '\n';
+}
+template <class Action, linear_map A, linear_map B, class Root>
+std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation) {
+    auto const conservative = equation.conservative();
+    detail::equation_writer<Action> const w(conservative, print_style::latex);
+    auto const damping = [&](auto const& D, char const* of) {
+        return w.on_scale_of_equation(detail::written_on(D, detail::expression::name({of, of})))
+            .times_constant({"ρ", "\\rho"})
+            .in(print_style::latex);
+    };
+    return "\\begin{aligned}\n  " + w.left_hand_side().in(print_style::latex) + w.equals() + damping(equation.damping(), "q") +
+           ", && t \\in " + w.inner() + ", \\quad " + w.arguments() + w.notes(", \\quad ") + ", \\\\\n  \\text{the same of } y" +
+           w.equals() + damping(equation.reversed_damping(), "y") + ", && \\rho = " + detail::written_number(equation.factor()) +
+           "\n\\end{aligned}\n";
+}
+
+/// What operator<< prints, with every further line set off by `indent`.
+template <class Printable>
+std::string text_lines(Printable const& printable, std::string const& indent) {
+    std::ostringstream out;
+    out << printable;
+    std::string lines;
+    for (char const c : out.str()) {
+        lines += c;
+        if (c == '\n') lines += indent;
+    }
+    lines.erase(lines.size() - indent.size());
+    return lines;
+}
+
+} // namespace hilger

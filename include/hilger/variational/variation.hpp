@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSL-1.0
+// The discrete Euler-Lagrange equation of an action, read off from the adjoints of its two operators:
+//   A*[dL/dq] + B*[dL/dv] = 0  at the inner points of T,  A = position, B = velocity.
+// Nothing is written per scheme: order one gives dL/dq - Delta_minus[dL/dv] = 0 (Cresson-Safi (14)), mid-point gives
+// [dL/dq]_{1/2,-} - Delta_{1/2,-}[dL/dv] = 0 (Cresson-Safi (56)).
+#pragma once
+
+#include "hilger/adjoint/adjoint.hpp"
+#include "hilger/variational/action.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// T_{o,lambda} of a uniform T is uniform for lambda = 1/2 only.
+template <class Base>
+inline constexpr bool has_equal_steps = true;
+template <class Lambda>
+inline constexpr bool has_equal_steps<joined<Lambda>> = std::is_same_v<Lambda, fraction<1, 2>>;
+
+/// A without the reweightings that do nothing on a uniform T.
+template <linear_map A>
+constexpr auto on_equal_steps(A const& a) {
+    return a;
+}
+template <class Base, class From, class To>
+constexpr auto on_equal_steps(reweight<Base, From, To> const& a);
+template <class C, linear_map A>
+constexpr auto on_equal_steps(multiple<C, A> const& a);
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(operator_sum<A, B> const& s);
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(composition<A, B> const& ab);
+template <class Base, class From, class To>
+constexpr auto on_equal_steps(reweight<Base, From, To> const& a) {
+    if constexpr (has_equal_steps<Base>)
+        return identity_on<Base, From, To>{};
+    else
+        return a;
+}
+template <class C, linear_map A>
+constexpr auto on_equal_steps(multiple<C, A> const& a) {
+    return a.c * on_equal_steps(a.a);
+}
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(operator_sum<A, B> const& s) {
+    return on_equal_steps(s.a) + on_equal_steps(s.b);
+}
+template <linear_map A, linear_map B>
+constexpr auto on_equal_steps(composition<A, B> const& ab) {
+    auto const a = on_equal_steps(ab.a);
+    auto const b = on_equal_steps(ab.b);
+    if constexpr (is_identity<std::remove_cvref_t<decltype(a)>>)
+        return b;
+    else if constexpr (is_identity<std::remove_cvref_t<decltype(b)>>)
+        return a;
+    else
+        return a * b;
+}
+
+/// 1 at one point of T, 0 at the others.
+template <class Root>
+struct unit_at : function_interface<unit_at<Root>> {
+    using root_type = Root;
+    using domain_type = hilger::domain<nodes>;
+    Root const* T;
+    index_type k;
+    [[nodiscard]] constexpr Root const& root() const { return *T; }
+    [[nodiscard]] static constexpr domain_type domain() { return {}; }
+    [[nodiscard]] constexpr auto get(index_type i) const { return typename Root::scalar_type(i == k ? 1 : 0); }
+};
+
+} // namespace detail
+
+template <class Action>
+class euler_lagrange {
+    using A = typename Action::position_type;
+    using B = typename Action::velocity_type;
+    using W = typename Action::weight;
+    using Root = typename Action::root_type;
+    using P = typename A::from_weight; // the sum over T in which the equation is written
+
+    // An operator without run-time parameters is its type: then the equation's operators are known to static_assert even when
+    // the scale is known at run time only.
+    static constexpr bool by_type = std::conjunction_v<std::is_empty<A>, std::is_empty<B>>;
+
+    /// The adjoint of a, written on T.
+    template <linear_map Op>
+    static constexpr auto adjoint_on_T(Op const& a) {
+        if constexpr (Root::is_uniform)
+            return detail::on_equal_steps(a.adjoint());
+        else
+            return adjoint_between<P, W>(a);
+    }
+    /// The same written where the paper writes it: on T_lambda^- when the integral is over T_lambda, else on T.
+    template <linear_map Op, class Scale>
+    static constexpr auto as_written(Op const& a, Scale const& scale) {
+        auto const there = [&] {
+            if constexpr (requires { scale.lambda; })
+                return projection<std::remove_cvref_t<decltype(scale.lambda)>, true>{{}, scale.lambda} * adjoint_on_T(a);
+            else
+                return adjoint_on_T(a);
+        }();
+        if constexpr (Root::is_uniform)
+            return uniformly(there);
+        else
+            return there;
+    }
+
+public:
+    constexpr explicit euler_lagrange(Action s) : action_(std::move(s)) {}
+
+    [[nodiscard]] constexpr Action const& action() const { return action_; }
+    /// The operator on dL/dq and the one on dL/dv. On a uniform T they compare with == as operators on uniform scales.
+    [[nodiscard]] static constexpr auto force() requires by_type { return as_written(A{}, typename A::to{}); }
+    [[nodiscard]] static constexpr auto momentum() requires by_type { return as_written(B{}, typename B::to{}); }
+    [[nodiscard]] constexpr auto force() const requires(not by_type) { return as_written(action_.position, base()); }
+    [[nodiscard]] constexpr auto momentum() const requires(not by_type) { return as_written(action_.velocity, base()); }
+
+    /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation.
+    template <discrete_function X>
+    constexpr auto residual(X const& x) const {
+        auto const Lq = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return gradient_first(detail::at_time{L, t}, q, v);
+        });
+        auto const Lv = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return gradient_second(detail::at_time{L, t}, q, v);
+        });
+        return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
+    }
+    /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
+    template <discrete_function X, class Force>
+    constexpr auto residual(X const& x, Force const& force) const {
+        auto const f = action_.at_nodes(
+            x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
+        return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
+    }
+    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices.
+    template <discrete_function X>
+    constexpr auto residual_slope(X const& x, index_type k) const {
+        using V = value_of<X>;
+        using S = typename Root::scalar_type;
+        auto const seconds = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
+            return expand(detail::at_time{L, t}, V(q), V(v));
+        });
+        detail::unit_at<Root> const unit{{}, &x.root(), k};
+        auto const a = action_.position[unit];
+        auto const b = action_.velocity[unit];
+        auto const of_position =
+            apply_pointwise([](auto const& e, S const& A, S const& B) { return block_of<V>(e.qq * A + e.qv * B); }, seconds, a, b);
+        auto const of_velocity = apply_pointwise(
+            [](auto const& e, S const& A, S const& B) {
+                if constexpr (detail::shape<V>::is_scalar)
+                    return block_of<V>(e.qv * A + e.vv * B);
+                else
+                    return block_of<V>(e.qv.transpose() * A + e.vv * B);
+            },
+            seconds, a, b);
+        return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
+    }
+    /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
+    static constexpr reach reads = [] {
+        constexpr reach both = A::reads | B::reads;
+        return reach::composed<typename A::to>(reach::mirrored<typename A::from, typename A::to>(A::reads), both) |
+               reach::composed<typename B::to>(reach::mirrored<typename B::from, typename B::to>(B::reads), both);
+    }();
+    /// Where the values of L that the equation reads are: on a uniform T the equation has lost the weights, and what the integral counts
+    /// zero times at an end is not read there. (On other scales the weights stand in the operators.)
+    template <class Base, int Front, int Back>
+    static constexpr auto counted(domain<Base, Front, Back> const& d) {
+        constexpr bool uniform = Root::is_uniform;
+        return domain<Base, std::max(Front, uniform and W::vanishes_first ? 1 : 0), std::max(Back, uniform and W::vanishes_last ? 1 : 0)>{
+            d.base};
+    }
+
+private:
+    template <discrete_function G>
+    static constexpr auto counted(G g) {
+        auto const here = counted(g.domain());
+        if constexpr (std::same_as<std::remove_const_t<decltype(here)>, typename G::domain_type>)
+            return g;
+        else
+            return detail::restrict_to(std::move(g), here);
+    }
+    /// Fractional differences have values at the ends too, where variations vanish and there is no equation.
+    template <discrete_function R>
+    static constexpr auto at_inner_points(R r) {
+        using D = typename R::domain_type;
+        if constexpr (D::front > 0 and D::back > 0)
+            return r;
+        else
+            return detail::restrict_to(std::move(r), domain<nodes, std::max(D::front, 1), std::max(D::back, 1)>{});
+    }
+    [[nodiscard]] constexpr auto base() const { return action_.position.image(domain<nodes>{}).base; }
+    Action action_;
+};
+
+/// The discrete Euler-Lagrange equation of the action S: its critical points for variations that vanish at both ends.
+template <class F, linear_map A, linear_map B, class W, class Root>
+constexpr auto variation(action<F, A, B, W, Root> const& S) {
+    return euler_lagrange<action<F, A, B, W, Root>>(S);
+}
+
+} // namespace hilger

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSL-1.0
+// Two-sided problems that Newton's method solves: the equation holds to rounding, in any scalar, in few iterations, and failures say so.
+#include <doctest/doctest.h>
+
+#include "hilger/boundary/solve.hpp"
+#include "hilger/multiprecision.hpp"
+#include "hilger/newton/stop.hpp"
+
+namespace boundary_newton_tests {
+
+using namespace hilger;
+
+namespace {
+
+template <class S>
+using plane = Eigen::Matrix<S, 2, 1>;
+
+/// One type for several Lagrangians keeps the compile time down: the harmonic oscillator; and a mass that depends on the position, a
+/// gyroscopic term, a force that depends on the time.
+struct planar {
+    bool harmonic;
+    auto operator()(auto const& t, auto const& x, auto const& v) const {
+        using std::cos, std::sin;
+        int const other = harmonic ? 0 : 1;
+        return v.dot(v) * (1 + other * (1 + sin(x(0)))) / 2 + (1 - other) * x.dot(x) / 2 +
+               other * (v(0) * v(1) / 3 + x(0) * v(1) + cos(x(1)) * t + x.dot(x) * x.dot(x) / 4);
+    }
+};
+/// v^2/2 + a x^2/2 + b x^4/4
+struct straight {
+    int a = 0, b = 0;
+    auto operator()(auto const& x, auto const& v) const { return v * v / 2 + a * x * x / 2 + b * x * x * x * x / 4; }
+};
+
+template <class F>
+auto largest(F const& f) {
+    auto result = magnitude(f[f.first()]);
+    for (auto const& value : f) result = std::max(result, decltype(result)(magnitude(value)));
+    return result;
+}
+/// The coefficients of Delta_+^alpha Delta_-^alpha add up to at most 4 h^(-2 alpha), and transforms of N values add up log N roundings.
+template <class S, class X>
+S rounding(X const& x, S const& alpha) {
+    using std::pow;
+    return S(4) * epsilon<S>() * S(static_cast<int>(std::bit_width(static_cast<std::size_t>(x.size())))) * largest(x) *
+           pow(x.root().h(), S(-2 * alpha));
+}
+
+} // namespace
+
+TEST_CASE_TEMPLATE("the equation holds at every inner point, to rounding, in a number of iterations that depends on the digits", S, float,
+                   double, float50) {
+    for (S const& alpha : {S(1), S(3) / 4, S(2) / 5}) {
+        auto const T = uniform(interval{S(0), S(1)}, 60);
+        plane<S> const from(S(1), S(0)), to(S(-1), S(1));
+        for (bool harmonic : {true, false}) {
+            auto const x = solve_boundary(fractional_problem(planar{harmonic}, alpha), T, from, to);
+            CHECK(x.residual <= (harmonic ? 1 : 4) * rounding(x.q, alpha)); // the mass is at most 3 + 1/3
+            CHECK(x.q[0] == from);
+            CHECK(x.q[60] == to);
+            CHECK(x.iterations <= (harmonic ? 2 : 7));
+        }
+    }
+}
+
+TEST_CASE("the work does not depend on N: the same iterations for more steps") {
+    auto const applications = [](int N) {
+        return solve_boundary(fractional_problem(planar{true}, 0.75), uniform(interval{0.0, 1.0}, N), plane<double>(1, 0),
+                              plane<double>(-1, 1))
+            .applications;
+    };
+    int const few = applications(200), many = applications(20000);
+    CHECK(few > 0);
+    CHECK(many <= few + 2);
+    CHECK(many <= 16);
+}
+
+TEST_CASE("alpha = 1 is the classical problem: x'' = x and x'' = -x on six periods, where the derivative is indefinite") {
+    for (int sign : {1, -1}) {
+        double const length = sign == 1 ? 2 : 40;
+        int const N = 400;
+        auto const T = uniform(interval{0.0, length}, N);
+        auto const x = solve_boundary(fractional_problem(straight{sign}, 1), T, 0.5, 1);
+        // x_{k+1} - 2 x_k + x_{k-1} = sign h^2 x_k is solved by powers of z, z + 1/z = 2 + sign h^2.
+        double const step = sign == 1 ? std::acosh(1 + T.h() * T.h() / 2) : std::acos(1 - T.h() * T.h() / 2);
+        auto const wave = [&](double s) { return sign == 1 ? std::sinh(s * step) : std::sin(s * step); };
+        for (int k = 0; k <= N; ++k)
+            CHECK(std::abs(x.q[k] - (0.5 * wave(N - k) + wave(k)) / wave(N)) <= 1e4 * epsilon<double>() * largest(x.q));
+    }
+}
+
+/// A kink in the potential, or a momentum that is bounded: whole steps of Newton's method leave these problems for good.
+struct steep {
+    bool kink;
+    auto operator()(auto const& x, auto const& v) const {
+        using std::sqrt;
+        int const k = kink ? 1 : 0;
+        return k * (v * v / 2 + 10 * sqrt(1 + 100 * x * x) + 10 * x) + (1 - k) * (sqrt(1 + v * v) + 5 * x * x);
+    }
+};
+
+TEST_CASE("steps are shortened where whole ones would not converge, and GMRES may start again") {
+    for (double const alpha : {1.0, 0.75})
+        for (bool kink : {true, false}) {
+            auto const T = uniform(interval{0.0, 1.0}, 50);
+            auto const x = solve_boundary(fractional_problem(steep{kink}, alpha), T, 0, 1);
+            CHECK(x.iterations > 3);
+            CHECK(x.residual <= 10 * rounding(x.q, alpha)); // the force is ten times its argument
+            auto const restarted = solve_boundary(fractional_problem(steep{kink}, alpha), T, 0, 1, {.krylov_columns = 5});
+            CHECK(restarted.applications > x.applications);
+            for (int k = 0; k <= 50; ++k) CHECK(std::abs(restarted.q[k] - x.q[k]) <= 1e4 * epsilon<double>());
+        }
+}
+
+TEST_CASE("a problem without a solution ends in an error that has the last iterate and its residual") {
+    // x'' = -100 - 60 x^2 with x(0) = x(1) = 0 has no solution: the force is too strong to come back from.
+    auto const runaway = [](auto const& x, auto const& v) { return v * v / 2 - 100 * x - 20 * x * x * x; };
+    auto const T = uniform(interval{0.0, 1.0}, 50);
+    try {
+        auto const x = solve_boundary(fractional_problem(runaway, 1), T, 0, 0);
+        FAIL("solved with the residual ", x.residual);
+    } catch (newton_failure<std::vector<double>> const& failure) {
+        CHECK(failure.iterate.size() == 51);
+        CHECK(failure.iterate.back() == 0);
+        REQUIRE(failure.residual.size() == 49);
+        double worst = 0;
+        for (double r : failure.residual) worst = std::max(worst, std::abs(r));
+        CHECK(worst > 1);
+        auto const again = fractional_problem(runaway, 1).residual(function_on(T, failure.iterate));
+        CHECK(again[7] == failure.residual[6]);
+    }
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(straight{0, 1}, Q(1)), uniform(Q(0), Q(1), 4), 1, 2), error::no_convergence);
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(straight{1, 3}, 0.75), T, 0, 1, {.most_iterations = 1}), error::no_convergence);
+}
+
+TEST_CASE("degenerate and broken Lagrangians are named") {
+    auto const T = uniform(interval{0.0, 1.0}, 20);
+    auto const no_velocity = [](auto const& x, auto const& v) { return x * x + 0 * v; };
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(no_velocity, 0.75), T, 0, 1), error::singular);
+    auto const broken = [](auto const& x, auto const& v) {
+        using std::sqrt;
+        return v * v / 2 + sqrt(x - 2);
+    };
+    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(broken, 0.75), T, 0, 1), error::not_finite);
+    Eigen::VectorXd const two = Eigen::VectorXd::Ones(2), three = Eigen::VectorXd::Ones(3);
+    auto const any = [](auto const&, auto const& v) { return v.dot(v) / 2; };
+    CHECK_THROWS_WITH_AS((void)solve_boundary(fractional_problem(any, 0.75), T, two, three),
+                         "the boundary values of a problem have one dimension, and these have 2 and 3", error::mismatch);
+    auto const x = solve_boundary(fractional_problem(any, 0.75), T, three, Eigen::VectorXd(2 * three));
+    CHECK(x.q[7].size() == 3);
+    CHECK(x.iterations == 0);
+}
+
+} // namespace boundary_newton_tests

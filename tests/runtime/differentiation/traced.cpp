@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSL-1.0
+// Traced formulas have the derivatives that jets have, evaluate only what is not zero, and hold where the comparisons come out as they did.
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+#include "hilger/variational/node_derivatives.hpp"
+
+namespace traced_tests {
+
+using namespace hilger;
+
+namespace {
+
+constexpr int d = 3;
+template <class S>
+using vector = Eigen::Matrix<S, d, 1>;
+
+/// All derivatives of f by jets and by its graph; what they differ by, in units of the largest.
+template <class S, class F>
+S difference(F const& f, vector<S> const& q, vector<S> const& v) {
+    auto const x = expand(f, q, v);
+    auto const y = detail::expand_traced(f, q, v, detail::on_position | detail::on_velocity);
+    S most(0), size(0);
+    auto const compare = [&](auto const& a, auto const& b) {
+        most = std::max(most, S(magnitude(std::remove_cvref_t<decltype(a)>(a - b))));
+        size = std::max(size, S(magnitude(a)));
+    };
+    compare(x.by_q, y.by_q);
+    compare(x.by_v, y.by_v);
+    compare(x.qq, y.qq);
+    compare(x.qv, y.qv);
+    compare(x.vv, y.vv);
+    return most == S(0) ? most : S(most / size);
+}
+
+/// A formula of random operations: each one of q, v, small numbers and of those before it.
+struct random_formula {
+    struct operation {
+        int what, a, b;
+    };
+    std::vector<operation> all;
+
+    explicit random_formula(unsigned seed) {
+        std::mt19937 random(seed);
+        auto const below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+        for (int k = 0; k < 14; ++k) all.push_back({below(6), below(2 * d + 2 + k), below(2 * d + 2 + k)});
+    }
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        auto const one = plain_t<decltype(q(0) * v(0))>(1);
+        using T = std::remove_cvref_t<decltype(one)>;
+        std::vector<T> x;
+        for (int k = 0; k < d; ++k) x.push_back(T(q(k)));
+        for (int k = 0; k < d; ++k) x.push_back(T(v(k)));
+        x.push_back(T(2));
+        x.push_back(T(-1) / 3);
+        for (auto const& o : all) {
+            T const a = x[static_cast<std::size_t>(o.a)], b = x[static_cast<std::size_t>(o.b)];
+            switch (o.what) {
+            case 0:
+                x.push_back(a + b);
+                break;
+            case 1:
+                x.push_back(a - b);
+                break;
+            case 2:
+                x.push_back(a * b);
+                break;
+            case 3:
+                x.push_back(a / (b * b + 1));
+                break;
+            case 4:
+                x.push_back(-a * 3);
+                break;
+            default:
+                x.push_back(pow(b, 2) - a);
+                break;
+            }
+            if (x.size() > 12) x.back() = x.back() / (x.back() * x.back() + 7); // or numbers grow beyond all bounds
+        }
+        return x.back() * x[x.size() - 2] + x[x.size() - 3];
+    }
+};
+
+} // namespace
+
+TEST_CASE("random rational formulas: the derivatives of jets, exactly") {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        CAPTURE(seed);
+        random_formula const f(seed);
+        vector<Q> const q(Q(1, 2), Q(-2, 3), Q(3, 5)), v(Q(-1, 4), Q(2), Q(5, 7));
+        CHECK(difference<Q>(f, q, v) == 0);
+    }
+}
+
+TEST_CASE("every function has the derivatives of jets") {
+    auto const near = [](char const* name, auto const& f) {
+        CAPTURE(name);
+        vector<double> const q(0.4, -0.3, 0.7), v(0.2, 0.6, -0.5);
+        CHECK(difference<double>(f, q, v) <= 64 * epsilon<double>());
+        CHECK(difference<float50>(f, vector<float50>(q.cast<float50>()), vector<float50>(v.cast<float50>())) <= 64 * epsilon<float50>());
+    };
+    // inside each function something that depends on positions and velocities, and whose second derivatives are not zero
+    auto const in = [](auto const& q, auto const& v) { return q(0) * v(1) * v(1) + q(2) * q(1) / 3 + 0.75; };
+#define NEAR(formula)                                                                                                                      \
+    near(#formula, [&](auto const& q, auto const& v) {                                                                                     \
+        [[maybe_unused]] auto const u = in(q, v);                                                                                          \
+        return formula;                                                                                                                    \
+    })
+    NEAR(sin(u) * v(0));
+    NEAR(cos(u));
+    NEAR(tan(u));
+    NEAR(exp(u) - exp(-v(2)));
+    NEAR(log(u));
+    NEAR(sqrt(u));
+    NEAR(sinh(u));
+    NEAR(cosh(u));
+    NEAR(tanh(u));
+    NEAR(asin(u));
+    NEAR(acos(u));
+    NEAR(atan(u));
+    NEAR(cbrt(u));
+    NEAR(expm1(u));
+    NEAR(log1p(u));
+    NEAR(erf(u));
+    NEAR(pow(u, 2.5));
+    NEAR(pow(u, 3) + pow(u, -2) + pow(u, 0) + pow(u, 1));
+    NEAR(pow(u, u));
+    NEAR(pow(2.5, u) + pow(0.0, u));
+    NEAR(hypot(u, v(0)) + hypot(q(1), 2.0));
+    NEAR(atan2(u, v(0)) + atan2(0.5, u));
+    NEAR(abs(u - 2) + fabs(q(1)) + copysign(u, q(1)));
+    NEAR(max(u, 0.1) * min(q(0), v(0)) + fmax(q(1), q(2)) + fmin(v(1), 3.0));
+    NEAR(q.squaredNorm() * v.norm() + (q - v).dot(q) / q.norm() + q.cwiseProduct(v).sum());
+#undef NEAR
+}
+
+TEST_CASE("a formula is looked at once, and again where a comparison comes out differently") {
+    long long calls = 0;
+    auto const spring = [&calls](auto const& q, auto const& v) {
+        ++calls;
+        plain_t<decltype(q(0))> const r = q(4) - q(0);
+        return v.dot(v) / 2 - q.dot(q) / 2 - (r > 0 ? 1 : 3) * r * r / 2;
+    };
+    using V = Eigen::Matrix<double, 5, 1>;
+    problem<decltype(spring)> const what{spring, {}};
+    detail::node_derivatives<problem<decltype(spring)>, V> at;
+    V q = V::Zero(), v = V::Ones();
+    q(4) = 1;
+    auto const slope = [&](double far, int which) {
+        q(4) = far;
+        (void)at.compute(what, 0.0, q, v, which);
+        return at.by_q(4);
+    };
+    using parts = decltype(at);
+    for (int pass = 0; pass < 3; ++pass) {
+        CHECK(slope(1, parts::first_order) == -2);
+        CHECK(slope(-1, parts::with_seconds) == 4);
+        CHECK(slope(2, parts::forces_only) == -4);
+        CHECK(calls == 2);
+    }
+    // whoever watches sees the branches, as with jets
+    detail::branch_watch const watch;
+    (void)slope(1, parts::first_order);
+    auto const right = watch.path();
+    detail::branch_watch const again;
+    (void)slope(3, parts::first_order);
+    CHECK(again.path() == right);
+    detail::branch_watch const left;
+    (void)slope(-3, parts::first_order);
+    CHECK(not(left.path() == right));
+}
+
+TEST_CASE("a time that a formula is told is the time that it has") {
+    auto const driven = [](double t, auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * std::cos(t); };
+    using V = Eigen::Matrix<double, 5, 1>;
+    detail::node_derivatives<problem<decltype(driven)>, V> at;
+    for (double const t : {0.0, 1.0, 0.5, 1.0}) {
+        (void)at.compute(problem<decltype(driven)>{driven, {}}, t, V::Ones(), V::Zero(), decltype(at)::first_order);
+        CHECK(at.by_q(2) == -2 * std::cos(t));
+    }
+}
+
+TEST_CASE("of a chain only the neighbours are there") {
+    int const n = 40;
+    auto const chain = [](auto const& q, auto const& v) {
+        auto sum = v.dot(v) / 2 - q(0) * q(0) / 2;
+        for (int k = 1; k < q.size(); ++k) sum = sum - pow(q(k) - q(k - 1), 4) / 4;
+        return sum;
+    };
+    detail::node_derivatives<problem<decltype(chain)>, Eigen::VectorXd> at;
+    Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(n, 0, 1), v = q;
+    (void)at.compute(problem<decltype(chain)>{chain, {}}, 0.0, q, v, decltype(at)::with_seconds);
+    auto const& places = at.places();
+    CHECK(places.entries[detail::block_qq].size() == 3 * n - 2);
+    CHECK(places.entries[detail::block_vv].size() == n);
+    CHECK(places.entries[detail::block_qv].empty());
+    CHECK(places.entries[detail::block_vq].empty());
+    CHECK(places.constant[detail::block_vv]);
+    CHECK(not places.constant[detail::block_qq]);
+    for (auto const& e : places.entries[detail::block_vv]) {
+        CHECK(e.row == e.column);
+        CHECK(at.value(e.place) == 1);
+    }
+}
+
+} // namespace traced_tests

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSL-1.0
+// What trajectories do not show: a wrong second derivative, with which Newton's iteration converges all the same and only later, and the
+// momentum of embeddings that do not reproduce constants, which does not come from the equation that is solved.
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "hilger/integrator/flow.hpp"
+#include "hilger/variational/legendre_transform.hpp"
+
+namespace legendre_transform_tests {
+
+using namespace hilger;
+
+namespace {
+
+/// All derivatives of the Lagrangian of H at (q, v) against those of L, numbers near 1: what is left is rounding.
+template <class H, class L, class V>
+void check_transform(H const& h, L const& l, V const& q, V const& v) {
+    double const rounding = 32 * epsilon<double>();
+    auto const found = expand(lagrangian_of(h), q, v), expected = expand(l, q, v);
+    CHECK(magnitude(V(found.by_q - expected.by_q)) <= rounding);
+    CHECK(magnitude(V(found.by_v - expected.by_v)) <= rounding);
+    CHECK(magnitude(evaluated(found.qq - expected.qq)) <= rounding);
+    CHECK(magnitude(evaluated(found.qv - expected.qv)) <= rounding);
+    CHECK(magnitude(evaluated(found.vv - expected.vv)) <= rounding);
+    CHECK(std::abs(lagrangian_of(h)(q, v) - l(q, v)) <= rounding);
+}
+
+} // namespace
+
+TEST_CASE("L_qq = H_qp H_pp^-1 H_pq - H_qq, L_qv = -H_qp H_pp^-1, L_vv = H_pp^-1: numbers") {
+    check_transform([](auto const& p, auto const& q) { return (p - q * q) * (p - q * q) / (2 * (1 + q)) + q * q * q; },
+                    [](auto const& q, auto const& v) { return (1 + q) * v * v / 2 + q * q * v - q * q * q; }, 1.0 / 3, 0.4);
+}
+
+TEST_CASE("and vectors, where the mixed derivatives are not symmetric") {
+    auto const H = [](auto const& p, auto const& q) {
+        auto const a = p(0) - q(1), b = p(1) - 2 * q(0) * q(1);
+        return a * a / (2 * (1 + q(0) * q(0))) + b * b / 2 + q(0) * q(1) * q(1);
+    };
+    auto const L = [](auto const& q, auto const& v) {
+        return (1 + q(0) * q(0)) * v(0) * v(0) / 2 + q(1) * v(0) + v(1) * v(1) / 2 + 2 * q(0) * q(1) * v(1) - q(0) * q(1) * q(1);
+    };
+    check_transform(H, L, Eigen::Vector2d(1.0 / 3, -0.5), Eigen::Vector2d(0.4, 3.0 / 7));
+}
+
+TEST_CASE("p_i = -d_1 L_h and p_{i+1} = d_2 L_h, also where the position of a constant is not the constant") {
+    constexpr auto stretched =
+        make_embedding<step_weight>(fraction<3, 2>{} * mid_point.position, mid_point.velocity, "stretched", inconsistent);
+    auto const L = [](auto const& q, auto const& v) { return v * v / 2 + v * q / 3 - q * q / 2; };
+    double const h = 0.25;
+    state<double, double> const x{0.0, 1.0, 0.5};
+    auto const y = embed(L, stretched).step(x, h);
+    // L_h(x, y) = h L(a, v) with a = 3/4 (x + y) and v = (y - x) / h, in numbers near 1
+    double const a = 0.75 * (x.q + y.q), v = (y.q - x.q) / h, by_q = v / 3 - a, by_v = v + a / 3;
+    CHECK(std::abs(x.p - (by_v - h * 0.75 * by_q)) <= 16 / h * epsilon<double>());
+    CHECK(std::abs(y.p - (by_v + h * 0.75 * by_q)) <= 16 / h * epsilon<double>());
+    CHECK(std::abs(y.p - x.p) > 0.1);
+}
+
+} // namespace legendre_transform_tests
