@@ -9,7 +9,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
-#include "../../papers/table.hpp"
+#include "../../../papers/table.hpp"
 #include "hilger/multiprecision.hpp"
 
 namespace hilger::testing {

@@ -6,7 +6,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <doctest/doctest.h>
 
-#include "../../papers/table.hpp"
+#include "../../../papers/table.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/multiprecision.hpp"
