@@ -29,9 +29,11 @@ template <class E>
 constexpr reversed<E> turned(E const& e) {
     return {e};
 }
-/// Gauss and Lobatto nodes stand symmetrically: a Galerkin step is its own adjoint.
-template <int Stages, class Quadrature>
-constexpr auto turned(galerkin_embedding<Stages, Quadrature> const& e) {
+/// Where the nodes stand symmetrically, as Gauss's and Lobatto's do, a Galerkin step is its own adjoint.
+template <int Degree, class Quadrature, int Count>
+    requires(Quadrature::is_symmetric)
+constexpr auto
+turned(embedding<polynomial_value<Degree, Quadrature, Count>, polynomial_slope<Degree, Quadrature, Count>, step_weight> const& e) {
     return e;
 }
 template <class E>
@@ -47,11 +49,13 @@ tableau<S> tableau_of(reversed<E> const& e, S const& h) {
     tableau<S> const back = tableau_of(e.of, S(-h));
     tableau<S> t = back;
     for (int k = 0; k < t.nodes; ++k) {
-        for (int j = 0; j < 2; ++j) {
-            t.position[static_cast<std::size_t>(2 * k + j)] = back.a(k, 1 - j);
-            t.velocity[static_cast<std::size_t>(2 * k + j)] = back.b(k, 1 - j);
+        for (int j = 0; j < t.controls; ++j) {
+            auto const at = static_cast<std::size_t>(t.controls * k + j);
+            t.position[at] = back.a(k, t.controls - 1 - j);
+            t.velocity[at] = back.b(k, t.controls - 1 - j);
         }
         t.weight[static_cast<std::size_t>(k)] = -back.w(k);
+        if (not t.inside.empty()) t.inside[static_cast<std::size_t>(k)] = h + back.inside[static_cast<std::size_t>(k)];
     }
     return t;
 }

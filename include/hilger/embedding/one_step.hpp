@@ -5,6 +5,8 @@
 // if one of these fails, the steps converge to the motion of another system.
 #pragma once
 
+#include <array>
+
 #include "hilger/adjoint/prime_field.hpp"
 #include "hilger/error.hpp"
 #include "hilger/operator/integral.hpp"
@@ -25,18 +27,17 @@ struct single_step {
 
 namespace detail {
 
-/// The function with values x and y at the two ends of a step; it refers to both.
-template <class S, class V>
-struct two_values : discrete_function_tag {
+/// The function with these values at the points of a step, both ends of it among them; it refers to them.
+template <class S, class V, class Base>
+struct values_in_step : discrete_function_tag {
     using root_type = single_step<S>;
-    using domain_type = hilger::domain<nodes>;
+    using domain_type = hilger::domain<Base>;
     root_type const* step;
-    V const* x;
-    V const* y;
-    constexpr two_values(root_type const& T, V const& at_start, V const& at_end) : step(&T), x(&at_start), y(&at_end) {}
+    V const* values;
+    constexpr values_in_step(root_type const& T, V const* at_points) : step(&T), values(at_points) {}
     constexpr root_type const& root() const { return *step; }
     static constexpr domain_type domain() { return {}; }
-    constexpr V const& get(index_type i) const { return i == 0 ? *x : *y; }
+    constexpr V const& get(index_type i) const { return values[i]; }
 };
 
 template <linear_map A, linear_map B>
@@ -47,22 +48,44 @@ inline constexpr bool reads_one_step = reads_few_points<A, B> and (A::reads | B:
 
 template <linear_map A, linear_map B, class W, class S>
 struct on_one_step {
-    using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<nodes>{}),
-                                                        std::declval<B const&>().image(domain<nodes>{})))>;
+    using from = typename A::from;
+    using both = std::remove_cvref_t<decltype(intersect(std::declval<A const&>().image(domain<from>{}),
+                                                        std::declval<B const&>().image(domain<from>{})))>;
     static constexpr index_type first = both::front;
     static constexpr index_type last = both::base_type::last(1) - both::back;
     static constexpr int nodes_ = static_cast<int>(last - first + 1);
 
-    /// Op on the function with values x and y at the ends of a step h, at the node k.
-    template <linear_map Op>
-    static constexpr S value(Op const& op, S const& h, S const& x, S const& y, int k) {
+    /// The points of a step at which a function is known: its ends, and those inside of it.
+    static constexpr int controls = static_cast<int>(from::last(1)) + 1;
+    using values = std::array<S, static_cast<std::size_t>(controls)>;
+    static constexpr values constant(S const& c) {
+        values f{};
+        f.fill(c);
+        return f;
+    }
+    /// 1 at point j, 0 at the others.
+    static constexpr values unit(int j) {
+        values f = constant(S(0));
+        f[static_cast<std::size_t>(j)] = S(1);
+        return f;
+    }
+    /// The time since the beginning of a step h.
+    static constexpr values time(S const& h) {
         single_step<S> const T{h};
-        two_values<S, S> const q(T, x, y);
+        values f = constant(S(0));
+        for (int j = 1; j < controls; ++j) f[static_cast<std::size_t>(j)] = f[static_cast<std::size_t>(j - 1)] + from{}.step(T, j - 1);
+        return f;
+    }
+    /// Op on the function with these values in a step h, at the node k.
+    template <linear_map Op>
+    static constexpr S value(Op const& op, S const& h, values const& f, int k) {
+        single_step<S> const T{h};
+        values_in_step<S, S, from> const q(T, f.data());
         return S(op.evaluate(q, first + k));
     }
     static constexpr S weight(A const& a, B const& b, S const& h, int k) {
         single_step<S> const T{h};
-        domain<nodes> const here;
+        domain<from> const here;
         return S(W::at(T, intersect(a.image(here), b.image(here)).base, first + k));
     }
 };
@@ -74,14 +97,15 @@ template <class W, class S, linear_map A, linear_map B, class Near>
 constexpr consistency examine(A const& a, B const& b, S const& h, Near const& near) {
     using step = on_one_step<A, B, W, S>;
     S const zero(0), one(1);
+    auto const ones = step::constant(one), time = step::time(h);
     S sum(0);
     for (int k = 0; k < step::nodes_; ++k) sum = sum + step::weight(a, b, h, k);
     if (not near(S(sum / h), one)) return consistency::weights;
     for (int k = 0; k < step::nodes_; ++k) {
         if (step::weight(a, b, h, k) == zero) continue;
-        if (not near(step::value(a, h, one, one, k), one)) return consistency::position_of_one;
-        if (not near(S(step::value(b, h, one, one, k) * h), zero)) return consistency::velocity_of_one;
-        if (not near(step::value(b, h, zero, h, k), one)) return consistency::velocity_of_time;
+        if (not near(step::value(a, h, ones, k), one)) return consistency::position_of_one;
+        if (not near(S(step::value(b, h, ones, k) * h), zero)) return consistency::velocity_of_one;
+        if (not near(step::value(b, h, time, k), one)) return consistency::velocity_of_time;
     }
     return consistency::holds;
 }

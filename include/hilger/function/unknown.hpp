@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The unknown q in C(T) of a variational problem: a function with a domain and no values. What is written with it is a description,
-// an operator applied to q, that is later applied to functions that have values.
+// The unknown q in C(T), or in C(T/d), of a variational problem: a function with a domain and no values. What is written with it is a
+// description, an operator applied to q, that is later applied to functions that have values.
 #pragma once
 
 #include "hilger/fixed_text.hpp"
@@ -8,9 +8,9 @@
 
 namespace hilger {
 
-template <fixed_text Name = fixed_text("q")>
+template <fixed_text Name = fixed_text("q"), class Base = nodes>
 struct unknown : discrete_function_tag {
-    using domain_type = hilger::domain<nodes>;
+    using domain_type = hilger::domain<Base>;
     static constexpr auto name() { return Name; }
 };
 

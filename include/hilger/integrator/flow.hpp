@@ -41,17 +41,19 @@ public:
         static constexpr bool carried = Sums == sums::compensated;
         static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
-        static constexpr bool inner = not std::is_void_v<table>; ///< control values inside the step
+        /// Control values inside the step, and it may be that forces at the nodes are all there is to iterate.
+        static constexpr bool inner = not std::is_void_v<table> and (is_mechanical<F> or not detail::is_traced_state<V>);
         static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
             if constexpr (inner)
-                return detail::galerkin_step<problem_type, table, carried, S, V, Extra>(f.problem_, h, like, extra);
+                return detail::galerkin_step<problem_type, table, carried, S, V, Extra>(f.problem_, tableau_of(f.embedding_, h), h, like,
+                                                                                        extra);
             else if constexpr (known)
                 return detail::structured<F, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like,
                                                                                 extra);
             else if constexpr (small)
                 return detail::one_node<problem_type, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
             else
-                return detail::many_nodes<problem_type, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
+                return detail::many_nodes<problem_type, carried, S, V, Extra, controls_of<E>>(tableau_of(f.embedding_, h), h, like, extra);
         }
 
     public:
@@ -92,10 +94,7 @@ public:
         void prepare(flow const& f, S const& h) {
             if (h == stepper_.h()) [[likely]]
                 return;
-            if constexpr (inner)
-                stepper_.prepare(h);
-            else
-                stepper_.prepare(tableau_of(f.embedding_, h), h);
+            stepper_.prepare(tableau_of(f.embedding_, h), h);
         }
         HILGER_ALWAYS_INLINE static auto const& what(flow const& f) {
             if constexpr (known)

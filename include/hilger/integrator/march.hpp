@@ -25,11 +25,11 @@ template <class Values, class S>
 concept states_over = std::ranges::input_range<Values> and is_given_state<std::ranges::range_value_t<Values>> and
     is_exact_state<std::ranges::range_value_t<Values>, S>;
 
-/// What there is of a function on T while it is made.
-template <class V, class Root>
-struct values_so_far : function_interface<values_so_far<V, Root>> {
+/// What there is of a function on T, or on T with points inside its steps, while it is made.
+template <class V, class Root, class Base = nodes>
+struct values_so_far : function_interface<values_so_far<V, Root, Base>> {
     using root_type = Root;
-    using domain_type = hilger::domain<nodes>;
+    using domain_type = hilger::domain<Base>;
     Root const* T;
     std::vector<V> const* values;
     [[nodiscard]] Root const& root() const { return *T; }

@@ -6,13 +6,14 @@
 #pragma once
 
 #include "hilger/integrator/flow.hpp"
+#include "hilger/integrator/inner_points.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
 
 namespace hilger {
 
 /// The discrete Euler-Lagrange equation of a flow's Lagrangian on T, without its forces.
-template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Root>
-constexpr auto equation_of(flow<F, Force, embedding<A, B, W>, Sums> const& f, Root const& T) {
+template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Root>
+constexpr auto equation_of(flow<F, Force, embedding<A, B, W, Checked>, Sums> const& f, Root const& T) {
     auto const& how = f.embedding();
     return variation(action<F, A, B, W, Root>{f.mechanics().lagrangian, how.position, how.velocity, T});
 }
@@ -44,10 +45,15 @@ auto positions_along(Path const& path) {
 /// included. Terms of the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of
 /// this size it is along a solution. For flows under embeddings by operators; a composition, and a step with positions inside, have
 /// equations in positions that a trajectory does not have. @throws as walking does
-template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Scale, class V>
-auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W>, Sums>, Scale, V> const& path) {
+template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Scale, class V>
+auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W, Checked>, Sums>, Scale, V> const& path) {
     auto const q = detail::positions_along(path);
-    return largest_residual(equation_of(path.method(), q.root()), q, path.method().mechanics().force);
+    auto const equation = equation_of(path.method(), q.root());
+    auto const& force = path.method().mechanics().force;
+    if constexpr (std::same_as<typename A::from, nodes>)
+        return largest_residual(equation, q, force);
+    else
+        return largest_residual(equation, with_inner_points(equation, q, force), force);
 }
 
 } // namespace hilger

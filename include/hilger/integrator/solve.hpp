@@ -4,6 +4,7 @@
 
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/flow.hpp"
+#include "hilger/integrator/inner_points.hpp"
 #include "hilger/integrator/march.hpp"
 
 namespace hilger {
@@ -17,7 +18,11 @@ auto solved(euler_lagrange<Action> const& equation, typename Action::root_type c
     std::vector<V> positions;
     positions.reserve(static_cast<std::size_t>(T.size()));
     for (auto const& at : path) positions.push_back(at.q);
-    return function_on(T, std::move(positions));
+    auto x = function_on(T, std::move(positions));
+    if constexpr (std::same_as<typename Action::position_type::from, nodes>)
+        return x;
+    else
+        return with_inner_points(equation, x);
 }
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
@@ -27,7 +32,8 @@ using positions_on = positions_in_braces<typename Action::root_type::scalar_type
 } // namespace detail
 
 /// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0), or with the first two values q0 and q1: a function on T. The data are numbers or
-/// vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}).
+/// vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). Where the equation has
+/// points inside the steps the function lives there too.
 /// @throws as flow::along does; a failed step says where the solution ends.
 template <class Action, class V>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_velocity<V> const& from) {

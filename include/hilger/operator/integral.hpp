@@ -2,7 +2,8 @@
 // Definite integrals and the end-point bracket.
 //   integral(f, T)         int_a^b f Delta t,   over T^+           (Cresson-Safi (7))
 //   integral(f, half(T))   int_a^b f Delta_half t, over T_half     (Cresson-Safi (32), (35)); f may live on T_half or T_o
-//   integral(f, circ(T))   the Delta integral of T_o
+//   integral(f, circ(T))   the Delta integral of T_o, and of T/d
+//   integral(f, at_nodes<Q, n>(T))     the quadrature Q of n nodes on each step (embedding/quadrature.hpp)
 //   integral(f, s, t)      between two points of T, in either order: reversed bounds change the sign
 //   nabla_integral         the same from the left, over T^-
 #pragma once
@@ -22,6 +23,12 @@ constexpr auto weighted_sum(F const& f) {
 }
 
 namespace detail {
+
+/// Families whose points an integral counts with weights of their own: nodes of a quadrature.
+template <class Base, class Root>
+inline constexpr bool has_own_weights = requires(Base const& base, Root const& T) {
+    base.weight(T, index_type(0));
+};
 
 /// f at the points numbered first to last of Base, as a function: no copy.
 template <discrete_function F, class Domain>
@@ -104,6 +111,8 @@ constexpr auto integral(F f, Scale const& scale) {
     detail::require_root(f, scale);
     if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); })
         return weighted_sum<step_weight>(detail::on_lambda_points(std::move(f), scale.domain().base));
+    else if constexpr (detail::has_own_weights<Base, typename Scale::root_type>)
+        return weighted_sum<step_weight>(detail::restrict_to(std::move(f), scale.domain()));
     else
         return weighted_sum<delta_weight>(detail::restrict_to(std::move(f), domain<Base, 0, 1>{scale.domain().base}));
 }
@@ -111,12 +120,14 @@ constexpr auto integral(F f, Scale const& scale) {
 /// The nabla integral over T or T_o: f is needed on T^-.
 template <discrete_function F, time_scale_like Scale>
 constexpr auto nabla_integral(F f, Scale const& scale) {
+    static_assert(not detail::has_own_weights<typename Scale::domain_type::base_type, typename Scale::root_type>,
+                  "over the nodes of a quadrature there is one integral: integral(f, scale)");
     detail::require_root(f, scale);
     return weighted_sum<nabla_weight>(
         detail::restrict_to(std::move(f), domain<typename Scale::domain_type::base_type, 1, 0>{scale.domain().base}));
 }
 
-/// int_s^t between two points, which are points of T also when f lives on T_lambda.
+/// int_s^t between two points, which are points of T also when f lives on T_lambda or at the nodes of a quadrature.
 /// @throws error::outside_domain when s or t is not one of them.
 template <discrete_function F>
 constexpr auto integral(F f, typename F::root_type::scalar_type const& s, typename F::root_type::scalar_type const& t) {
@@ -124,6 +135,11 @@ constexpr auto integral(F f, typename F::root_type::scalar_type const& s, typena
     if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); }) {
         auto const T = derived_scale(f.root(), domain<nodes>{});
         return detail::sum_between<step_weight>(detail::restrict_to(f, domain<Base>{f.domain().base}), T.number_of(s), T.number_of(t));
+    } else if constexpr (detail::has_own_weights<Base, typename F::root_type>) {
+        auto const T = derived_scale(f.root(), domain<nodes>{});
+        constexpr index_type in_a_step = Base::last(2) - Base::last(1);
+        return detail::sum_between<step_weight>(detail::restrict_to(f, domain<Base>{f.domain().base}), in_a_step * T.number_of(s),
+                                                in_a_step * T.number_of(t));
     } else {
         auto const scale = derived_scale(f.root(), domain<Base>{f.domain().base});
         return detail::sum_between<delta_weight>(detail::restrict_to(f, domain<Base, 0, 1>{f.domain().base}), scale.number_of(s),

@@ -7,9 +7,12 @@
 
 namespace hilger {
 
-template <fixed_text Name>
-constexpr auto operator_of(unknown<Name> const&) {
-    return identity_T;
+template <fixed_text Name, class Base>
+constexpr auto operator_of(unknown<Name, Base> const&) {
+    if constexpr (std::same_as<Base, nodes>)
+        return identity_T;
+    else
+        return identity_on<Base, natural_weight_t<fraction<1, 2>>>{};
 }
 template <linear_map A, symbolic_function F>
 constexpr auto operator_of(applied<A, F> const& expression) {
@@ -20,8 +23,8 @@ constexpr auto operator_of(applied<A, F> const& expression) {
 }
 
 /// The unknown of a symbolic expression.
-template <fixed_text Name>
-constexpr auto unknown_of(unknown<Name> const& q) {
+template <fixed_text Name, class Base>
+constexpr auto unknown_of(unknown<Name, Base> const& q) {
     return q;
 }
 template <linear_map A, symbolic_function F>

@@ -118,11 +118,10 @@ expression write_operator(A const& a, expression const& f) {
             if (parts.is_awkward())
                 if (auto const shifts = written_shifts(a, f)) return *shifts;
         return parts;
-    } else if constexpr (Uniform) {
+    } else {
         if (auto const known = as_known<Uniform>(a, f)) return *known;
         return written_alone(a, f);
-    } else
-        return written_alone(a, f);
+    }
 }
 template <class Op>
 expression written_on(Op const& op, expression const& f) {

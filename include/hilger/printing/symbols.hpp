@@ -67,6 +67,12 @@ spelled foot(joined<Lambda> const& base) {
         return {"∘," + l.terminal, "\\circ," + l.latex};
     }
 }
+template <class Base>
+    requires requires { Base::foot(); }
+spelled foot(Base const&) {
+    std::string const at(Base::foot().view());
+    return {at, at.substr(at.starts_with('_') ? 1 : 0)};
+}
 /// A letter with a foot, and +, - after it.
 inline spelled letter(char const* terminal, char const* latex, spelled const& at, char const* sign_terminal = "",
                       char const* sign_latex = "") {

@@ -3,6 +3,7 @@
 //   nodes            T
 //   between<lambda>  T_lambda   = {(1 - lambda) t_i + lambda t_{i+1}},  T_half is between<1/2>
 //   joined<lambda>   T_{o,lambda} = T u T_lambda,                       T_o is joined<1/2>
+//   subdivided<d>    T/d, with the d - 1 points that divide each step of T into d equal parts; T/1 is T, and T/2 is T_o
 // A domain is a family with points cut off at its ends: T^+ has lost its last point, T^- its first. All of them are computed
 // from T when asked; none stores a point.
 #pragma once
@@ -92,6 +93,45 @@ struct joined {
     }
     friend constexpr bool operator==(joined const&, joined const&) = default;
 };
+
+namespace detail {
+/// Number d i + m is t_i + m h_i / d.
+template <int Parts>
+struct parts_of_steps {
+    static_assert(Parts >= 3);
+    static constexpr int parts = Parts;
+    static constexpr auto name() { return fixed_text("T/") + digits<Parts>(); }
+    static constexpr auto foot() { return fixed_text("/") + digits<Parts>(); }
+    static constexpr index_type last(index_type steps) { return Parts * steps; }
+    template <class Root>
+    constexpr auto point(Root const& T, index_type j) const {
+        using S = typename Root::scalar_type;
+        index_type const i = j / Parts, m = j % Parts;
+        return m == 0 ? S(T.point(i)) : S(T.point(i) + S(static_cast<long long>(m)) * T.step(i) / S(Parts));
+    }
+    template <class Root>
+    constexpr auto step(Root const& T, index_type j) const {
+        using S = typename Root::scalar_type;
+        return S(T.step(j / Parts) / S(Parts));
+    }
+    friend constexpr bool operator==(parts_of_steps, parts_of_steps) = default;
+};
+template <int Parts>
+struct family_of_parts {
+    using type = parts_of_steps<Parts>;
+};
+template <>
+struct family_of_parts<1> {
+    using type = nodes;
+};
+template <>
+struct family_of_parts<2> {
+    using type = joined<fraction<1, 2>>;
+};
+} // namespace detail
+
+template <int Parts>
+using subdivided = typename detail::family_of_parts<Parts>::type;
 
 /// A family of points without its first Front and its last Back points.
 template <class Base, int Front = 0, int Back = 0>

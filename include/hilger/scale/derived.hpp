@@ -109,6 +109,13 @@ constexpr auto at_lambda(Scale const& T, std::type_identity_t<S> lambda) {
     detail::require_lambda(lambda, true);
     return detail::derive(T, domain<between<run_time<S>>>{{{std::move(lambda)}}});
 }
+/// T/d: each step of T in d equal parts.
+template <int Parts, time_scale_like Scale>
+constexpr auto subdivide(Scale const& T) {
+    static_assert(Parts >= 1, "a step is divided into one part or more");
+    detail::require_nodes<typename Scale::domain_type>();
+    return detail::derive(T, domain<subdivided<Parts>>{});
+}
 /// T_{o,lambda} = T u T_lambda with lambda = P/Q in the type; lambda = 0 is refused, because T_0 is already in T.
 template <int P, int Q, time_scale_like Scale>
 constexpr auto circ(Scale const& T) {

@@ -33,7 +33,8 @@ struct mean_weight {
 using delta_weight = mean_weight<fraction<0>>;
 using nabla_weight = mean_weight<fraction<1>>;
 
-/// The weights of the lambda-integral, on T_lambda: t_{i+1} - t_i at t_{i,lambda} (Cresson-Safi (32)).
+/// The weights of the lambda-integral, on T_lambda: t_{i+1} - t_i at t_{i,lambda} (Cresson-Safi (32)); at the nodes of a quadrature those
+/// of the quadrature, which add up to it in each step.
 struct step_weight {
     static constexpr bool vanishes_first = false;
     static constexpr bool vanishes_last = false;
@@ -42,6 +43,9 @@ struct step_weight {
     static constexpr auto at(Root const& T, between<Lambda> const&, index_type i) {
         return typename Root::scalar_type(T.step(i));
     }
+    template <class Root, class Base>
+        requires requires(Root const& T, Base const& base) { base.weight(T, index_type(0)); }
+    static constexpr auto at(Root const& T, Base const& base, index_type i) { return base.weight(T, i); }
 };
 
 /// On T_{o,lambda}: half of the weight W of T at the points of T, half of the step at those of T_lambda, so that both parts carry

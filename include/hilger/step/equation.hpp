@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation of a step of any embedding without control values inside the step, given by its tableau, in any dimension:
-//   r(y) = p_i + sum_k w_k (a_k0 dL/dq + b_k0 dL/dv)(A_k, B_k) = 0,   A_k = a_k0 q_i + a_k1 y,   B_k = b_k0 q_i + b_k1 y,
-// which is p_i = -d_1 L_h, with its derivative by y in the pattern that the formula of L leaves; and the momentum after the step,
-//   p_{i+1} = d_2 L_h = sum_k w_k (a_k1 dL/dq + b_k1 dL/dv).
+// The equation of one step of an embedding, given by its tableau, in any dimension. With the control values U_0 = q_i, U_1, ..., U_n = y of
+// the step, of which U_1, ..., U_{n-1} are inside of it where an embedding has any, L_h is stationary in these and p_i = -d_0 L_h:
+//   r_j(U) = [j = 0] p_i + sum_k w_k (a_kj dL/dq + b_kj dL/dv)(A_k, B_k) = 0,  j < n,   A_k = sum_m a_km U_m,   B_k = sum_m b_km U_m,
+// with its derivative by U_1, ..., U_n in the pattern that the formula of L leaves; and the momentum after the step,
+//   p_{i+1} = d_n L_h = sum_k w_k (a_kn dL/dq + b_kn dL/dv).
+// Rows and unknowns of one component stand together, so that couplings of neighbours stay a band.
 #pragma once
 
 #include <array>
@@ -19,18 +21,24 @@
 
 namespace hilger::detail {
 
-template <class Problem, class S, class V, class Extra = no_step_force>
+template <class Problem, class S, class V, class Extra = no_step_force, int Controls = 2>
 class step_equation {
     using s = shape<V>;
+    static constexpr int U = Controls - 1; ///< unknown control values
+    static constexpr int last = Controls - 1;
+    static constexpr int rows = s::size == Eigen::Dynamic ? Eigen::Dynamic : s::size * U;
 
 public:
     using matrix = patterned_matrix<S>;
-    using vector = Eigen::Matrix<S, s::size, 1>;
+    using vector = Eigen::Matrix<S, rows, 1>;
+    using of_state = Eigen::Matrix<S, s::size, 1>;
+    using unknown = std::conditional_t<U == 1, V, vector>;
     using derivatives = node_derivatives<Problem, V>;
 
     step_equation(V const& like, Extra extra_force)
-        : extra(std::move(extra_force)), moved(zero_like(like)), residual(vector::Zero(s::dimension(like))), increment(residual),
-          whole(residual), d_(s::dimension(like)), A_(moved), B_(moved) {}
+        : extra(std::move(extra_force)), moved(shape<unknown>::zero(s::dimension(like) * U)),
+          residual(vector::Zero(s::dimension(like) * U)), increment(of_state::Zero(s::dimension(like))), whole(increment),
+          d_(s::dimension(like)), A_(zero_like(like)), B_(A_), sizes_(residual) {}
     void prepare(tableau<S> const& t, S const& h) {
         if (nodes_.size() != static_cast<std::size_t>(t.nodes)) {
             nodes_.clear();
@@ -48,39 +56,69 @@ public:
         else
             return s::size;
     }
+    [[nodiscard]] int unknowns() const { return dimension() * U; }
+    /// U_n - q_i, component c and whole.
+    [[nodiscard]] S const& end(int c) const {
+        if constexpr (U == 1)
+            return s::component(moved, c);
+        else
+            return moved(place_of(last, c));
+    }
+    [[nodiscard]] decltype(auto) end() const {
+        if constexpr (U == 1)
+            return (moved);
+        else {
+            V x = s::zero(dimension());
+            for (int c = 0; c < dimension(); ++c) s::component(x, c) = end(c);
+            return x;
+        }
+    }
+    /// As if the velocity were v.
+    void move_with(V const& v) {
+        if constexpr (U == 1)
+            moved = v * h_;
+        else
+            for (int c = 0; c < dimension(); ++c)
+                for (int m = 1; m <= U; ++m) moved(place_of(m, c)) = s::component(v, c) * h_ * S(m) / S(U);
+    }
 
     [[no_unique_address]] Extra extra;
-    V moved;                 ///< y - q_i
-    vector residual;         ///< r(y)
-    vector increment, whole; ///< what the momentum gains; what it becomes
-    matrix full_matrix;      ///< r'(y)
-    matrix constant_part;    ///< what of it never changes
+    unknown moved;             ///< U_m - q_i
+    vector residual;           ///< r(U)
+    of_state increment, whole; ///< what the momentum gains; what it becomes
+    matrix full_matrix;        ///< r'(U)
+    matrix constant_part;      ///< what of it never changes
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
     bool adds_up = true; ///< constants have themselves as position and no velocity
 
     /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new.
-    void evaluate(Problem const& problem, state<S, V> const& x, int which) {
+    void evaluate(Problem const& problem, state<S, V> const& x, wanted which) {
         bool is_new = not is_prepared;
         for (int k = 0; k < t_.nodes; ++k) {
-            bool const no_force =
-                is_prepared and is_constant and which == derivatives::first_order and again_[at(k)] and t_.w(k) * t_.a(k, 0) == S(0);
-            if (compute(problem, x, k, no_force ? derivatives::momenta_only : which)) is_new = true;
+            bool const no_force = is_prepared and is_constant and which == wanted::first_order and again_[at(k)] and not enters_by_force(k);
+            if (compute(problem, x, k, no_force ? wanted::momenta_only : which)) is_new = true;
         }
         if (is_new) prepare_matrices();
     }
     void put_residual(state<S, V> const& x) {
-        for (int c = 0; c < dimension(); ++c) residual(c) = s::component(x.p, c);
-        for (int k = 0; k < t_.nodes; ++k) {
-            S const wa = t_.w(k) * t_.a(k, 0), wb = t_.w(k) * t_.b(k, 0);
-            if (wa == S(0))
-                nodes_[at(k)].add_by_v(wb, residual);
-            else
-                nodes_[at(k)].add_both(wa, wb, residual);
-        }
-        if constexpr (has_step_force<Extra>) { // h/2 F
-            S const half = h_ / S(2);
-            for (int c = 0; c < dimension(); ++c) residual(c) = residual(c) + half * extra.at(s::component(moved, c), c);
-        }
+        for (int c = 0; c < dimension(); ++c) residual(place_of(1, c)) = s::component(x.p, c);
+        for (int j = 1; j < U; ++j)
+            for (int c = 0; c < dimension(); ++c) residual(place_of(j + 1, c)) = S(0);
+        for (int k = 0; k < t_.nodes; ++k)
+            for (int j = 0; j < U; ++j) {
+                S const wa = t_.w(k) * t_.a(k, j), wb = t_.w(k) * t_.b(k, j);
+                auto&& row = row_of(residual, j);
+                if (wa == S(0))
+                    nodes_[at(k)].add_by_v(wb, row);
+                else
+                    nodes_[at(k)].add_both(wa, wb, row);
+            }
+        if constexpr (has_step_force<Extra>)
+            for (int j = 0; j < U; ++j)
+                for (int c = 0; c < dimension(); ++c) {
+                    S& r = residual(place_of(j + 1, c));
+                    r = r + share(j) * extra.at(end(c), c);
+                }
     }
     /// The constant part, factorized; false where it is singular.
     bool factorize_constant_part() {
@@ -95,13 +133,16 @@ public:
         for (int k = 0; k < t_.nodes; ++k)
             for (int b = 0; b < blocks; ++b) {
                 auto const& block = nodes_[at(k)].places().entries[at(b)];
-                auto const& to = places_[at(k)][at(b)];
-                if (to.empty()) continue;
-                S const c = factor(k, b);
-                for (std::size_t i = 0; i < to.size(); ++i) {
-                    S& entry = full_matrix[to[i]];
-                    entry = entry + c * tally<S>::second(nodes_[at(k)].value(block[i].place));
-                }
+                for (int j = 0; j < U; ++j)
+                    for (int m = 1; m <= U; ++m) {
+                        auto const& to = places_[at(k)][at(b)][pair_of(j, m)];
+                        if (to.empty()) continue;
+                        S const c = factor(k, b, j, m);
+                        for (std::size_t i = 0; i < to.size(); ++i) {
+                            S& entry = full_matrix[to[i]];
+                            entry = entry + c * tally<S>::second(nodes_[at(k)].value(block[i].place));
+                        }
+                    }
             }
         put_resistance(full_matrix);
     }
@@ -119,22 +160,27 @@ public:
         if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
         return sum;
     }
-    /// What each component of the residual is a sum of, in magnitudes.
+    /// What each component of the residual is a sum of, in magnitudes. Where p_i is in it, it is of the size of what dL/dv adds.
     void put_sizes(state<S, V> const& x, vector& sizes) const {
-        for (int c = 0; c < dimension(); ++c) sizes(c) = magnitude(s::component(x.p, c));
-        for (int k = 0; k < t_.nodes; ++k) {
-            S const wa = magnitude(S(t_.w(k) * t_.a(k, 0)));
-            if (wa == S(0)) continue;
-            for (int c = 0; c < dimension(); ++c) sizes(c) = sizes(c) + wa * magnitude(nodes_[at(k)].by_q(c));
+        for (int j = 0; j < U; ++j) {
+            auto&& size = row_of(sizes, j);
+            for (int c = 0; c < dimension(); ++c) size(c) = j == 0 ? magnitude(s::component(x.p, c)) : S(0);
+            for (int k = 0; k < t_.nodes; ++k) {
+                S const wa = magnitude(S(t_.w(k) * t_.a(k, j))), wb = magnitude(S(t_.w(k) * t_.b(k, j)));
+                if (not(wa == S(0)))
+                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wa * magnitude(nodes_[at(k)].by_q(c));
+                if (j > 0)
+                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wb * magnitude(nodes_[at(k)].by_v(c));
+            }
+            if constexpr (has_step_force<Extra>)
+                for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
         }
-        if constexpr (has_step_force<Extra>)
-            for (int c = 0; c < dimension(); ++c) sizes(c) = sizes(c) + magnitude(S(h_ * s::component(extra.constant, c)));
     }
     /// Whether no component of the residual is more than the rounding of what it is a sum of.
     [[nodiscard]] bool is_rounding(state<S, V> const& x) {
-        put_sizes(x, increment); // room until the momentum is known
-        for (int c = 0; c < dimension(); ++c)
-            if (not(magnitude(S(residual(c))) <= S(8) * epsilon<S>() * increment(c))) return false;
+        put_sizes(x, sizes_);
+        for (int c = 0; c < unknowns(); ++c)
+            if (not(magnitude(S(residual(c))) <= S(8) * epsilon<S>() * sizes_(c))) return false;
         return true;
     }
     /// What rounding of a position does to the residual, at most.
@@ -146,15 +192,15 @@ public:
         return most;
     }
     /// What the momenta gain, into increment, and what they become, into whole where they are not found in that way. The last correction is
-    /// applied to the gradients to first order, or they are evaluated again where that is not enough. As a_k0 + a_k1 = 1 and b_k0 + b_k1 =
-    /// 0 the equations add up to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce
+    /// applied to the gradients to first order, or they are evaluated again where that is not enough. As sum_m a_km = 1 and sum_m b_km = 0
+    /// the equations add up to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce
     /// constants use the latter.
     void gather(Problem const& problem, state<S, V> const& x, vector const& correction, bool is_corrected) {
         if constexpr (not has_step_force<Extra>)
-            if (t_.nodes == 1 and adds_up) {
+            if (U == 1 and t_.nodes == 1 and adds_up) {
                 auto& e = nodes_[0];
                 bool const again = is_constant and again_[0];
-                if (again) (void)compute(problem, x, 0, derivatives::forces_only);
+                if (again) (void)compute(problem, x, 0, wanted::forces_only);
                 auto const moves_force = [&](block_number b, S const& by) { return not(by == S(0)) and not e.places().entries[b].empty(); };
                 if (again or not is_corrected or not(moves_force(block_qq, t_.a(0, 1)) or moves_force(block_qv, t_.b(0, 1)))) {
                     e.put_by_q(t_.w(0), increment);
@@ -167,72 +213,126 @@ public:
             auto& e = nodes_[at(k)];
             bool const again = is_constant and again_[at(k)];
             if (again) {
-                int const which = adds_up ? derivatives::forces_only : derivatives::first_order;
+                wanted const which = adds_up ? wanted::forces_only : wanted::first_order;
                 (void)compute(problem, x, k, which);
             }
-            S const &w = t_.w(k), &a = t_.a(k, 1), &b = t_.b(k, 1);
+            S const &w = t_.w(k), &a = t_.a(k, last), &b = t_.b(k, last);
             e.add_by_q(w, increment);
             if (not adds_up) {
                 e.add_by_q(S(w * a), whole);
                 e.add_by_v(S(w * b), whole);
             }
             if (again) continue;
-            for (int block = 0; block < blocks; ++block) {
-                S const& by = block == block_qq or block == block_vq ? a : b;
-                if (by == S(0)) continue;
-                bool const of_force = block == block_qq or block == block_qv;
-                for (auto const& entry : e.places().entries[at(block)]) {
-                    S const change = w * (e.value(entry.place) * (by * correction(entry.column)));
-                    if (of_force) increment(entry.row) = increment(entry.row) - change;
-                    if (not adds_up) whole(entry.row) = whole(entry.row) - (of_force ? a : b) * change;
+            for (int block = 0; block < blocks; ++block)
+                for (int m = 1; m <= U; ++m) {
+                    S const& by = block == block_qq or block == block_vq ? t_.a(k, m) : t_.b(k, m);
+                    if (by == S(0)) continue;
+                    bool const of_force = block == block_qq or block == block_qv;
+                    for (auto const& entry : e.places().entries[at(block)]) {
+                        S const change = w * (e.value(entry.place) * (by * correction(place_of(m, entry.column))));
+                        if (of_force) increment(entry.row) = increment(entry.row) - change;
+                        if (not adds_up) whole(entry.row) = whole(entry.row) - (of_force ? a : b) * change;
+                    }
                 }
-            }
         }
         if constexpr (has_step_force<Extra>)
             for (int c = 0; c < dimension(); ++c) {
-                S const impulse = h_ * extra.at(s::component(moved, c), c);
-                increment(c) = increment(c) + impulse;
-                whole(c) = whole(c) + impulse / S(2);
+                S const force = extra.at(end(c), c);
+                increment(c) = increment(c) + h_ * force;
+                whole(c) = whole(c) + share(last) * force;
             }
     }
 
 private:
     static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
-    /// What block `b` of node k is multiplied by in the matrix.
-    [[nodiscard]] S factor(int k, int b) const {
-        S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, 0) : t_.b(k, 0));
-        return w * (b == block_qq or b == block_vq ? t_.a(k, 1) : t_.b(k, 1));
+    static constexpr int place_of(int m, int c) { return c * U + m - 1; }
+    static constexpr std::size_t pair_of(int j, int m) { return at(j * U + m - 1); }
+    /// The row j of all components.
+    struct strided {
+        vector& x;
+        int j;
+        S& operator()(int c) const { return x(c * U + j); }
+    };
+    static decltype(auto) row_of(vector& x, int j) {
+        if constexpr (U == 1)
+            return (x);
+        else
+            return strided{x, j};
     }
-    /// Whether the gradients at node k are affine in y: then a correction to first order is the whole of it.
+    /// What block `b` of node k is multiplied by in row j of the matrix, in the column of U_m.
+    [[nodiscard]] S factor(int k, int b, int j, int m) const {
+        S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, j) : t_.b(k, j));
+        return w * (b == block_qq or b == block_vq ? t_.a(k, m) : t_.b(k, m));
+    }
+    /// How much of the impulse of the extra force row j has.
+    [[nodiscard]] S share(int j) const {
+        if (U == 1) return h_ / S(2);
+        S sum(0);
+        for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * t_.a(k, j);
+        return sum;
+    }
+    /// Whether dL/dq at node k is in the equation.
+    [[nodiscard]] bool enters_by_force(int k) const {
+        for (int j = 0; j < U; ++j)
+            if (not(t_.w(k) * t_.a(k, j) == S(0))) return true;
+        return false;
+    }
+    /// Whether the gradients at node k are affine in the unknowns: then a correction to first order is the whole of it.
     [[nodiscard]] bool is_affine(int k) const {
         auto const& places = nodes_[at(k)].places();
         auto const block = [&](block_number b) { return places.constant[b] or places.entries[b].empty(); };
-        return (t_.a(k, 1) == S(0) or (block(block_qq) and block(block_vq))) and
-               (t_.b(k, 1) == S(0) or (block(block_qv) and block(block_vv)));
+        for (int m = 1; m <= U; ++m)
+            if (not((t_.a(k, m) == S(0) or (block(block_qq) and block(block_vq))) and
+                    (t_.b(k, m) == S(0) or (block(block_qv) and block(block_vv)))))
+                return false;
+        return true;
+    }
+    /// Component c of A_k and of B_k.
+    [[nodiscard]] S position(state<S, V> const& x, int k, int c) const {
+        S sum = adds_up ? s::component(x.q, c) : S(s::component(x.q, c) * constant_at(k, &tableau<S>::a));
+        for (int m = 1; m <= U; ++m) sum = sum + t_.a(k, m) * component_of_moved(m, c);
+        return sum;
+    }
+    [[nodiscard]] S velocity(state<S, V> const& x, int k, int c) const {
+        S sum = t_.b(k, 1) * component_of_moved(1, c);
+        for (int m = 2; m <= U; ++m) sum = sum + t_.b(k, m) * component_of_moved(m, c);
+        return adds_up ? sum : S(sum + s::component(x.q, c) * constant_at(k, &tableau<S>::b));
+    }
+    [[nodiscard]] S constant_at(int k, S const& (tableau<S>::*of)(int, int) const) const {
+        S sum(0);
+        for (int m = 0; m < Controls; ++m) sum = sum + (t_.*of)(k, m);
+        return sum;
+    }
+    [[nodiscard]] S const& component_of_moved(int m, int c) const {
+        if constexpr (U == 1)
+            return s::component(moved, c);
+        else
+            return moved(place_of(m, c));
     }
     /// A_k and B_k, into A_ and B_.
     void place(state<S, V> const& x, int k) {
-        S const &a = t_.a(k, 1), &b = t_.b(k, 1);
-        if (adds_up) {
-            A_ = x.q + moved * a;
-            B_ = moved * b;
-        } else {
-            A_ = x.q * S(t_.a(k, 0) + a) + moved * a;
-            B_ = x.q * S(t_.b(k, 0) + b) + moved * b;
+        for (int c = 0; c < dimension(); ++c) {
+            s::component(A_, c) = position(x, k, c);
+            s::component(B_, c) = velocity(x, k, c);
         }
     }
-    bool compute(Problem const& problem, state<S, V> const& x, int k, int which) {
-        if constexpr (not derivatives::own)
+    bool compute(Problem const& problem, state<S, V> const& x, int k, wanted which) {
+        if constexpr (derivatives::has_room)
             if (auto& e = nodes_[at(k)]; e.has_arguments() and adds_up) {
-                S const a = t_.a(k, 1), b = t_.b(k, 1);
                 S* const to = e.arguments();
                 int const d = dimension();
-                for (int c = 0; c < d; ++c) to[c] = s::component(x.q, c) + a * s::component(moved, c);
-                for (int c = 0; c < d; ++c) to[d + c] = b * s::component(moved, c);
-                return e.compute_here(problem, t_.time(k, x.t, h_), d, which);
+                if constexpr (U == 1) {
+                    S const a = t_.a(k, 1), b = t_.b(k, 1);
+                    for (int c = 0; c < d; ++c) to[c] = s::component(x.q, c) + a * s::component(moved, c);
+                    for (int c = 0; c < d; ++c) to[d + c] = b * s::component(moved, c);
+                } else {
+                    for (int c = 0; c < d; ++c) to[c] = position(x, k, c);
+                    for (int c = 0; c < d; ++c) to[d + c] = velocity(x, k, c);
+                }
+                return e.evaluate_here(problem, t_.time(k, x.t, h_), d, which);
             }
         place(x, k);
-        return nodes_[at(k)].compute(problem, t_.time(k, x.t, h_), A_, B_, which);
+        return nodes_[at(k)].evaluate(problem, t_.time(k, x.t, h_), A_, B_, which);
     }
     /// For the formulas that there are now: the matrix of the equation, and what of it never changes, which is all of it, or the masses at
     /// least, or is not used.
@@ -247,53 +347,63 @@ private:
             if (places.entries[block_vv].empty() or not places.constant[block_vv]) has_constant_mass = false;
             for (int b = 0; b < blocks; ++b) {
                 auto const& block = places.entries[at(b)];
-                if (block.empty() or factor(k, b) == S(0)) continue;
-                for (auto const& e : block) entries.emplace_back(e.row, e.column);
-                if (places.constant[at(b)])
-                    for (auto const& e : block) constant.emplace_back(e.row, e.column);
-                else
-                    is_constant = false;
+                for (int j = 0; j < U; ++j)
+                    for (int m = 1; m <= U; ++m) {
+                        if (block.empty() or factor(k, b, j, m) == S(0)) continue;
+                        for (auto const& e : block) entries.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
+                        if (places.constant[at(b)])
+                            for (auto const& e : block) constant.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
+                        else
+                            is_constant = false;
+                    }
             }
         }
         if (std::numeric_limits<S>::is_exact) has_constant_mass = false; // an iteration converges, and is never exact
-        constant_part.prepare(d_, constant);
+        constant_part.prepare(unknowns(), constant);
         factors_are_of_ = S(0);
-        full_matrix.prepare(d_, entries);
+        full_matrix.prepare(unknowns(), entries);
         places_.assign(at(t_.nodes), {});
         for (int k = 0; k < t_.nodes; ++k)
             for (int b = 0; b < blocks; ++b)
-                if (not(factor(k, b) == S(0)))
-                    for (auto const& e : nodes_[at(k)].places().entries[at(b)])
-                        places_[at(k)][at(b)].push_back(full_matrix.place(e.row, e.column));
+                for (int j = 0; j < U; ++j)
+                    for (int m = 1; m <= U; ++m)
+                        if (not(factor(k, b, j, m) == S(0)))
+                            for (auto const& e : nodes_[at(k)].places().entries[at(b)])
+                                places_[at(k)][at(b)][pair_of(j, m)].push_back(
+                                    full_matrix.place(place_of(j + 1, e.row), place_of(m, e.column)));
         is_prepared = true;
     }
     void put_constant_matrix() {
         constant_part.set_zero();
         for (int k = 0; k < t_.nodes; ++k)
-            for (int b = 0; b < blocks; ++b) {
-                S const c = factor(k, b);
-                if (c == S(0) or not nodes_[at(k)].places().constant[at(b)]) continue;
-                for (auto const& e : nodes_[at(k)].places().entries[at(b)]) {
-                    S& entry = constant_part[constant_part.place(e.row, e.column)];
-                    entry = entry + c * tally<S>::second(nodes_[at(k)].value(e.place));
-                }
-            }
+            for (int b = 0; b < blocks; ++b)
+                for (int j = 0; j < U; ++j)
+                    for (int m = 1; m <= U; ++m) {
+                        S const c = factor(k, b, j, m);
+                        if (c == S(0) or not nodes_[at(k)].places().constant[at(b)]) continue;
+                        for (auto const& e : nodes_[at(k)].places().entries[at(b)]) {
+                            S& entry = constant_part[constant_part.place(place_of(j + 1, e.row), place_of(m, e.column))];
+                            entry = entry + c * tally<S>::second(nodes_[at(k)].value(e.place));
+                        }
+                    }
         put_resistance(constant_part);
     }
     void put_resistance(matrix& K) {
         if constexpr (has_step_force<Extra>)
-            for (int c = 0; c < dimension(); ++c) {
-                S& entry = K[K.place(c, c)];
-                entry = entry - h_ / S(2) * s::component(extra.slope, c);
-            }
+            for (int c = 0; c < dimension(); ++c)
+                for (int j = 0; j < U; ++j) {
+                    S& entry = K[K.place(place_of(j + 1, c), place_of(last, c))];
+                    entry = entry - share(j) * s::component(extra.slope, c);
+                }
     }
-    /// a_k0 + a_k1 = 1 and b_k0 + b_k1 = 0 at every node, to rounding.
+    /// sum_m a_km = 1 and sum_m b_km = 0 at every node, to rounding.
     [[nodiscard]] bool reproduces_constants() const {
         S const rounding = S(64) * epsilon<S>();
         for (int k = 0; k < t_.nodes; ++k) {
-            S const size_b = magnitude(t_.b(k, 0)) + magnitude(t_.b(k, 1));
-            if (not(magnitude(S(t_.a(k, 0) + t_.a(k, 1) - S(1))) <= rounding) or
-                not(magnitude(S(t_.b(k, 0) + t_.b(k, 1))) <= rounding * size_b))
+            S size_b(0);
+            for (int m = 0; m < Controls; ++m) size_b = size_b + magnitude(t_.b(k, m));
+            if (not(magnitude(S(constant_at(k, &tableau<S>::a) - S(1))) <= rounding) or
+                not(magnitude(constant_at(k, &tableau<S>::b)) <= rounding * size_b))
                 return false;
         }
         return true;
@@ -303,9 +413,10 @@ private:
     tableau<S> t_;
     S h_{0}, factors_are_of_{0}; ///< the step, and that of the factors of the constant part
     std::vector<derivatives> nodes_;
-    std::vector<std::array<std::vector<int>, blocks>> places_; ///< of the entries of each node's blocks in the matrix
-    std::vector<bool> again_;                                  ///< where gradients are not affine in y
+    std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of the entries of each node's blocks in the matrix
+    std::vector<bool> again_;                                                     ///< where gradients are not affine in y
     V A_, B_;
+    vector sizes_;
 };
 
 } // namespace hilger::detail

@@ -1,56 +1,70 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of a Galerkin embedding with control values inside: p_i = -d_1 L_h, p_{i+1} = d_2 L_h with L_h stationary in them (Marsden-West;
-// Cresson-Safi, section 5), in the numbers of step/galerkin_table.hpp. For L = v.Mv/2 + a.v - U(q) the forces at the nodes are
-// iterated, A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k): a round costs N forces and gains a factor of the size
-// of h^2. Any other Lagrangian, and a step for which that is too little, go to step/galerkin_equations.hpp.
+// The step of a Galerkin embedding for L = v.Mv/2 + a.v - U(q), as it is with most of the few degrees of freedom and with systems that say
+// so: the forces at the nodes are iterated, A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k)
+// (step/galerkin_table.hpp); a round costs N forces and gains a factor of the size of h^2. Any other Lagrangian, and a step for which that
+// is too little, are left to the equation of the step (step/many_nodes.hpp).
 #pragma once
 
 #include "hilger/inlining.hpp"
-#include "hilger/step/galerkin_equations.hpp"
+#include "hilger/newton/contraction.hpp"
+#include "hilger/step/galerkin_table.hpp"
+#include "hilger/step/many_nodes.hpp"
 #include "hilger/step/separable.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/variational/legendre.hpp"
 
 namespace hilger::detail {
 
+/// to = sum_j c_j x_j
+template <class V, class Row, class List>
+HILGER_ALWAYS_INLINE inline void combine(Row const& c, List const& x, V& to) {
+    if constexpr (shape<V>::size == Eigen::Dynamic) {
+        to = x[0] * c[0];
+        for (std::size_t j = 1; j < x.size(); ++j) to += x[j] * c[j];
+    } else { // in registers
+        V sum = x[0] * c[0];
+        for (std::size_t j = 1; j < x.size(); ++j) sum = sum + x[j] * c[j];
+        to = sum;
+    }
+}
+
 /// What one trajectory remembers from step to step.
 template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
 class galerkin_step {
     using s = shape<V>;
     using separable_type = separable<Problem, S, V>;
-    static constexpr std::size_t N = Table::N, R = Table::R;
+    static constexpr std::size_t N = Table::N;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
-    /// What is iterated, and remembered.
-    enum way : int { undecided, by_forces, by_velocities };
+    enum way : int { undecided, by_forces, by_equation };
 
 public:
-    galerkin_step(Problem const& what, S const& h, V const& like, Extra extra = {})
-        : h_(h), d_(s::dimension(like)), separable_(what, like), equations_(like, std::move(extra)), sum_q_(d_), sum_p_(d_) {
-        v_ = before_ = next_ = room_ = s::zero(d_);
+    galerkin_step(Problem const& what, tableau<S> const& t, S const& h, V const& like, Extra const& extra = {})
+        : h_(h), d_(s::dimension(like)), separable_(what, like), equation_(t, h, like, extra), sum_q_(d_), sum_p_(d_) {
+        v_ = next_ = room_ = s::zero(d_);
         if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
         D_.fill(v_);
         F_.fill(v_);
         guess_.fill(v_);
-        last_.fill(v_);
     }
-    void prepare(S const& h) {
+    void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
         way_ = undecided;
         inspected_ = false;
         known_ = 0;
+        equation_.prepare(t, h);
     }
     [[nodiscard]] S const& h() const { return h_; }
-    [[nodiscard]] Extra& extra() { return equations_.extra; }
+    [[nodiscard]] Extra& extra() { return equation_.extra(); }
+    [[nodiscard]] static constexpr bool needs_guess() { return false; }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
         each("known", known_);
         each("way", way_);
-        if (way_ == by_forces) {
-            visit_components(each, "velocity", before_);
+        if (way_ == by_forces)
             for (V& f : F_) visit_components(each, "force", f);
-        } else
-            for (V& v : last_) visit_components(each, "velocity", v);
+        else
+            equation_.visit(each);
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
@@ -59,21 +73,27 @@ public:
     void advance(Problem const& what, state<S, V>& x) {
         if (not inspected_) {
             bool const has_parts = not exact and separable_.inspect(what, x);
-            if (way_ == undecided) way_ = has_parts ? by_forces : by_velocities;
+            if (way_ == undecided) way_ = has_parts ? by_forces : by_equation;
             inspected_ = true;
         }
         if (way_ == by_forces) {
-            progress const end = iterate_forces(what, x);
-            if (end == progress::done)
+            switch (iterate_forces(what, x)) {
+            case progress::done:
                 finish_by_forces(x);
-            else if (end == progress::lost)
-                newton_from_forces(what, x);
-            else {
-                way_ = by_velocities;
+                return;
+            case progress::lost: // this step only
+                equation_.restart(v_);
+                known_ = 0;
+                finish_by_equation(what, x);
+                return;
+            case progress::going:
+                way_ = by_equation;
                 known_ = 0;
             }
         }
-        if (way_ == by_velocities) solve_for_velocities(what, x);
+        if (known_ == 0) equation_.restart(velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
+        finish_by_equation(what, x);
+        known_ = 1;
     }
 
 private:
@@ -102,7 +122,7 @@ private:
             std::swap(F_, guess_);
         } else {
             is_separable = separable_.force(what, x.t, x.q, F_[0]);
-            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + equations_.extra.constant;
+            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + equation_.extra().constant;
             for (std::size_t k = 1; k < N; ++k) F_[k] = F_[0];
         }
         (void)move_nodes();
@@ -153,82 +173,40 @@ private:
         reach_end();
         room_ = next_ - end_;
         end_ = next_;
-        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = equations_.extra.at(s::component(end_, c), c);
+        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = equation_.extra().at(s::component(end_, c), c);
         return magnitude(room_);
     }
     void finish_by_forces(state<S, V>& x) {
-        Table const& T = table();
         reach_end();
-        combine(T.weight, F_, room_);
-        add(x);
-        before_ = v_;
+        combine(table().weight, F_, room_);
+        room_ = room_ * h_;
+        add(x, next_, room_);
+        known_ = 1;
     }
-
-    /// From the velocities of the last step, which its forces say.
-    void newton_from_forces(Problem const& what, state<S, V>& x) {
-        if (known_ > 0) F_ = guess_;
-        for (std::size_t j = 0; j < R; ++j) {
-            if (known_ == 0) {
-                equations_.velocity[j] = v_;
-                continue;
-            }
-            combine(table().momentum[j], F_, room_);
-            separable_.solve(room_, next_);
-            equations_.velocity[j] = before_ + next_ * h_;
-        }
-        newton(what, x);
-        F_ = equations_.force;
-        before_ = v_;
+    void finish_by_equation(Problem const& what, state<S, V>& x) {
+        equation_.solve(what, x);
+        add(x, equation_.moved(), equation_.gained());
     }
-    void solve_for_velocities(Problem const& what, state<S, V>& x) {
-        if (known_ == 0) last_.fill(velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
-        if constexpr (not exact and not separable_type::always) {
-            // continued for the iteration, which is for short steps; as they were for Newton, which is for long ones
-            for (std::size_t j = 0; j < R; ++j)
-                if (known_ > 0)
-                    combine(table().next[j], last_, equations_.velocity[j]);
-                else
-                    equations_.velocity[j] = last_[j];
-            if (equations_.iterate(what, x, h_, small())) {
-                finish(x);
-                return;
-            }
-        }
-        equations_.velocity = last_;
-        newton(what, x);
-    }
-    void newton(Problem const& what, state<S, V>& x) {
-        equations_.newton(what, x, h_, Compensated ? S(1) / S(1024) : S(1) / S(4));
-        finish(x);
-    }
-    void finish(state<S, V>& x) {
-        combine(table().gamma, equations_.velocity, next_);
-        next_ = next_ * h_;
-        combine(table().weight, equations_.force, room_);
-        add(x);
-        last_ = equations_.velocity;
-    }
-    /// next_ to q, and h room_ to p. The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
-    void add(state<S, V>& x) {
-        if (not all_finite(next_) or not all_finite(room_)) give_up(equations_.name, false, x.q, V(next_ + room_), S(0));
+    /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
+    template <class P>
+    void add(state<S, V>& x, V const& to_q, P const& to_p) {
+        if (not all_finite(to_q) or not all_finite(to_p)) give_up(equation_.name, false, x.q, to_q, S(0));
         for (int c = 0; c < d_; ++c) {
-            sum_q_.add(s::component(x.q, c), s::component(next_, c), c);
-            sum_p_.add(s::component(x.p, c), S(s::component(room_, c) * h_), c);
+            sum_q_.add(s::component(x.q, c), component_of(to_q, c), c);
+            sum_p_.add(s::component(x.p, c), component_of(to_p, c), c);
         }
         x.t = x.t + h_;
-        known_ = 1;
     }
 
     S h_;
     int d_, known_ = 0, way_ = undecided;
     bool inspected_ = false;
     separable_type separable_;
-    galerkin_equations<Problem, Table, S, V, Extra> equations_;
+    many_nodes<Problem, Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
-    V v_, before_, next_, room_;                       ///< v_0; that of the last step
+    V v_, next_, room_;                                ///< v_0, and room
     std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
     [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
-    std::array<V, R> last_;                            ///< the last velocities, where they are what is iterated
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of any embedding without control values inside the step, in any dimension: its equation (step/equation.hpp) solved
-// for y - q_i - of y itself, which differs little from q_i in a short step, a velocity would have the rounding divided by h.
+// The step of any embedding in any dimension: its equation (step/equation.hpp) solved for U_m - q_i - of control values themselves, which
+// differ little from q_i in a short step, velocities would have the rounding divided by h.
 //
 // What the formula of L is made of decides how. Where no entry of the equation's matrix ever changes, it is factorized once, one correction
 // solves the equation, and what does not enter it is evaluated at its solution only: explicit schemes are that case. Where the masses are
@@ -18,10 +18,12 @@
 
 namespace hilger::detail {
 
-template <class Problem, bool Compensated, class S, class V, class Extra = no_step_force>
+template <class Problem, bool Compensated, class S, class V, class Extra = no_step_force, int Controls = 2>
 class many_nodes {
     using s = shape<V>;
-    using equation = step_equation<Problem, S, V, Extra>;
+    using equation = step_equation<Problem, S, V, Extra, Controls>;
+    using unknown = typename equation::unknown;
+    using u = shape<unknown>;
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
     using derivatives = typename equation::derivatives;
@@ -29,13 +31,13 @@ class many_nodes {
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
-        : e_(like, std::move(extra)), velocity_(zero_like(like)), correction_(vector::Zero(s::dimension(like))), weight_(correction_),
+        : e_(like, std::move(extra)), velocity_(zero_like(like)), correction_(vector::Zero(e_.unknowns())), weight_(correction_),
           per_weight_(correction_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
-        past_.fill(zero_like(like));
+        past_.fill(e_.moved);
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
-        if (steps_ > 0) velocity_ = e_.moved / e_.h();
+        if (steps_ > 0) velocity_ = e_.end() / e_.h();
         e_.prepare(t, h);
         steps_ = 0;
         stiff_ = false;
@@ -57,25 +59,32 @@ public:
         each("stiff", stiff);
         stiff_ = stiff != 0;
         for (int c = 0; c < dimension(); ++c) each("velocity", s::component(velocity_, c));
-        for (int c = 0; c < dimension(); ++c) each("increment", s::component(e_.moved, c));
-        for (V& x : past_)
-            for (int c = 0; c < dimension(); ++c) each("past", s::component(x, c));
+        for (int c = 0; c < e_.unknowns(); ++c) each("increment", u::component(e_.moved, c));
+        for (unknown& x : past_)
+            for (int c = 0; c < e_.unknowns(); ++c) each("past", u::component(x, c));
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
 
     void advance(Problem const& problem, state<S, V>& x) {
+        solve(problem, x);
+        finish(x);
+    }
+    /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
+    /// them). The state is as it was; advance makes the step.
+    void solve(Problem const& problem, state<S, V> const& x) {
         branch_watch const watch;
         if (not e_.is_prepared) {
-            V const last = std::exchange(e_.moved, V(velocity_ * e_.h()));
-            e_.evaluate(problem, x, derivatives::first_order);
+            unknown const last = e_.moved;
+            e_.move_with(velocity_);
+            e_.evaluate(problem, x, wanted::first_order);
             e_.moved = last;
             watch.forget(); // it is no part of the step
         }
         first_guess();
         long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
         bool const by_newton = not e_.is_constant and (stiff_ or not e_.has_constant_mass);
-        if (not by_newton) e_.evaluate(problem, x, derivatives::first_order);
+        if (not by_newton) e_.evaluate(problem, x, wanted::first_order);
         if (watch.saw_any())
             search(problem, x);
         else if (by_newton)
@@ -87,23 +96,35 @@ public:
             steps_ = 0;
             newton(problem, x, watch);
         }
-        finish(problem, x);
+        e_.gather(problem, x, correction_, is_corrected_);
+        if (not e_.is_constant) {
+            newest_ = (newest_ + history - 1) % history;
+            past_[at(newest_)] = e_.moved;
+        }
         steps_ = made + 1;
     }
+    [[nodiscard]] decltype(auto) moved() const { return e_.end(); }
+    [[nodiscard]] auto const& gained() const { return e_.increment; }
+    /// What is known of steps before the next one is forgotten, but for a velocity to guess with.
+    void restart(V const& v) {
+        steps_ = 0;
+        guess(v);
+    }
+
+    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
 
 private:
-    static constexpr char const* name = "the step p = -d_1 L_h(q, y)";
     [[nodiscard]] int dimension() const { return e_.dimension(); }
     static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
     static V value_of_nan(V x, S const& bad) {
         s::component(x, 0) = bad;
         return x;
     }
-    [[nodiscard]] V const& past(int k) const { return past_[at((newest_ + k) % history)]; }
+    [[nodiscard]] unknown const& past(int k) const { return past_[at((newest_ + k) % history)]; }
     /// By the polynomial through the last increments, as far as there are some of this step's length.
     void first_guess() {
         if (steps_ == 0)
-            e_.moved = velocity_ * e_.h();
+            e_.move_with(velocity_);
         else if (e_.is_constant)
             return; // any will do
         else if (steps_ >= history) {
@@ -119,7 +140,7 @@ private:
     bool iterate(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
-            if (round > 0) e_.evaluate(problem, x, derivatives::first_order);
+            if (round > 0) e_.evaluate(problem, x, wanted::first_order);
             if (watch.saw_any()) {
                 search(problem, x);
                 return true;
@@ -153,7 +174,7 @@ private:
         S size(0), previous(-1);
         S const small = small_correction();
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
-            e_.evaluate(problem, x, derivatives::with_seconds);
+            e_.evaluate(problem, x, wanted::with_seconds);
             if (watch.saw_any()) return search(problem, x);
             e_.put_residual(x);
             refuse_nan(x, size);
@@ -179,14 +200,14 @@ private:
         else
             e_.full_matrix.solve(weight_);
         S most(0);
-        for (int c = 0; c < dimension(); ++c) {
-            S const size = magnitude(s::component(e_.moved, c)), other = magnitude(S(weight_(c)));
+        for (int c = 0; c < e_.unknowns(); ++c) {
+            S const size = magnitude(u::component(e_.moved, c)), other = magnitude(S(weight_(c)));
             weight_(c) = size < other ? other : size;
             if (most < weight_(c)) most = weight_(c);
         }
         // what stands still has no size, and may move by the rounding of the others
         S const least = epsilon<S>() * most;
-        for (int c = 0; c < dimension(); ++c)
+        for (int c = 0; c < e_.unknowns(); ++c)
             if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
     }
     [[nodiscard]] S weighed_correction() const {
@@ -194,9 +215,9 @@ private:
     }
     /// Whether Newton's next correction would be rounding: convergence is quadratic where this one is small beside what it corrects.
     [[nodiscard]] bool is_last(S const& small) const {
-        for (int c = 0; c < dimension(); ++c) {
+        for (int c = 0; c < e_.unknowns(); ++c) {
             S const size = magnitude(S(correction_(c)));
-            if (not(size <= small * magnitude(s::component(e_.moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
+            if (not(size <= small * magnitude(u::component(e_.moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
         }
         return true;
     }
@@ -209,68 +230,74 @@ private:
         correction_ = e_.residual;
         K.solve(correction_);
         is_corrected_ = true;
-        for (int c = 0; c < dimension(); ++c) s::component(e_.moved, c) = s::component(e_.moved, c) - correction_(c);
+        for (int c = 0; c < e_.unknowns(); ++c) u::component(e_.moved, c) = u::component(e_.moved, c) - correction_(c);
     }
     void refuse_nan(state<S, V> const& x, S const& size) {
         if (is_finite(e_.residual)) return;
-        for (int k = 0; k < dimension(); ++k)
+        for (int k = 0; k < e_.unknowns(); ++k)
             if (not is_finite(e_.residual(k))) give_up(name, false, x.q, value_of_nan(x.q, e_.residual(k)), size);
     }
     [[noreturn]] void refuse(state<S, V> const& x, bool singular, S const& size) {
         V rest = s::zero(dimension());
-        for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c);
-        give_up(name, singular, V(x.q + e_.moved), rest, size);
+        for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c * (Controls - 1));
+        give_up(name, singular, V(x.q + e_.end()), rest, size);
     }
     /// The same for an L with branches: e_.moved and the derivatives there.
     void search(Problem const& problem, state<S, V> const& x) {
-        auto const evaluate_at = [&](V const& y, V& r) {
+        auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y;
-            e_.evaluate(problem, x, derivatives::with_seconds);
+            e_.evaluate(problem, x, wanted::with_seconds);
             e_.put_residual(x);
             e_.put_matrix();
-            for (int c = 0; c < dimension(); ++c) s::component(r, c) = e_.residual(c);
+            for (int c = 0; c < e_.unknowns(); ++c) u::component(r, c) = e_.residual(c);
             S const reach = magnitude(x.q) + magnitude(y);
-            return S(magnitude(x.p) + e_.forces() + S(dimension()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(y)));
+            return S(magnitude(x.p) + e_.forces() + S(e_.unknowns()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(y)));
         };
-        auto const correct = [&](V const& r, V& d) {
+        auto const correct = [&](unknown const& r, unknown& d) {
             tally<S>::add(work::newton_round);
             if (not e_.full_matrix.factorize()) return false;
-            for (int c = 0; c < dimension(); ++c) correction_(c) = s::component(r, c);
+            for (int c = 0; c < e_.unknowns(); ++c) correction_(c) = u::component(r, c);
             e_.full_matrix.solve(correction_);
-            for (int c = 0; c < dimension(); ++c) s::component(d, c) = -correction_(c);
+            for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c);
             return true;
         };
-        V rest = e_.moved;
-        V y = e_.moved;
+        unknown rest = e_.moved, y = e_.moved;
         branch_search const how = search_branches(y, rest, evaluate_at, correct, small_correction());
-        if (how != branch_search::found) give_up_on_branches(name, how, V(x.q + y), rest);
+        if (how != branch_search::found) {
+            e_.moved = y;
+            V first = s::zero(dimension());
+            for (int c = 0; c < dimension(); ++c) s::component(first, c) = u::component(rest, c * (Controls - 1));
+            give_up_on_branches(name, how, V(x.q + e_.end()), first);
+        }
         correction_.setZero();
         is_corrected_ = false;
     }
     /// The step, once its equation is solved. @throws error::not_finite, and x is as it was
-    void finish(Problem const& problem, state<S, V>& x) {
-        e_.gather(problem, x, correction_, is_corrected_);
+    void finish(state<S, V>& x) {
         // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
-        if (not is_finite(S(total(x.q, e_.moved) + (e_.adds_up ? total(x.p, e_.increment) : total(e_.whole, e_.whole))))) [[unlikely]]
+        if (not is_finite(S(all_moved(x) + (e_.adds_up ? total(x.p, e_.increment) : total(e_.whole, e_.whole))))) [[unlikely]]
             refuse_overflow(x);
         for (int c = 0; c < dimension(); ++c) {
-            sum_q_.add(s::component(x.q, c), s::component(e_.moved, c), c);
+            sum_q_.add(s::component(x.q, c), e_.end(c), c);
             if (e_.adds_up)
                 sum_p_.add(s::component(x.p, c), e_.increment(c), c);
             else
                 s::component(x.p, c) = e_.whole(c);
         }
         x.t = x.t + e_.h();
-        if (e_.is_constant) return;
-        newest_ = (newest_ + history - 1) % history;
-        past_[at(newest_)] = e_.moved;
     }
 
+    /// The sum of all positions after the step.
+    [[nodiscard]] S all_moved(state<S, V> const& x) const {
+        if constexpr (Controls == 2)
+            return total(x.q, e_.moved);
+        else
+            return total(x.q, x.q) + e_.moved.sum();
+    }
     /// @throws error::not_finite, unless it was the sum alone that overflowed
     [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
         for (int c = 0; c < dimension(); ++c) {
-            S const q = s::component(x.q, c) + s::component(e_.moved, c),
-                    p = e_.adds_up ? S(s::component(x.p, c) + e_.increment(c)) : S(e_.whole(c));
+            S const q = s::component(x.q, c) + e_.end(c), p = e_.adds_up ? S(s::component(x.p, c) + e_.increment(c)) : S(e_.whole(c));
             if (not is_finite(q) or not is_finite(p)) give_up(name, false, x.q, value_of_nan(x.q, S((q - q) + (p - p))), S(0));
         }
     }
@@ -288,7 +315,7 @@ private:
     int guessed_ = 0, newest_ = 0;
     bool stiff_ = false, is_corrected_ = false;
     V velocity_; ///< to start from where there are no steps of this length
-    std::array<V, history> past_;
+    std::array<unknown, history> past_;
     vector correction_, weight_, per_weight_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;

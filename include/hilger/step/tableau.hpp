@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: BSL-1.0
-// An embedding on one step, in numbers: the ends U_0 = q_i and U_1 = q_{i+1} of the step give the position and the velocity at each node
-// of the integral, A_k = sum_j position[k][j] U_j and B_k = sum_j velocity[k][j] U_j, and L_h = sum_k weight[k] L(A_k, B_k)
-// (Cresson-Safi (47), (48) for mid-point). The numbers are what the embedding's operators make of unit functions; nothing is written per
-// scheme.
+// An embedding on one step, in numbers: the control values U_0 = q_i, ..., U_d = q_{i+1}, those at the ends of the step and at the points
+// inside of it, give the position and the velocity at each node of the integral, A_k = sum_j position[k][j] U_j and
+// B_k = sum_j velocity[k][j] U_j, and L_h = sum_k weight[k] L(A_k, B_k) (Cresson-Safi (47), (48) for mid-point). The numbers are what the
+// embedding's operators make of unit functions; nothing is written per scheme.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "hilger/embedding/embedding.hpp"
-#include "hilger/embedding/galerkin.hpp"
 #include "hilger/embedding/one_step.hpp"
 
 namespace hilger {
 
 template <class S>
 struct tableau {
-    int nodes = 1;
-    std::vector<S> position, velocity; ///< nodes x 2, row by row; velocities carry 1/h
+    int nodes = 1, controls = 2;
+    std::vector<S> position, velocity; ///< nodes x controls, row by row; velocities carry 1/h
     std::vector<S> weight;             ///< carry h
-    [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(2 * k + j)]; }
-    [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(2 * k + j)]; }
+    std::vector<S> inside;             ///< where there are points inside the step, the time of each node since its beginning
+    [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(controls * k + j)]; }
+    [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
     /// The time of node k in a step from t to t + h: the position operator on the function t -> t.
-    [[nodiscard]] S time(int k, S const& t, S const& h) const { return t + a(k, 1) * h; }
+    [[nodiscard]] S time(int k, S const& t, S const& h) const {
+        return inside.empty() ? S(t + a(k, 1) * h) : S(t + inside[static_cast<std::size_t>(k)]);
+    }
 };
 
 /// What is known of an embedding before any number is: computed by its operators over a finite field, where equal means equal.
@@ -40,11 +42,12 @@ template <linear_map A, linear_map B, class W, bool Checked>
 inline constexpr embedding_facts facts_<embedding<A, B, W, Checked>> = [] {
     using F = prime_field;
     using step = on_one_step<A, B, W, F>;
-    if (step::nodes_ != 1) return embedding_facts{};
+    if (step::nodes_ != 1 or step::controls != 2) return embedding_facts{};
     F const h(7919), one(1), zero(0);
-    bool const plain = step::value(A{}, h, one, one, 0) == one and step::value(B{}, h, one, one, 0) == zero and
-                       step::value(B{}, h, zero, one, 0) * step::weight(A{}, B{}, h, 0) == one;
-    return embedding_facts{plain, plain and step::value(A{}, h, zero, one, 0) == zero, plain and step::value(A{}, h, one, zero, 0) == zero};
+    auto const constant = step::constant(one), start = step::unit(0), end = step::unit(step::controls - 1);
+    bool const plain = step::value(A{}, h, constant, 0) == one and step::value(B{}, h, constant, 0) == zero and
+                       step::value(B{}, h, end, 0) * step::weight(A{}, B{}, h, 0) == one;
+    return embedding_facts{plain, plain and step::value(A{}, h, end, 0) == zero, plain and step::value(A{}, h, start, 0) == zero};
 }();
 } // namespace detail
 template <class E>
@@ -53,6 +56,8 @@ inline constexpr embedding_facts facts_of = detail::facts_<std::remove_cvref_t<E
 /// The number of control values of a step, known by the type.
 template <class E>
 inline constexpr int controls_of = 2;
+template <linear_map A, linear_map B, class W, bool Checked>
+inline constexpr int controls_of<embedding<A, B, W, Checked>> = static_cast<int>(A::from::last(1)) + 1;
 
 namespace detail {
 /// Of an embedding: each value depends on few points; and they are the ends of one step.
@@ -102,34 +107,16 @@ tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
     using step = detail::on_one_step<A, B, W, S>;
     tableau<S> t;
     t.nodes = step::nodes_;
+    t.controls = step::controls;
     for (int k = 0; k < t.nodes; ++k) {
         t.weight.push_back(step::weight(e.position, e.velocity, h, k));
-        for (int j = 0; j < 2; ++j) {
-            S const x(1 - j), y(j);
-            t.position.push_back(step::value(e.position, h, x, y, k));
-            t.velocity.push_back(step::value(e.velocity, h, x, y, k));
+        if constexpr (step::controls > 2) t.inside.push_back(step::value(e.position, h, step::time(h), k));
+        for (int j = 0; j < t.controls; ++j) {
+            t.position.push_back(step::value(e.position, h, step::unit(j), k));
+            t.velocity.push_back(step::value(e.velocity, h, step::unit(j), k));
         }
     }
     return t;
-}
-
-template <int Stages, class Quadrature>
-inline constexpr int controls_of<galerkin_embedding<Stages, Quadrature>> = galerkin_embedding<Stages, Quadrature>::degree + 1;
-
-/// One Gauss node is mid-point.
-namespace detail {
-template <>
-inline constexpr embedding_facts facts_<galerkin_embedding<1, gauss>> = facts_of<decltype(mid_point)>;
-}
-template <class S>
-tableau<S> tableau_of(galerkin_embedding<1, gauss> const&, S const& h) {
-    return tableau_of(mid_point, h);
-}
-/// Two Lobatto nodes are the ends of the step; more of any kind have control values inside (step/galerkin_table.hpp).
-template <class S>
-tableau<S> tableau_of(galerkin_embedding<2, lobatto> const&, S const& h) {
-    S const slope = S(1) / h, half = h / S(2);
-    return {2, {S(1), S(0), S(0), S(1)}, {-slope, slope, -slope, slope}, {half, half}};
 }
 
 } // namespace hilger

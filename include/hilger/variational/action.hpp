@@ -11,6 +11,7 @@ namespace hilger {
 /// Weight is what the integral sums with: delta or nabla on T, steps on T_lambda. A and B map from T to the scale of the integral.
 template <class F, linear_map A, linear_map B, class Weight, class Root>
 struct action {
+    using function_type = F;
     using weight = Weight;
     using root_type = Root;
     using position_type = A;
@@ -20,7 +21,7 @@ struct action {
     [[no_unique_address]] B velocity;
     Root T;
 
-    /// The action of a function on T.
+    /// The action of a function on T, or with its points inside the steps where A reads them.
     template <discrete_function X>
     constexpr auto operator()(X const& x) const {
         return weighted_sum<Weight>(at_nodes(x, [L = function](auto const& t, auto const& q, auto const& v) {
@@ -30,7 +31,8 @@ struct action {
     /// what(t, q, v) at the nodes of x, where t is the position operator's value of the time itself (t_{i+1/2} for mid-point).
     template <discrete_function X, class What>
     constexpr auto at_nodes(X const& x, What what) const {
-        auto const time = hilger::function_on(x.root(), [](typename Root::scalar_type const& t) { return t; });
+        auto const time =
+            hilger::function_on(derived_scale(x.root(), domain<typename A::from>{}), [](typename Root::scalar_type const& t) { return t; });
         return apply_pointwise(std::move(what), position[time], position[x], velocity[x]);
     }
 };
@@ -44,14 +46,17 @@ constexpr auto seen_on(between<Lambda> const& base, A a) {
     else
         return a;
 }
-constexpr auto seen_on(nodes, linear_map auto a) { return a; }
+template <class Base>
+constexpr auto seen_on(Base const&, linear_map auto a) {
+    return a;
+}
 template <class Lives, class Domain>
 constexpr auto integrated_elsewhere() {
     return does_not_compile<"this Lagrangian lives on " + Lives::name() + ", and the integral is over " + Domain::name()>{};
 }
 } // namespace detail
 
-/// int L(A[q], B[q]) over T (weights mu, Cresson-Safi (7)), half(T) or at_lambda(T) ((32)).
+/// int L(A[q], B[q]) over T (weights mu, Cresson-Safi (7)), half(T) or at_lambda(T) ((32)), or over the nodes of a quadrature.
 template <class F, linear_map A, linear_map B, time_scale_like Scale>
 constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const& scale) {
     using D = typename Scale::domain_type;
@@ -65,7 +70,8 @@ constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const&
     if constexpr (not std::same_as<typename SeenA::to, Base>)
         return detail::integrated_elsewhere<typename SeenA::to, D>();
     else {
-        using W = std::conditional_t<std::same_as<Base, nodes>, delta_weight, step_weight>;
+        constexpr bool on_steps = requires(Root const& T, Base const& b) { step_weight::at(T, b, index_type(0)); };
+        using W = std::conditional_t<on_steps, step_weight, delta_weight>;
         return action<F, SeenA, SeenB, W, Root>{density.function, a, b, scale.root()};
     }
 }

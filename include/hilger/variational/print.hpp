@@ -8,6 +8,7 @@
 
 #include <sstream>
 
+#include "hilger/embedding/written.hpp"
 #include "hilger/printing/notation.hpp"
 #include "hilger/variational/restricted.hpp"
 
@@ -38,11 +39,13 @@ template <class Action>
 class equation_writer {
     using A = typename Action::position_type;
     using B = typename Action::velocity_type;
+    using from = typename A::from;
     using base_type = typename A::to;
-    static constexpr bool on_T = std::same_as<base_type, nodes>;
+    /// The equation is written on T_lambda where the integral is over it; else on T, or on T with its points inside the steps.
+    static constexpr bool on_lambda = requires(base_type const& base) { base.lambda; };
     // For A = identity and B a derivative, the integrand lives where B[q] does.
     using integrand = decltype(euler_lagrange<Action>::counted(
-        intersect(std::declval<A const&>().image(domain<nodes>{}), std::declval<B const&>().image(domain<nodes>{}))));
+        intersect(std::declval<A const&>().image(domain<from>{}), std::declval<B const&>().image(domain<from>{}))));
 
 public:
     equation_writer(euler_lagrange<Action> const& equation, print_style style) : EL_(equation), s_(style) {}
@@ -65,7 +68,7 @@ public:
     [[nodiscard]] std::string inner() const {
         auto const here = domain_of_equation();
         using D = std::remove_const_t<decltype(here)>;
-        return written_domain(domain<base_type, std::max(D::front, 1), std::max(D::back, on_T ? 1 : 0)>{here.base}, s_);
+        return written_domain(domain<typename D::base_type, std::max(D::front, 1), std::max(D::back, on_lambda ? 0 : 1)>{here.base}, s_);
     }
     [[nodiscard]] std::string whole() const { return written_domain(integrand{base()}, s_); }
     /// What has to be said about symbols in an equation, each after `before`.
@@ -80,7 +83,7 @@ public:
     }
     /// An operator on T in an equation that is written on T_half: the value at t_i stands at t_{i+1/2}.
     [[nodiscard]] expression on_scale_of_equation(expression const& e) const {
-        if constexpr (on_T)
+        if constexpr (not on_lambda)
             return e;
         else
             return written_alone(projection<std::remove_cvref_t<decltype(base_type{}.lambda)>, true>{{}, base().lambda}, e);
@@ -89,7 +92,7 @@ public:
 private:
     inline static spelled const star{"(⋆)", "(\\star)"};
 
-    [[nodiscard]] base_type base() const { return EL_.action().position.image(domain<nodes>{}).base; }
+    [[nodiscard]] base_type base() const { return EL_.action().position.image(domain<from>{}).base; }
     [[nodiscard]] auto domain_of_equation() const {
         auto const image = [](auto const& op) { return on_uniform_of<std::remove_cvref_t<decltype(op)>>::get(op).image(integrand{}); };
         return intersect(image(EL_.force()), image(EL_.momentum()));
@@ -97,7 +100,7 @@ private:
     template <class Op>
     [[nodiscard]] expression of_q(Op const& op) const {
         auto const e = written_on(op, expression::name({"q", "q"}));
-        if constexpr (on_T)
+        if constexpr (not on_lambda)
             return e;
         else
             return e.without("|" + written_domain(domain<base_type>{base()}, print_style::terminal));
@@ -105,7 +108,7 @@ private:
     [[nodiscard]] expression position() const { return of_q(EL_.action().position); }
     [[nodiscard]] expression velocity() const { return of_q(EL_.action().velocity); }
     [[nodiscard]] spelled p() const {
-        if constexpr (on_T)
+        if constexpr (not on_lambda)
             return {"p", "p"};
         else {
             auto const circle = foot(joined<std::remove_cvref_t<decltype(base_type{}.lambda)>>{base().lambda});

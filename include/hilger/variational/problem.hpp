@@ -95,9 +95,9 @@ decltype(auto) component_of(X const& x, int k) {
 }
 
 /// The components of a traced force.
-template <class X, class T>
+template <class V, class X, class T>
 void put_force(X const& force, int d, std::vector<T>& components) {
-    static_assert(has_components<X>, "a force is a state like q: a number for a number, a vector for a vector");
+    static_assert(has_components<X> != shape<V>::is_scalar, "a force is a state like q: a number for a number, a vector for a vector");
     for (int k = 0; k < d; ++k) components.push_back(T(component_of(force, k)));
 }
 /// The force at (t, q, v), a state like q.
@@ -209,7 +209,7 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
         e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
         if constexpr (is_traced_state<V>) {
             traced_there<V> const there(q, v, on_position | on_velocity, [&](auto const& x, auto const& y, std::vector<traced<S>>& f) {
-                put_force(at_time{what.force, t}(x, y), d, f);
+                put_force<V>(at_time{what.force, t}(x, y), d, f);
                 return traced<S>(0);
             });
             e.by_q = e.by_q + there.by_q;

@@ -58,11 +58,11 @@ constexpr auto on_equal_steps(composition<A, B> const& ab) {
         return a * b;
 }
 
-/// 1 at one point of T, 0 at the others.
-template <class Root>
-struct unit_at : function_interface<unit_at<Root>> {
+/// 1 at one point of a family, 0 at the others.
+template <class Root, class Base>
+struct unit_at : function_interface<unit_at<Root, Base>> {
     using root_type = Root;
-    using domain_type = hilger::domain<nodes>;
+    using domain_type = hilger::domain<Base>;
     Root const* T;
     index_type k;
     [[nodiscard]] constexpr Root const& root() const { return *T; }
@@ -135,27 +135,21 @@ public:
             x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
         return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
     }
-    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices.
-    template <discrete_function X>
-    constexpr auto residual_slope(X const& x, index_type k) const {
+    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices; with a force beside dL/dq too.
+    template <discrete_function X, class Force = no_force>
+    constexpr auto residual_slope(X const& x, index_type k, Force const& force = {}) const {
         using V = value_of<X>;
         using S = typename Root::scalar_type;
-        auto const seconds = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
-            return expand(detail::at_time{L, t}, V(q), V(v));
-        });
-        detail::unit_at<Root> const unit{{}, &x.root(), k};
+        auto const seconds =
+            action_.at_nodes(x, [what = problem<typename Action::function_type, Force>{action_.function, force}](
+                                    auto const& t, auto const& q, auto const& v) { return detail::expand_at(what, t, V(q), V(v)); });
+        detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
         auto const a = action_.position[unit];
         auto const b = action_.velocity[unit];
         auto const of_position =
-            apply_pointwise([](auto const& e, S const& A, S const& B) { return block_of<V>(e.qq * A + e.qv * B); }, seconds, a, b);
-        auto const of_velocity = apply_pointwise(
-            [](auto const& e, S const& A, S const& B) {
-                if constexpr (detail::shape<V>::is_scalar)
-                    return block_of<V>(e.qv * A + e.vv * B);
-                else
-                    return block_of<V>(e.qv.transpose() * A + e.vv * B);
-            },
-            seconds, a, b);
+            apply_pointwise([](auto const& at, S const& A, S const& B) { return block_of<V>(at.e.qq * A + at.e.qv * B); }, seconds, a, b);
+        auto const of_velocity =
+            apply_pointwise([](auto const& at, S const& A, S const& B) { return block_of<V>(at.vq_ * A + at.e.vv * B); }, seconds, a, b);
         return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
     }
     /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
@@ -189,9 +183,10 @@ private:
         if constexpr (D::front > 0 and D::back > 0)
             return r;
         else
-            return detail::restrict_to(std::move(r), domain<nodes, std::max(D::front, 1), std::max(D::back, 1)>{});
+            return detail::restrict_to(std::move(r),
+                                       domain<typename D::base_type, std::max(D::front, 1), std::max(D::back, 1)>{r.domain().base});
     }
-    [[nodiscard]] constexpr auto base() const { return action_.position.image(domain<nodes>{}).base; }
+    [[nodiscard]] constexpr auto base() const { return action_.position.image(domain<typename A::from>{}).base; }
     Action action_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/traced_node.hpp"
 
 namespace traced_tests {
 
@@ -147,15 +147,15 @@ TEST_CASE("a formula is looked at once, and again where a comparison comes out d
     };
     using V = Eigen::Matrix<double, 5, 1>;
     problem<decltype(spring)> const what{spring, {}};
-    detail::node_derivatives<problem<decltype(spring)>, V> at;
+    detail::traced_node<problem<decltype(spring)>, V> at;
     V q = V::Zero(), v = V::Ones();
     q(4) = 1;
-    auto const slope = [&](double far, int which) {
+    auto const slope = [&](double far, detail::wanted which) {
         q(4) = far;
-        (void)at.compute(what, 0.0, q, v, which);
+        (void)at.evaluate(what, 0.0, q, v, which);
         return at.by_q(4);
     };
-    using parts = decltype(at);
+    using parts = detail::wanted;
     for (int pass = 0; pass < 3; ++pass) {
         CHECK(slope(1, parts::first_order) == -2);
         CHECK(slope(-1, parts::with_seconds) == 4);
@@ -177,9 +177,9 @@ TEST_CASE("a formula is looked at once, and again where a comparison comes out d
 TEST_CASE("a time that a formula is told is the time that it has") {
     auto const driven = [](double t, auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * std::cos(t); };
     using V = Eigen::Matrix<double, 5, 1>;
-    detail::node_derivatives<problem<decltype(driven)>, V> at;
+    detail::traced_node<problem<decltype(driven)>, V> at;
     for (double const t : {0.0, 1.0, 0.5, 1.0}) {
-        (void)at.compute(problem<decltype(driven)>{driven, {}}, t, V::Ones(), V::Zero(), decltype(at)::first_order);
+        (void)at.evaluate(problem<decltype(driven)>{driven, {}}, t, V::Ones(), V::Zero(), detail::wanted::first_order);
         CHECK(at.by_q(2) == -2 * std::cos(t));
     }
 }
@@ -191,9 +191,9 @@ TEST_CASE("of a chain only the neighbours are there") {
         for (int k = 1; k < q.size(); ++k) sum = sum - pow(q(k) - q(k - 1), 4) / 4;
         return sum;
     };
-    detail::node_derivatives<problem<decltype(chain)>, Eigen::VectorXd> at;
+    detail::traced_node<problem<decltype(chain)>, Eigen::VectorXd> at;
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(n, 0, 1), v = q;
-    (void)at.compute(problem<decltype(chain)>{chain, {}}, 0.0, q, v, decltype(at)::with_seconds);
+    (void)at.evaluate(problem<decltype(chain)>{chain, {}}, 0.0, q, v, detail::wanted::with_seconds);
     auto const& places = at.places();
     CHECK(places.entries[detail::block_qq].size() == 3 * n - 2);
     CHECK(places.entries[detail::block_vv].size() == n);

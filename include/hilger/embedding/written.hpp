@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+// How the operators of a Galerkin embedding are written:
+//   P3[q], P3'[q]        the polynomial of degree 3 through q on each step, and its derivative, at the nodes of the integral
+//   P3*[f], P3'*[f]      their adjoints
+// with the capital letter pi for P.
+#pragma once
+
+#include "hilger/embedding/polynomial.hpp"
+#include "hilger/printing/notation.hpp"
+
+namespace hilger::detail {
+
+inline std::string subscript(int n) {
+    std::string text;
+    for (char const c : std::to_string(n)) text += std::string("\xE2\x82") + static_cast<char>(0x80 + (c - '0'));
+    return text;
+}
+template <class Reading>
+spelled letter_of_polynomial(bool is_slope, bool is_adjoint) {
+    std::string const n = std::to_string(Reading::degree);
+    spelled s{"Π" + subscript(Reading::degree) + (is_slope ? "′" : "") + (is_adjoint ? "*" : ""),
+              "\\Pi_{" + n + "}" +
+                  (is_slope or is_adjoint ? "^{" + std::string(is_slope ? "\\prime" : "") + (is_adjoint ? "*" : "") + "}" : "")};
+    auto const where = [](print_style style) { return written_domain(domain<typename Reading::to>{}, style); };
+    s = with_bracket(s);
+    s.terminal_note = "Π" + subscript(Reading::degree) + "[f] = the polynomial of degree " + n + " through f on each step, on " +
+                      where(print_style::terminal);
+    s.latex_note = "\\Pi_{" + n + "}[f] \\text{ the polynomial of degree } " + n + " \\text{ through } f \\text{ on each step, on } " +
+                   where(print_style::latex);
+    return s;
+}
+template <int Degree, class Quadrature, int Count, bool IsSlope>
+expression written_alone(polynomial_reading<Degree, Quadrature, Count, IsSlope> const&, expression const& f) {
+    return f.in_brackets(letter_of_polynomial<polynomial_reading<Degree, Quadrature, Count, IsSlope>>(IsSlope, false), closing());
+}
+template <int Degree, class Quadrature, int Count, bool IsSlope>
+expression written_alone(polynomial_spread<Degree, Quadrature, Count, IsSlope> const&, expression const& f) {
+    return f.in_brackets(letter_of_polynomial<polynomial_reading<Degree, Quadrature, Count, IsSlope>>(IsSlope, true), closing());
+}
+
+} // namespace hilger::detail

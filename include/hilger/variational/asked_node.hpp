@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSL-1.0
+// The derivatives of a Lagrangian, and of a force, at one node of a step, asked for where they are needed: of small states by jets, and of
+// callables that have derivatives of their own. Which second derivatives are zero, or constant, L's degrees in q and v say; nothing of the
+// kind is said of a callable that compares, as another branch may be another formula, or is told the time.
+#pragma once
+
+#include "hilger/differentiation/branches.hpp"
+#include "hilger/variational/gradients.hpp"
+#include "hilger/variational/node_values.hpp"
+
+namespace hilger::detail {
+
+template <class Problem, class V>
+class asked_node : public node_values<scalar_of<V>, asked_node<Problem, V>> {
+    using S = scalar_of<V>;
+    using s = shape<V>;
+    using F = std::remove_cvref_t<decltype(std::declval<Problem const&>().lagrangian)>;
+    using Force = std::remove_cvref_t<decltype(std::declval<Problem const&>().force)>;
+    using node_values<S, asked_node>::values_;
+
+public:
+    static constexpr bool has_room = false;
+
+    /// Computes them at (t, q, v). @returns whether the places changed
+    bool evaluate(Problem const& what, S const& t, V const& q, V const& v, wanted which) {
+        int const d = s::dimension(q);
+        branch_watch const watch;
+        bool const is_first = values_.empty();
+        if (is_first) {
+            values_.resize(static_cast<std::size_t>(2 * d + blocks * d * d), S(0));
+            by_q_ = by_v_ = s::zero(d);
+            on_ = gradients_at(problem<F, no_force>{what.lagrangian, {}}, t, q, v, by_q_, by_v_);
+            watch.forget(); // it is no part of the step
+            says_all_ = not is_timed<F, Force, S, V>;
+        }
+        if (is_first or which == wanted::with_seconds) {
+            auto const e = expand_at(what, t, q, v);
+            put(0, e.e.by_q, d);
+            put(d, e.e.by_v, d);
+            block_of<V> const* const in[] = {&e.e.qq, &e.e.qv, &e.vq_, &e.e.vv};
+            for (int b = 0; b < blocks; ++b)
+                for (int j = 0; j < d; ++j)
+                    for (int k = 0; k < d; ++k) values_[at(place(b, j, k, d))] = s::entry(*in[b], j, k);
+        } else {
+            gradients_at(what, t, q, v, by_q_, by_v_);
+            put(0, by_q_, d);
+            put(d, by_v_, d);
+        }
+        bool const is_new = is_first or (not has_branches_ and watch.saw_any());
+        if (watch.saw_any()) has_branches_ = true;
+        if (is_new) arrange(d);
+        return is_new;
+    }
+    [[nodiscard]] derivative_places const& places() const { return places_; }
+    [[nodiscard]] bool has_branches() const { return has_branches_; }
+
+private:
+    static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    static constexpr int place(int b, int j, int k, int d) { return 2 * d + (b * d + j) * d + k; }
+    void put(int first, V const& x, int d) {
+        for (int k = 0; k < d; ++k) values_[at(first + k)] = s::component(x, k);
+    }
+    /// Which entries there are, and which of them never change.
+    void arrange(int d) {
+        dependence const on = has_branches_ ? dependence{dependence::no_polynomial, dependence::no_polynomial, true} : on_;
+        bool const forced = not std::same_as<Force, no_force>;
+        bool const is_there[] = {forced or on.q > 1, forced or on.coupled, on.coupled, on.v > 1};
+        bool const is_constant[] = {not forced and not on.coupled and on.q <= 2, not forced and on.q <= 1 and on.v <= 1,
+                                    on.q <= 1 and on.v <= 1, not on.coupled and on.v <= 2};
+        places_ = {};
+        for (int k = 0; k < d; ++k) {
+            places_.by_q.push_back(k);
+            places_.by_v.push_back(d + k);
+        }
+        for (int b = 0; b < blocks; ++b) {
+            places_.constant[at(b)] = says_all_ and is_constant[b];
+            if (not is_there[b]) continue;
+            for (int j = 0; j < d; ++j)
+                for (int k = 0; k < d; ++k) places_.entries[at(b)].push_back({j, k, place(b, j, k, d)});
+        }
+    }
+    derivative_places places_;
+    dependence on_;
+    bool has_branches_ = false, says_all_ = false;
+    V by_q_, by_v_; ///< room
+};
+
+} // namespace hilger::detail
