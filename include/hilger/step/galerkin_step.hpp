@@ -43,6 +43,7 @@ public:
         v_ = next_ = room_ = s::zero(d_);
         if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
         D_.fill(v_);
+        before_.fill(v_);
         F_.fill(v_);
         guess_.fill(v_);
     }
@@ -130,6 +131,8 @@ private:
         for (V const& D : D_) reach = std::max(reach, S(magnitude(D)));
         contraction<S> convergence(epsilon<S>() * reach, small());
         progress end = progress::going;
+        bool const differ = sizes_differ(x);
+        S farthest(-1);
         std::uint64_t const compared = comparisons_made();
         for (;;) {
             for (std::size_t k = 0; k < N; ++k) {
@@ -141,11 +144,40 @@ private:
             if (not is_separable) return progress::going;
             bool const was_done = end == progress::done;
             if (end != progress::going and not(was_done and comparisons_made() != compared)) return end;
+            if (differ) before_ = D_;
             S const size = move_nodes();
             // Between branches the forces at the last positions say whether these were the last.
             if (was_done and convergence.is_rounding(size)) return end;
             end = convergence.after(size);
+            // Where all components together are done, small ones beside large ones go on as long as they gain.
+            if (differ and end == progress::done)
+                if (S const far = farthest_of_its_size(x); far > S(8) * epsilon<S>() and (farthest < S(0) or S(4) * far < farthest)) {
+                    farthest = far;
+                    end = progress::going;
+                }
         }
+    }
+    /// What component c of the positions in this step is of the size of.
+    [[nodiscard]] S size_of(state<S, V> const& x, int c) const {
+        return magnitude(s::component(x.q, c)) + magnitude(S(h_ * s::component(v_, c)));
+    }
+    /// Whether a component is far smaller than others, and no rounding of them.
+    [[nodiscard]] bool sizes_differ(state<S, V> const& x) {
+        if (d_ == 1) return false;
+        largest_ = S(0);
+        for (int c = 0; c < d_; ++c) largest_ = std::max(largest_, size_of(x, c));
+        for (int c = 0; c < d_; ++c)
+            if (S const size = size_of(x, c); size < largest_ / S(1024) and S(64) * epsilon<S>() * largest_ < size) return true;
+        return false;
+    }
+    /// The largest of the last corrections of the nodes, each component in units of its size.
+    [[nodiscard]] S farthest_of_its_size(state<S, V> const& x) const {
+        S far(0);
+        for (int c = 0; c < d_; ++c)
+            if (S const size = size_of(x, c); S(64) * epsilon<S>() * largest_ < size)
+                for (std::size_t k = 0; k < N; ++k)
+                    far = std::max(far, S(magnitude(S(s::component(D_[k], c) - s::component(before_[k], c))) / size));
+        return far;
     }
     /// A_k - q_0 from the forces, and how far the nodes have moved.
     HILGER_ALWAYS_INLINE S move_nodes() {
@@ -205,6 +237,8 @@ private:
     many_nodes<Problem, Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
     V v_, next_, room_;                                ///< v_0, and room
+    S largest_{0};                                     ///< of the sizes of components
+    std::array<V, N> before_;                          ///< D_ one round before, where components are of different sizes
     std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
     [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;

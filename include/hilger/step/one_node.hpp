@@ -28,6 +28,16 @@ HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
     return m;
 }
 
+/// Whether all numbers are of a size: none is below a thousandth of the largest, but for zeros.
+template <class S, std::size_t N>
+HILGER_ALWAYS_INLINE inline bool are_alike(std::array<S, N> const& x) {
+    using std::abs;
+    S const most = largest(x);
+    int other = 0; // without jumps
+    for (std::size_t k = 0; k < N; ++k) other |= static_cast<int>(S(1024) * abs(x[k]) < most) & static_cast<int>(not(x[k] == S(0)));
+    return other == 0;
+}
+
 /// What one trajectory remembers from step to step.
 template <class Problem, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
 class one_node {
@@ -112,6 +122,7 @@ private:
         components_ r{};
         components_ d{};
         bool singular = false;
+        int settled = 0; // how often all components together were at their floor, and one of them not
         std::uint64_t const compared_before = comparisons_made();
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             std::uint64_t const compared = comparisons_made();
@@ -143,10 +154,10 @@ private:
             v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
             if constexpr (at_start) {
-                done = quadratic or at_the_floor(largest(d), v);
+                done = quadratic or at_the_floor(d, v);
                 if (not quadratic) (add_row<K>(g, D, d), ...);
             } else if constexpr (at_end) {
-                done = quadratic or at_the_floor(largest(d), v);
+                done = quadratic or at_the_floor(d, v);
                 if (done) {
                     components_ const B{plus(q[K], S(c * v[K]))...};
                     auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
@@ -155,13 +166,17 @@ private:
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
-                done = quadratic ? e.on().q <= 2 or is_negligible(c_size * largest(d), largest(A) + c_size * largest(v), w_size, largest(g),
-                                                                  largest(change), largest(p))
-                                 : at_the_floor(largest(d), v);
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p) : at_the_floor(d, v);
                 g = components_{plus(g[K], change[K])...};
             }
             if (not done) {
                 if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
+                // Convergence is quadratic in each of them: small ones beside large ones take two more rounds.
+                if constexpr (N > 1)
+                    if (settled < 2 and not((abs(r[K]) <= S(4) * epsilon<S>() * (abs(p[K]) + f_size * abs(g[K]))) and ...)) {
+                        ++settled;
+                        continue;
+                    }
             }
             if (branched) [[unlikely]]
                 return false;
@@ -235,16 +250,33 @@ private:
                                        components_ const& g) const {
         return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
     }
-    /// Convergence is quadratic: after this correction the error is of the size of epsilon.
-    HILGER_ALWAYS_INLINE static bool at_the_floor(S const& size, components_ const& v) {
-        return size <= square_root_of_epsilon<S>() * small() * largest(v);
+    /// Convergence is quadratic: after this correction the error is of the size of epsilon, in each component where they are of different
+    /// sizes.
+    HILGER_ALWAYS_INLINE static bool at_the_floor(components_ const& d, components_ const& v) {
+        using std::abs;
+        S const bound = square_root_of_epsilon<S>() * small();
+        bool const together = largest(d) <= bound * largest(v);
+        if (N == 1 or not together or are_alike(v)) return together;
+        bool each = true;
+        for (std::size_t k = 0; k < N; ++k) each = each and abs(d[k]) <= bound * abs(v[k]);
+        return each;
     }
-    /// The same where v enters quadratically and the error is in dL/dq alone: `moved` is the correction of the position, `change` what it
-    /// does to g to first order. What it does to second order is, relative to these, of the size of moved / reach: as a quotient, for the
+    /// The same where v enters quadratically and the error is in dL/dq alone: c d is the correction of the position, `change` what it
+    /// does to g to first order. What it does to second order is, relative to these, of the size of c d / A: as a quotient, for the
     /// squares of positions leave the range of the scalar long before positions do.
-    HILGER_ALWAYS_INLINE static bool is_negligible(S const& moved, S const& reach, S const& w, S const& g, S const& change, S const& p) {
-        S const relative = moved / reach;
-        return w * relative * (g * relative + change) <= epsilon<S>() * small() * (p + w * g);
+    HILGER_ALWAYS_INLINE static bool is_negligible(S const& c, components_ const& A, components_ const& v, components_ const& d, S const& w,
+                                                   components_ const& g, components_ const& change, components_ const& p) {
+        using std::abs;
+        S const bound = epsilon<S>() * small(), g_size = largest(g), of_all = c * largest(d) / (largest(A) + c * largest(v));
+        bool const together = w * of_all * (g_size * of_all + largest(change)) <= bound * (largest(p) + w * g_size);
+        if (N == 1 or not together or (are_alike(p) and are_alike(A))) return together;
+        S relative(0);
+        for (std::size_t k = 0; k < N; ++k)
+            if (S const x = c * abs(d[k]) / (abs(A[k]) + c * abs(v[k])); relative < x) relative = x; // what stands still at 0 has none
+        bool each = true;
+        for (std::size_t k = 0; k < N; ++k)
+            each = each and w * relative * (abs(g[k]) * relative + abs(change[k])) <= bound * (abs(p[k]) + w * abs(g[k]));
+        return each;
     }
     /// With compensated sums the error that Newton leaves must not be seen either.
     static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }
