@@ -49,7 +49,7 @@ struct polynomial_numbers {
     using table = polynomial_table<S, Degree, Quadrature, Count>;
     static table const& here() {
         static table const numbers = [] {
-            auto const q = Quadrature::template on_unit_interval<S>(Count);
+            auto const q = wide_quadrature<S, Quadrature>(Count);
             return table::template of<typename wider<S>::type>(q.node, q.weight);
         }();
         return numbers;

@@ -6,7 +6,8 @@
 // made of them to be rounded once.
 //   quadrature_nodes<gauss, n>     Gauss, exact up to degree 2n - 1; one node is T_half
 //   quadrature_nodes<lobatto, n>   Lobatto, both ends among them, exact up to degree 2n - 3
-// One's own has a name, `on_unit_interval<S>(n)` and, where its nodes stand symmetrically, is_symmetric.
+// One's own has a name, `on_unit_interval<S>(n)`, a quadrature<S> or one in more digits, and says with is_symmetric whether its nodes stand
+// symmetrically.
 #pragma once
 
 #include <array>
@@ -51,12 +52,13 @@ typename wider<S>::type polished(double start, Step const& step) {
     return x;
 }
 
+} // namespace detail
+
+/// Nodes and weights on [0, 1], the nodes increasing, the weights with the sum 1.
 template <class W>
 struct quadrature {
-    std::vector<W> node, weight; ///< on [0, 1], increasing
+    std::vector<W> node, weight;
 };
-
-} // namespace detail
 
 struct gauss {
     static constexpr char const* name = "Gauss";
@@ -67,7 +69,7 @@ struct gauss {
     template <class S>
     static auto on_unit_interval(int n) {
         using W = typename detail::wider<S>::type;
-        detail::quadrature<W> q;
+        quadrature<W> q;
         for (int i = 0; i < n; ++i) {
             W const x = detail::polished<S>(-std::cos(3.14159265358979 * (i + 0.75) / (n + 0.5)), [n](W const& y) {
                 auto const p = detail::legendre(n, y);
@@ -90,7 +92,7 @@ struct lobatto {
     template <class S>
     static auto on_unit_interval(int n) {
         using W = typename detail::wider<S>::type;
-        detail::quadrature<W> q;
+        quadrature<W> q;
         int const m = n - 1;
         for (int i = 0; i < n; ++i) {
             // The inner nodes are the roots of P_m'; (1 - x^2) P_m'' = 2 x P_m' - m (m + 1) P_m.
@@ -142,13 +144,27 @@ constexpr auto residues_of_quadrature() {
     return q;
 }
 
+/// The n nodes and weights in the numbers that recurrences for S run in. @throws error::mismatch where there are not n
+template <class S, class Quadrature>
+auto wide_quadrature(int n) {
+    using W = typename wider<S>::type;
+    auto const given = Quadrature::template on_unit_interval<S>(n);
+    if (given.node.size() != static_cast<std::size_t>(n) or given.weight.size() != given.node.size())
+        error::raise<error::mismatch>("the quadrature ", Quadrature::name, " was asked for ", n, " nodes and weights, and gives ",
+                                      given.node.size(), " and ", given.weight.size());
+    quadrature<W> wide;
+    for (auto const& c : given.node) wide.node.push_back(W(c));
+    for (auto const& w : given.weight) wide.weight.push_back(W(w));
+    return wide;
+}
+
 /// c_1, ..., c_n and w_1, ..., w_n in numbers S.
 template <class S, class Quadrature, int Count>
 struct quadrature_numbers {
     std::array<S, Count> node{}, weight{};
     static quadrature_numbers const& here() {
         static quadrature_numbers const numbers = [] {
-            auto const wide = Quadrature::template on_unit_interval<S>(Count);
+            auto const wide = wide_quadrature<S, Quadrature>(Count);
             quadrature_numbers q;
             for (std::size_t k = 0; k < Count; ++k) {
                 q.node[k] = S(wide.node[k]);

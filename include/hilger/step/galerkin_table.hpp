@@ -51,7 +51,7 @@ private:
 
     galerkin_table() {
         constexpr int n = static_cast<int>(N), r = static_cast<int>(R);
-        auto const nodes = Quadrature::template on_unit_interval<S>(n);
+        auto const nodes = wide_quadrature<S, Quadrature>(n);
         auto const points = velocity_points();
         std::vector<std::vector<W>> at_node, at_point, alpha_wide(N, std::vector<W>(R)), momentum_wide(R, std::vector<W>(N));
         for (W const& c : nodes.node) at_node.push_back(legendre(r + 1, W(W(2) * c - W(1))));

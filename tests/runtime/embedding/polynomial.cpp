@@ -85,6 +85,9 @@ TEST_CASE("over the nodes of a quadrature it is the quadrature that integrates")
     CHECK(one_sided.element(2) == Q(-1, 3) + Q(1, 9));
     CHECK(integral(function_on(one_sided, [](Q const& t) { return Q(3 * t * t); }), one_sided) == 9);
     CHECK(integral(function_on(one_sided, cube), one_sided) != 18);
+    auto const too_many = at_nodes<radau, 3>(uneven);
+    CHECK_THROWS_WITH_AS(static_cast<void>(too_many.element(0)),
+                         "the quadrature Radau was asked for 3 nodes and weights, and gives 2 and 2", error::mismatch const&);
     // between points of T, in either order
     CHECK(integral(function_on(there, cube), Q(0), Q(2)) == 18);
     CHECK(integral(function_on(there, cube), Q(2), Q(0)) == -18);

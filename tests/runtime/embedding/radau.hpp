@@ -10,9 +10,8 @@ struct radau {
     static constexpr char const* name = "Radau";
     static constexpr bool is_symmetric = false;
     template <class S>
-    static auto on_unit_interval(int) {
-        using W = typename detail::wider<S>::type;
-        return detail::quadrature<W>{{W(1) / W(3), W(1)}, {W(3) / W(4), W(1) / W(4)}};
+    static quadrature<S> on_unit_interval(int) {
+        return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
     }
 };
 /// Quadratic polynomials, read at these.
