@@ -98,10 +98,15 @@ template <class E, class S>
 struct table_of_galerkin {
     using type = void;
 };
-/// With control values inside the step and as many nodes as make the masses of the velocities regular: n nodes see polynomials of degree
-/// n - 1.
+/// Whether n nodes are exact for the products l_i l_j, of degree 2d - 2 for positions of degree d: Gauss's are up to 2n - 1, Lobatto's up
+/// to 2n - 3. Of quadratures of one's own nothing is known, and they have no table.
+template <class Quadrature>
+constexpr bool is_exact_for_velocities(int degree, int nodes) {
+    if (std::is_same_v<Quadrature, gauss>) return degree <= nodes;
+    return std::is_same_v<Quadrature, lobatto> and degree < nodes;
+}
 template <int Degree, class Quadrature, int Count, bool Checked, class S>
-    requires(Degree > 1 and Degree <= Count)
+    requires(Degree > 1 and is_exact_for_velocities<Quadrature>(Degree, Count))
 struct table_of_galerkin<
     embedding<polynomial_value<Degree, Quadrature, Count>, polynomial_slope<Degree, Quadrature, Count>, step_weight, Checked>, S> {
     using type = galerkin_table<S, Count, Quadrature, Degree>;

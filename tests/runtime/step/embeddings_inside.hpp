@@ -30,4 +30,19 @@ inline constexpr auto two_mid_points = [] {
     return make_embedding<delta_weight>(fraction<1, 2>{} * (here + sigma_o), Delta_o_plus, "two mid-points");
 }();
 
+/// The trapezoid rule on both halves of a step, which is not exact for squares of the velocities of quadratic polynomials.
+struct trapezoids {
+    static constexpr char const* name = "trapezoids";
+    static constexpr bool is_symmetric = true;
+    template <class S>
+    static quadrature<S> on_unit_interval(int) {
+        return {{S(0), S(1) / S(2), S(1)}, {S(1) / S(4), S(1) / S(2), S(1) / S(4)}};
+    }
+};
+inline constexpr auto trapezoid_galerkin =
+    make_embedding<step_weight>(polynomial_value<2, trapezoids, 3>{}, polynomial_slope<2, trapezoids, 3>{}, "trapezoids");
+/// Lobatto's nodes with one degree more than they are exact for.
+inline constexpr auto too_steep =
+    make_embedding<step_weight>(polynomial_value<2, lobatto, 2>{}, polynomial_slope<2, lobatto, 2>{}, "two Lobatto nodes, degree 2");
+
 } // namespace hilger::testing

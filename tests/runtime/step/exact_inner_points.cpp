@@ -21,6 +21,7 @@ TEST_CASE("in the rationals the equation holds exactly, at the points of T and i
     CHECK(largest_residual(embed(driven, galerkin<3, lobatto>).along(T, Q(1), Q(1, 2))) == 0);
     CHECK(largest_residual(embed(driven, radau_galerkin).along(T, Q(1), Q(1, 2))) == 0);
     CHECK(largest_residual(embed(driven, two_mid_points).along(T, Q(1), Q(1, 2))) == 0);
+    CHECK(largest_residual(embed(driven, trapezoid_galerkin).along(T, Q(1), Q(1, 2))) == 0);
     // and on uneven steps
     auto const uneven = time_scale(std::vector{Q(0), Q(1, 5), Q(1, 3), Q(1)});
     lagrangian const L = [](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; };

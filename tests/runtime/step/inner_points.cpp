@@ -63,6 +63,11 @@ TEST_CASE("embeddings of one's own with points inside the steps do") {
     solves<double>(radau_galerkin, 2);
     solves<double>(by_tableau(galerkin<3, gauss>), 3);
     solves<double>(two_mid_points, 2);
+    // without a force, where Galerkin embeddings that are exact enough iterate the forces at the nodes
+    auto const T = uniform(0.0, 0.1, 30);
+    is_a_solution(embed(swing, radau_galerkin).along(T, 1.0, 0.0), 2);
+    is_a_solution(embed(swing, trapezoid_galerkin).along(T, 1.0, 0.0), 2);
+    is_a_solution(embed(swing, too_steep).along(T, 1.0, 0.0), 2);
 }
 
 TEST_CASE("in any dimension") {
