@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Steps with control values inside them are solutions of the equation that their operators derive: Galerkin's, and those of embeddings of
 // one's own that no library has a name for; in any dimension, with forces, times and gyroscopic terms.
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
@@ -68,6 +70,13 @@ TEST_CASE("embeddings of one's own with points inside the steps do") {
     is_a_solution(embed(swing, radau_galerkin).along(T, 1.0, 0.0), 2);
     is_a_solution(embed(swing, trapezoid_galerkin).along(T, 1.0, 0.0), 2);
     is_a_solution(embed(swing, too_steep).along(T, 1.0, 0.0), 2);
+}
+
+TEST_CASE("masses that change with the time are not constant") {
+    auto const melting = [](double t, auto const& q, auto const& v) { return (2 + std::sin(3 * t)) * v * v / 2 - q * q / 2; };
+    auto const T = uniform(0.0, 0.1, 30);
+    is_a_solution(embed(melting, galerkin<2, gauss>).along(T, 1.0, 0.0), 2);
+    is_a_solution(embed(melting, galerkin<2, lobatto>).along(T, 1.0, 0.0), 1);
 }
 
 TEST_CASE("in any dimension") {
