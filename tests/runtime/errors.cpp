@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace errors_tests {
 

@@ -28,16 +28,16 @@ struct single_step {
 namespace detail {
 
 /// The function with these values at the points of a step, both ends of it among them; it refers to them.
-template <class S, class V, class Base>
+template <class S, class Base>
 struct values_in_step : discrete_function_tag {
     using root_type = single_step<S>;
     using domain_type = hilger::domain<Base>;
     root_type const* step;
-    V const* values;
-    constexpr values_in_step(root_type const& T, V const* at_points) : step(&T), values(at_points) {}
+    S const* values;
+    constexpr values_in_step(root_type const& T, S const* at_points) : step(&T), values(at_points) {}
     constexpr root_type const& root() const { return *step; }
     static constexpr domain_type domain() { return {}; }
-    constexpr V const& get(index_type i) const { return values[i]; }
+    constexpr S const& get(index_type i) const { return values[i]; }
 };
 
 template <linear_map A, linear_map B>
@@ -80,7 +80,7 @@ struct on_one_step {
     template <linear_map Op>
     static constexpr S value(Op const& op, S const& h, values const& f, int k) {
         single_step<S> const T{h};
-        values_in_step<S, S, from> const q(T, f.data());
+        values_in_step<S, from> const q(T, f.data());
         return S(op.evaluate(q, first + k));
     }
     static constexpr S weight(A const& a, B const& b, S const& h, int k) {

@@ -18,10 +18,9 @@ namespace detail {
 template <class S, int Degree, class Quadrature, int Count>
 struct polynomial_table {
     std::array<std::array<S, Degree + 1>, Count> value{}, slope{};
-    std::array<S, Count> weight{};
 
-    template <class W, class Nodes, class Weights>
-    static constexpr polynomial_table of(Nodes const& node, Weights const& weights) {
+    template <class W, class Nodes>
+    static constexpr polynomial_table of(Nodes const& node) {
         polynomial_table t;
         for (int m = 0; m <= Degree; ++m) {
             W scale(1);
@@ -40,7 +39,6 @@ struct polynomial_table {
                 t.slope[k][static_cast<std::size_t>(m)] = S(W(Degree) * slope * scale);
             }
         }
-        for (std::size_t k = 0; k < Count; ++k) t.weight[k] = S(weights[k]);
         return t;
     }
 };
@@ -48,20 +46,14 @@ template <class S, int Degree, class Quadrature, int Count>
 struct polynomial_numbers {
     using table = polynomial_table<S, Degree, Quadrature, Count>;
     static table const& here() {
-        static table const numbers = [] {
-            auto const q = wide_quadrature<S, Quadrature>(Count);
-            return table::template of<typename wider<S>::type>(q.node, q.weight);
-        }();
+        static table const numbers = table::template of<typename wider<S>::type>(wide_quadrature<S, Quadrature>(Count).node);
         return numbers;
     }
 };
 template <int Degree, class Quadrature, int Count>
 struct polynomial_numbers<prime_field, Degree, Quadrature, Count> {
     using table = polynomial_table<prime_field, Degree, Quadrature, Count>;
-    static constexpr table numbers = [] {
-        auto const q = residues_of_quadrature<Quadrature, Count>();
-        return table::template of<prime_field>(q.node, q.weight);
-    }();
+    static constexpr table numbers = table::template of<prime_field>(residues_of_quadrature<Quadrature, Count>().node);
     static constexpr table const& here() { return numbers; }
 };
 
@@ -128,12 +120,13 @@ struct polynomial_spread : linear_operator<polynomial_spread<Degree, Quadrature,
         using S = typename F::root_type::scalar_type;
         using value = value_of<F>;
         auto const& numbers = polynomial_numbers<S, Degree, Quadrature, Count>::here();
+        auto const& weight = quadrature_numbers<S, Quadrature, Count>::here().weight;
         value sum = zero_of(f);
         auto const add = [&](index_type step, int m) {
             S const h(f.root().step(step));
             for (std::size_t k = 0; k < Count; ++k) {
                 auto const at = static_cast<std::size_t>(m);
-                S const c = IsSlope ? S(numbers.weight[k] * numbers.slope[k][at]) : S(h * (numbers.weight[k] * numbers.value[k][at]));
+                S const c = IsSlope ? S(weight[k] * numbers.slope[k][at]) : S(h * (weight[k] * numbers.value[k][at]));
                 sum = value(sum + value(f.get(Count * step + static_cast<index_type>(k))) * c);
             }
         };

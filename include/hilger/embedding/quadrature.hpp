@@ -177,7 +177,8 @@ struct quadrature_numbers {
 };
 template <class Quadrature, int Count>
 struct quadrature_numbers<prime_field, Quadrature, Count> {
-    static constexpr auto here() { return residues_of_quadrature<Quadrature, Count>(); }
+    static constexpr auto numbers = residues_of_quadrature<Quadrature, Count>();
+    static constexpr auto const& here() { return numbers; }
 };
 
 /// The family of all nodes: number n i + k is node k of step i.

@@ -93,10 +93,7 @@ auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, 
         return worst;
     };
     auto const x = function_on(T, q);
-    if constexpr (std::same_as<Force, no_force>)
-        return judge(equation.residual(x));
-    else
-        return judge(equation.residual(x, mechanics.force));
+    return judge(equation.residual(x, mechanics.force));
 }
 
 } // namespace hilger

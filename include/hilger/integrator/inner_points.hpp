@@ -33,12 +33,7 @@ auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force
     std::vector<V> all(static_cast<std::size_t>(Base::last(T.steps()) + 1), V(x.get(0)));
     detail::values_so_far<V, Root, Base> const made{{}, &T, &all};
     auto const at = [&](index_type j) -> V& { return all[static_cast<std::size_t>(j)]; };
-    auto const residual = [&] {
-        if constexpr (std::same_as<Force, no_force>)
-            return equation.residual(made);
-        else
-            return equation.residual(made, force);
-    }();
+    auto const residual = equation.residual(made, force);
     for (index_type i = 0; i <= T.steps(); ++i) at(parts * i) = V(x.get(i));
     if constexpr (inside > 0)
         for (index_type i = 0; i < T.steps(); ++i) {

@@ -56,7 +56,6 @@ public:
     }
     [[nodiscard]] S const& h() const { return h_; }
     [[nodiscard]] Extra& extra() { return equation_.extra(); }
-    [[nodiscard]] static constexpr bool needs_guess() { return false; }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {

@@ -18,7 +18,6 @@ class separable {
     using s = shape<V>;
 
 public:
-    static constexpr bool always = false;
     separable(Problem const&, V const& like)
         : inverse_(s::zero_block(s::dimension(like))), at_rest_(s::zero(s::dimension(like))), room_(at_rest_), unused_(at_rest_) {}
 
@@ -80,7 +79,6 @@ class separable<problem<mechanical<Mass, Potential>, no_force>, S, V> {
     using what_type = problem<mechanical<Mass, Potential>, no_force>;
 
 public:
-    static constexpr bool always = true;
     separable(what_type const& what, V const& like) : mass_(what.lagrangian.mass(), like.size()), room_(like.size() + 1) {
         what.lagrangian.potential().check(like.size());
     }

@@ -163,10 +163,7 @@ auto largest_residual(restricted_euler_lagrange<Action, A, B, Root> const& equat
 /// The same with a force f(q, v) or f(t, q, v) beside dL/dq.
 template <class Action, discrete_function X, class Force>
 auto largest_residual(euler_lagrange<Action> const& equation, X const& x, Force const& force) {
-    if constexpr (std::same_as<Force, no_force>)
-        return largest_residual(equation, x);
-    else
-        return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x, force));
+    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x, force));
 }
 
 } // namespace hilger

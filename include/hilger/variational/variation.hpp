@@ -131,9 +131,13 @@ public:
     /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
     constexpr auto residual(X const& x, Force const& force) const {
-        auto const f = action_.at_nodes(
-            x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
-        return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
+        if constexpr (std::same_as<Force, no_force>)
+            return residual(x);
+        else {
+            auto const f = action_.at_nodes(
+                x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
+            return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
+        }
     }
     /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices; with a force beside dL/dq too.
     template <discrete_function X, class Force = no_force>

@@ -6,8 +6,8 @@
 
 #include "hilger/calculus.hpp"
 #include "hilger/multiprecision.hpp"
-#include "runtime/step/values.hpp"
 #include "support/orders.hpp"
+#include "support/values.hpp"
 
 namespace fractional_operators_tests {
 

@@ -7,8 +7,8 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "runtime/step/values.hpp"
 #include "support/systems.hpp"
+#include "support/values.hpp"
 
 namespace fractional_variation_tests {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <memory>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace function_arithmetic_tests {
 

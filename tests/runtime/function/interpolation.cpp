@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace function_interpolation_tests {
 

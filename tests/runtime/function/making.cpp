@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace function_making_tests {
 

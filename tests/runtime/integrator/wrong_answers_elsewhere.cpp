@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace wrong_answers_elsewhere_tests {
 

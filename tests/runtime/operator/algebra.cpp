@@ -3,7 +3,7 @@
 // which the types can only compare with itself.
 #include <doctest/doctest.h>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace operator_algebra_tests {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace operator_integral_tests {
 

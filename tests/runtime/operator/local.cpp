@@ -3,7 +3,7 @@
 // the steps 1, 2, 4. The end points are part of each table: T^kappa is where the derivative is, and nothing is made up for the last point.
 #include <doctest/doctest.h>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace operator_local_tests {
 

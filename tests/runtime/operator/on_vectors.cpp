@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <string>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace operator_on_vectors_tests {
 

@@ -3,7 +3,7 @@
 // with which weight, and which points have none.
 #include <doctest/doctest.h>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace operator_transfer_tests {
 

@@ -7,7 +7,7 @@
 
 #include "hilger/variational/print.hpp"
 #include "reading.hpp"
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace reading {
 

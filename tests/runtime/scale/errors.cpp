@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_errors_tests {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_iteration_tests {
 

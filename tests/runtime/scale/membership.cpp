@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_membership_tests {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_neighbours_tests {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_points_tests {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_properties_tests {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <random>
 
-#include "runtime/step/values.hpp"
+#include "support/values.hpp"
 
 namespace scale_reading_tests {
 
