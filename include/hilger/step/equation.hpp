@@ -13,83 +13,37 @@
 #include <vector>
 
 #include "hilger/linear/patterned_matrix.hpp"
+#include "hilger/step/controls.hpp"
 #include "hilger/step/force.hpp"
-#include "hilger/step/state.hpp"
-#include "hilger/step/tableau.hpp"
-#include "hilger/variational/node_derivatives.hpp"
-#include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
 
 template <class Problem, class S, class V, class Extra = no_step_force, int Controls = 2>
-class step_equation {
+class step_equation : public step_controls<Problem, S, V, Controls> {
     using s = shape<V>;
-    static constexpr int U = Controls - 1; ///< unknown control values
-    static constexpr int last = Controls - 1;
-    static constexpr int rows = s::size == Eigen::Dynamic ? Eigen::Dynamic : s::size * U;
+    using controls = step_controls<Problem, S, V, Controls>;
+    using controls::at, controls::compute, controls::d_, controls::h_, controls::last, controls::nodes_, controls::place_of, controls::t_,
+        controls::U;
 
 public:
+    using controls::adds_up, controls::dimension, controls::end, controls::moved, controls::unknowns;
+    using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;
-    using vector = Eigen::Matrix<S, rows, 1>;
     using of_state = Eigen::Matrix<S, s::size, 1>;
-    using unknown = std::conditional_t<U == 1, V, vector>;
-    using derivatives = node_derivatives<Problem, V>;
 
     step_equation(V const& like, Extra extra_force)
-        : extra(std::move(extra_force)), moved(shape<unknown>::zero(s::dimension(like) * U)),
-          residual(vector::Zero(s::dimension(like) * U)), increment(of_state::Zero(s::dimension(like))), whole(increment),
-          d_(s::dimension(like)), A_(zero_like(like)), B_(A_), sizes_(residual) {}
+        : controls(like), extra(std::move(extra_force)), residual(vector::Zero(s::dimension(like) * U)),
+          increment(of_state::Zero(s::dimension(like))), whole(increment), sizes_(residual) {}
     void prepare(tableau<S> const& t, S const& h) {
-        if (nodes_.size() != static_cast<std::size_t>(t.nodes)) {
-            nodes_.clear();
-            nodes_.resize(static_cast<std::size_t>(t.nodes));
-            is_prepared = false;
-        }
-        t_ = t;
-        h_ = h;
-        adds_up = reproduces_constants();
-    }
-    [[nodiscard]] S const& h() const { return h_; }
-    [[nodiscard]] int dimension() const {
-        if constexpr (s::size == Eigen::Dynamic)
-            return d_;
-        else
-            return s::size;
-    }
-    [[nodiscard]] int unknowns() const { return dimension() * U; }
-    /// U_n - q_i, component c and whole.
-    [[nodiscard]] S const& end(int c) const {
-        if constexpr (U == 1)
-            return s::component(moved, c);
-        else
-            return moved(place_of(last, c));
-    }
-    [[nodiscard]] decltype(auto) end() const {
-        if constexpr (U == 1)
-            return (moved);
-        else {
-            V x = s::zero(dimension());
-            for (int c = 0; c < dimension(); ++c) s::component(x, c) = end(c);
-            return x;
-        }
-    }
-    /// As if the velocity were v.
-    void move_with(V const& v) {
-        if constexpr (U == 1)
-            moved = v * h_;
-        else
-            for (int c = 0; c < dimension(); ++c)
-                for (int m = 1; m <= U; ++m) moved(place_of(m, c)) = s::component(v, c) * h_ * S(m) / S(U);
+        if (controls::prepare(t, h)) is_prepared = false;
     }
 
     [[no_unique_address]] Extra extra;
-    unknown moved;             ///< U_m - q_i
     vector residual;           ///< r(U)
     of_state increment, whole; ///< what the momentum gains; what it becomes
     matrix full_matrix;        ///< r'(U)
     matrix constant_part;      ///< what of it never changes
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
-    bool adds_up = true; ///< constants have themselves as position and no velocity
 
     /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new.
     void evaluate(Problem const& problem, state<S, V> const& x, wanted which) {
@@ -130,20 +84,13 @@ public:
     /// The derivative of the residual.
     void put_matrix() {
         full_matrix.set_zero();
-        for (int k = 0; k < t_.nodes; ++k)
-            for (int b = 0; b < blocks; ++b) {
-                auto const& block = nodes_[at(k)].places().entries[at(b)];
-                for (int j = 0; j < U; ++j)
-                    for (int m = 1; m <= U; ++m) {
-                        auto const& to = places_[at(k)][at(b)][pair_of(j, m)];
-                        if (to.empty()) continue;
-                        S const c = factor(k, b, j, m);
-                        for (std::size_t i = 0; i < to.size(); ++i) {
-                            S& entry = full_matrix[to[i]];
-                            entry = entry + c * tally<S>::second(nodes_[at(k)].value(block[i].place));
-                        }
-                    }
+        for_each_block([&](int k, int b, int j, int m, S const& c, auto const& entries) {
+            auto const& to = places_[at(k)][at(b)][pair_of(j, m)];
+            for (std::size_t i = 0; i < to.size(); ++i) {
+                S& entry = full_matrix[to[i]];
+                entry = entry + c * tally<S>::second(nodes_[at(k)].value(entries[i].place));
             }
+        });
         put_resistance(full_matrix);
     }
     /// The size of what the residual is a sum of.
@@ -244,8 +191,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
-    static constexpr int place_of(int m, int c) { return c * U + m - 1; }
     static constexpr std::size_t pair_of(int j, int m) { return at(j * U + m - 1); }
     /// The row j of all components.
     struct strided {
@@ -263,6 +208,16 @@ private:
     [[nodiscard]] S factor(int k, int b, int j, int m) const {
         S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, j) : t_.b(k, j));
         return w * (b == block_qq or b == block_vq ? t_.a(k, m) : t_.b(k, m));
+    }
+    /// each(node, block, row, control, factor, entries) for all blocks that the matrix has.
+    template <class Each>
+    void for_each_block(Each const& each) const {
+        for (int k = 0; k < t_.nodes; ++k)
+            for (int b = 0; b < blocks; ++b)
+                if (auto const& entries = nodes_[at(k)].places().entries[at(b)]; not entries.empty())
+                    for (int j = 0; j < U; ++j)
+                        for (int m = 1; m <= U; ++m)
+                            if (S const c = factor(k, b, j, m); not(c == S(0))) each(k, b, j, m, c, entries);
     }
     /// How much of the impulse of the extra force row j has.
     [[nodiscard]] S share(int j) const {
@@ -287,53 +242,6 @@ private:
                 return false;
         return true;
     }
-    /// Component c of A_k and of B_k.
-    [[nodiscard]] S position(state<S, V> const& x, int k, int c) const {
-        S sum = adds_up ? s::component(x.q, c) : S(s::component(x.q, c) * constant_at(k, &tableau<S>::a));
-        for (int m = 1; m <= U; ++m) sum = sum + t_.a(k, m) * component_of_moved(m, c);
-        return sum;
-    }
-    [[nodiscard]] S velocity(state<S, V> const& x, int k, int c) const {
-        S sum = t_.b(k, 1) * component_of_moved(1, c);
-        for (int m = 2; m <= U; ++m) sum = sum + t_.b(k, m) * component_of_moved(m, c);
-        return adds_up ? sum : S(sum + s::component(x.q, c) * constant_at(k, &tableau<S>::b));
-    }
-    [[nodiscard]] S constant_at(int k, S const& (tableau<S>::*of)(int, int) const) const {
-        S sum(0);
-        for (int m = 0; m < Controls; ++m) sum = sum + (t_.*of)(k, m);
-        return sum;
-    }
-    [[nodiscard]] S const& component_of_moved(int m, int c) const {
-        if constexpr (U == 1)
-            return s::component(moved, c);
-        else
-            return moved(place_of(m, c));
-    }
-    /// A_k and B_k, into A_ and B_.
-    void place(state<S, V> const& x, int k) {
-        for (int c = 0; c < dimension(); ++c) {
-            s::component(A_, c) = position(x, k, c);
-            s::component(B_, c) = velocity(x, k, c);
-        }
-    }
-    bool compute(Problem const& problem, state<S, V> const& x, int k, wanted which) {
-        if constexpr (derivatives::has_room)
-            if (auto& e = nodes_[at(k)]; e.has_arguments() and adds_up) {
-                S* const to = e.arguments();
-                int const d = dimension();
-                if constexpr (U == 1) {
-                    S const a = t_.a(k, 1), b = t_.b(k, 1);
-                    for (int c = 0; c < d; ++c) to[c] = s::component(x.q, c) + a * s::component(moved, c);
-                    for (int c = 0; c < d; ++c) to[d + c] = b * s::component(moved, c);
-                } else {
-                    for (int c = 0; c < d; ++c) to[c] = position(x, k, c);
-                    for (int c = 0; c < d; ++c) to[d + c] = velocity(x, k, c);
-                }
-                return e.evaluate_here(problem, t_.time(k, x.t, h_), d, which);
-            }
-        place(x, k);
-        return nodes_[at(k)].evaluate(problem, t_.time(k, x.t, h_), A_, B_, which);
-    }
     /// For the formulas that there are now: the matrix of the equation, and what of it never changes, which is all of it, or the masses at
     /// least, or is not used.
     void prepare_matrices() {
@@ -345,47 +253,34 @@ private:
             auto const& places = nodes_[at(k)].places();
             if (nodes_[at(k)].has_branches()) is_constant = false; // the next branch may be another formula
             if (places.entries[block_vv].empty() or not places.constant[block_vv]) has_constant_mass = false;
-            for (int b = 0; b < blocks; ++b) {
-                auto const& block = places.entries[at(b)];
-                for (int j = 0; j < U; ++j)
-                    for (int m = 1; m <= U; ++m) {
-                        if (block.empty() or factor(k, b, j, m) == S(0)) continue;
-                        for (auto const& e : block) entries.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
-                        if (places.constant[at(b)])
-                            for (auto const& e : block) constant.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
-                        else
-                            is_constant = false;
-                    }
-            }
         }
+        for_each_block([&](int k, int b, int j, int m, S const&, auto const& block) {
+            for (auto const& e : block) entries.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
+            if (nodes_[at(k)].places().constant[at(b)])
+                for (auto const& e : block) constant.emplace_back(place_of(j + 1, e.row), place_of(m, e.column));
+            else
+                is_constant = false;
+        });
         if (std::numeric_limits<S>::is_exact) has_constant_mass = false; // an iteration converges, and is never exact
         constant_part.prepare(unknowns(), constant);
         factors_are_of_ = S(0);
         full_matrix.prepare(unknowns(), entries);
         places_.assign(at(t_.nodes), {});
-        for (int k = 0; k < t_.nodes; ++k)
-            for (int b = 0; b < blocks; ++b)
-                for (int j = 0; j < U; ++j)
-                    for (int m = 1; m <= U; ++m)
-                        if (not(factor(k, b, j, m) == S(0)))
-                            for (auto const& e : nodes_[at(k)].places().entries[at(b)])
-                                places_[at(k)][at(b)][pair_of(j, m)].push_back(
-                                    full_matrix.place(place_of(j + 1, e.row), place_of(m, e.column)));
+        for_each_block([&](int k, int b, int j, int m, S const&, auto const& block) {
+            for (auto const& e : block)
+                places_[at(k)][at(b)][pair_of(j, m)].push_back(full_matrix.place(place_of(j + 1, e.row), place_of(m, e.column)));
+        });
         is_prepared = true;
     }
     void put_constant_matrix() {
         constant_part.set_zero();
-        for (int k = 0; k < t_.nodes; ++k)
-            for (int b = 0; b < blocks; ++b)
-                for (int j = 0; j < U; ++j)
-                    for (int m = 1; m <= U; ++m) {
-                        S const c = factor(k, b, j, m);
-                        if (c == S(0) or not nodes_[at(k)].places().constant[at(b)]) continue;
-                        for (auto const& e : nodes_[at(k)].places().entries[at(b)]) {
-                            S& entry = constant_part[constant_part.place(place_of(j + 1, e.row), place_of(m, e.column))];
-                            entry = entry + c * tally<S>::second(nodes_[at(k)].value(e.place));
-                        }
-                    }
+        for_each_block([&](int k, int b, int j, int m, S const& c, auto const& entries) {
+            if (not nodes_[at(k)].places().constant[at(b)]) return;
+            for (auto const& e : entries) {
+                S& entry = constant_part[constant_part.place(place_of(j + 1, e.row), place_of(m, e.column))];
+                entry = entry + c * tally<S>::second(nodes_[at(k)].value(e.place));
+            }
+        });
         put_resistance(constant_part);
     }
     void put_resistance(matrix& K) {
@@ -396,27 +291,10 @@ private:
                     entry = entry - share(j) * s::component(extra.slope, c);
                 }
     }
-    /// sum_m a_km = 1 and sum_m b_km = 0 at every node, to rounding.
-    [[nodiscard]] bool reproduces_constants() const {
-        S const rounding = S(64) * epsilon<S>();
-        for (int k = 0; k < t_.nodes; ++k) {
-            S size_b(0);
-            for (int m = 0; m < Controls; ++m) size_b = size_b + magnitude(t_.b(k, m));
-            if (not(magnitude(S(constant_at(k, &tableau<S>::a) - S(1))) <= rounding) or
-                not(magnitude(constant_at(k, &tableau<S>::b)) <= rounding * size_b))
-                return false;
-        }
-        return true;
-    }
-
-    int d_;
-    tableau<S> t_;
-    S h_{0}, factors_are_of_{0}; ///< the step, and that of the factors of the constant part
-    std::vector<derivatives> nodes_;
+    S factors_are_of_{0};                                                         ///< the step of the factors of the constant part
     std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of the entries of each node's blocks in the matrix
     std::vector<bool> again_;                                                     ///< where gradients are not affine in y
-    V A_, B_;
-    vector sizes_;
+    vector sizes_;                                                                ///< room
 };
 
 } // namespace hilger::detail

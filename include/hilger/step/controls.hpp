@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSL-1.0
+// One step of an embedding in numbers: its tableau, the control values U_0 = q_i, U_1, ..., U_n of which the last is q_{i+1}, and at each
+// node the position A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. Unknown are U_1, ..., U_n;
+// those of one component stand together, so that couplings of neighbours stay a band.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hilger/step/state.hpp"
+#include "hilger/step/tableau.hpp"
+#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/problem.hpp"
+
+namespace hilger::detail {
+
+template <class Problem, class S, class V, int Controls>
+class step_controls {
+    using s = shape<V>;
+
+protected:
+    static constexpr int U = Controls - 1; ///< unknown control values
+    static constexpr int last = Controls - 1;
+    static constexpr int rows = s::size == Eigen::Dynamic ? Eigen::Dynamic : s::size * U;
+
+public:
+    using vector = Eigen::Matrix<S, rows, 1>;
+    using unknown = std::conditional_t<U == 1, V, vector>;
+    using derivatives = node_derivatives<Problem, V>;
+
+    explicit step_controls(V const& like)
+        : moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)), B_(A_) {}
+    /// Steps of length h. @returns whether the nodes are others
+    bool prepare(tableau<S> const& t, S const& h) {
+        bool const others = nodes_.size() != static_cast<std::size_t>(t.nodes);
+        if (others) {
+            nodes_.clear();
+            nodes_.resize(static_cast<std::size_t>(t.nodes));
+        }
+        t_ = t;
+        h_ = h;
+        adds_up = reproduces_constants();
+        return others;
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] int dimension() const {
+        if constexpr (s::size == Eigen::Dynamic)
+            return d_;
+        else
+            return s::size;
+    }
+    [[nodiscard]] int unknowns() const { return dimension() * U; }
+    /// U_n - q_i, component c and whole.
+    [[nodiscard]] S const& end(int c) const {
+        if constexpr (U == 1)
+            return s::component(moved, c);
+        else
+            return moved(place_of(last, c));
+    }
+    [[nodiscard]] decltype(auto) end() const {
+        if constexpr (U == 1)
+            return (moved);
+        else {
+            V x = s::zero(dimension());
+            for (int c = 0; c < dimension(); ++c) s::component(x, c) = end(c);
+            return x;
+        }
+    }
+    /// As if the velocity were v.
+    void move_with(V const& v) {
+        if constexpr (U == 1)
+            moved = v * h_;
+        else
+            for (int c = 0; c < dimension(); ++c)
+                for (int m = 1; m <= U; ++m) moved(place_of(m, c)) = s::component(v, c) * h_ * S(m) / S(U);
+    }
+
+    unknown moved;       ///< U_m - q_i
+    bool adds_up = true; ///< constants have themselves as position and no velocity
+
+protected:
+    static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
+    static constexpr int place_of(int m, int c) { return c * U + m - 1; }
+    /// Component c of A_k and of B_k.
+    [[nodiscard]] S position(state<S, V> const& x, int k, int c) const {
+        S sum = adds_up ? s::component(x.q, c) : S(s::component(x.q, c) * constant_at(k, &tableau<S>::a));
+        for (int m = 1; m <= U; ++m) sum = sum + t_.a(k, m) * component_of_moved(m, c);
+        return sum;
+    }
+    [[nodiscard]] S velocity(state<S, V> const& x, int k, int c) const {
+        S sum = t_.b(k, 1) * component_of_moved(1, c);
+        for (int m = 2; m <= U; ++m) sum = sum + t_.b(k, m) * component_of_moved(m, c);
+        return adds_up ? sum : S(sum + s::component(x.q, c) * constant_at(k, &tableau<S>::b));
+    }
+    [[nodiscard]] S constant_at(int k, S const& (tableau<S>::*of)(int, int) const) const {
+        S sum(0);
+        for (int m = 0; m < Controls; ++m) sum = sum + (t_.*of)(k, m);
+        return sum;
+    }
+    [[nodiscard]] S const& component_of_moved(int m, int c) const {
+        if constexpr (U == 1)
+            return s::component(moved, c);
+        else
+            return moved(place_of(m, c));
+    }
+    /// A_k and B_k, into A_ and B_.
+    void place(state<S, V> const& x, int k) {
+        for (int c = 0; c < dimension(); ++c) {
+            s::component(A_, c) = position(x, k, c);
+            s::component(B_, c) = velocity(x, k, c);
+        }
+    }
+    /// The derivatives at node k. @returns whether their places changed
+    bool compute(Problem const& problem, state<S, V> const& x, int k, wanted which) {
+        if constexpr (derivatives::has_room)
+            if (auto& e = nodes_[at(k)]; e.has_arguments() and adds_up) {
+                S* const to = e.arguments();
+                int const d = dimension();
+                if constexpr (U == 1) {
+                    S const a = t_.a(k, 1), b = t_.b(k, 1);
+                    for (int c = 0; c < d; ++c) to[c] = s::component(x.q, c) + a * s::component(moved, c);
+                    for (int c = 0; c < d; ++c) to[d + c] = b * s::component(moved, c);
+                } else {
+                    for (int c = 0; c < d; ++c) to[c] = position(x, k, c);
+                    for (int c = 0; c < d; ++c) to[d + c] = velocity(x, k, c);
+                }
+                return e.evaluate_here(problem, t_.time(k, x.t, h_), d, which);
+            }
+        place(x, k);
+        return nodes_[at(k)].evaluate(problem, t_.time(k, x.t, h_), A_, B_, which);
+    }
+
+    int d_;
+    tableau<S> t_;
+    S h_{0};
+    std::vector<derivatives> nodes_;
+
+private:
+    /// sum_m a_km = 1 and sum_m b_km = 0 at every node, to rounding.
+    [[nodiscard]] bool reproduces_constants() const {
+        S const rounding = S(64) * epsilon<S>();
+        for (int k = 0; k < t_.nodes; ++k) {
+            S size_b(0);
+            for (int m = 0; m < Controls; ++m) size_b = size_b + magnitude(t_.b(k, m));
+            if (not(magnitude(S(constant_at(k, &tableau<S>::a) - S(1))) <= rounding) or
+                not(magnitude(constant_at(k, &tableau<S>::b)) <= rounding * size_b))
+                return false;
+        }
+        return true;
+    }
+    V A_, B_;
+};
+
+} // namespace hilger::detail
