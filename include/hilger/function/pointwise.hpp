@@ -5,9 +5,9 @@
 #pragma once
 
 #include <functional>
-#include <tuple>
 
 #include "hilger/function/concept.hpp"
+#include "hilger/function/operands.hpp"
 
 namespace hilger {
 
@@ -69,19 +69,19 @@ public:
     using root_type = typename F::root_type;
 
     constexpr explicit pointwise(Map map, F f, Gs... gs) : map_(std::move(map)), operands_(std::move(f), std::move(gs)...) {
-        std::apply([](auto const& head, auto const&... tail) { (detail::require_same_points(head, tail), ...); }, operands_);
+        operands_.apply([](auto const& head, auto const&... tail) { (detail::require_same_points(head, tail), ...); });
     }
-    [[nodiscard]] constexpr auto const& root() const { return std::get<0>(operands_).root(); }
+    [[nodiscard]] constexpr auto const& root() const {
+        return operands_.apply([](auto const& head, auto const&...) -> auto const& { return head.root(); });
+    }
     [[nodiscard]] constexpr auto domain() const {
-        return std::apply([](auto const&... fs) { return common(fs.domain()...); }, operands_);
+        return operands_.apply([](auto const&... fs) { return common(fs.domain()...); });
     }
     [[nodiscard]] constexpr auto get(index_type i) const {
-        return std::apply(
-            [&](auto const&... fs) {
-                using value = value_on<decltype(map_(fs.get(i)...)), typename root_type::scalar_type>;
-                return value(map_(fs.get(i)...));
-            },
-            operands_);
+        return operands_.apply([&](auto const&... fs) {
+            using value = value_on<decltype(map_(fs.get(i)...)), typename root_type::scalar_type>;
+            return value(map_(fs.get(i)...));
+        });
     }
 
 private:
@@ -94,7 +94,7 @@ private:
         return common(intersect(d, e), rest...);
     }
     [[no_unique_address]] Map map_;
-    std::tuple<F, Gs...> operands_;
+    detail::operands<F, Gs...> operands_;
 
 public:
     using domain_type = decltype(common(std::declval<typename F::domain_type>(), std::declval<typename Gs::domain_type>()...));
