@@ -3,15 +3,15 @@
 // equations are solved by their determinant where it is a normal number, and all others by elimination.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "hilger/differentiation/jet.hpp"
 #include "hilger/inlining.hpp"
+#include "hilger/linear/elimination.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/scalar.hpp"
 
@@ -24,14 +24,11 @@ HILGER_ALWAYS_INLINE inline bool is_known_diagonal(std::array<S, M * M> const& K
 /// By elimination; false where K is singular to rounding.
 template <class S, std::size_t M, std::size_t MM>
 bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
-    // By columns, as elsewhere: what Eigen makes of one type of matrix takes the compiler seconds.
-    using by_rows = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M), Eigen::RowMajor>;
-    using matrix = Eigen::Matrix<S, static_cast<int>(M), static_cast<int>(M)>;
-    using vector = Eigen::Matrix<S, static_cast<int>(M), 1>;
-    Eigen::PartialPivLU<matrix> const lu(matrix(Eigen::Map<by_rows const>(K.data())));
-    if (not is_regular(lu)) return false;
-    vector const x = lu.solve(Eigen::Map<vector const>(r.data()));
-    for (std::size_t k = 0; k < M; ++k) r[k] = x(static_cast<int>(k));
+    elimination<S, static_cast<int>(M)> full(static_cast<int>(M));
+    std::copy(K.begin(), K.end(), full.data().begin()); // by rows, as here
+    if (not full.factorize()) return false;
+    auto const unknown = [&r](int k) -> S& { return r[static_cast<std::size_t>(k)]; };
+    full.solve(unknown);
     return true;
 }
 /// Two equations whose determinant is no normal number, as with masses of 1e+-160. By value: what a loop hands over by address is in
