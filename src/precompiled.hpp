@@ -2,5 +2,4 @@
 // What the files of the program share, compiled once. They include what they use all the same.
 #pragma once
 
-#include "hilger/hilger.hpp"
-#include "hilger/multiprecision.hpp"
+#include "compiled_once.hpp"

@@ -2,8 +2,7 @@
 // What the doctest programs share, compiled once. The tests include what they use all the same.
 #pragma once
 
-#include "hilger/hilger.hpp"
-#include "hilger/multiprecision.hpp"
+#include "../src/compiled_once.hpp"
 #if HILGER_HAS_FLOAT128
 #include "hilger/float128.hpp"
 #endif

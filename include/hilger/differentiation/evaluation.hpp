@@ -24,58 +24,7 @@ public:
 
     evaluation() = default;
     /// Which nodes are asked for in which part; comparisons are asked for as shared.
-    evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked) : arguments_(arguments) {
-        auto const n = static_cast<std::size_t>(g.size());
-        std::vector<std::uint8_t> of(n, 0); // a bit for each part
-        for (int p = 0; p < parts; ++p)
-            for (int const k : asked[static_cast<std::size_t>(p)]) of[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(1 << p);
-        for (int k = g.size(); k-- > 0;)
-            if (auto const& node = g[k]; node.what != nullptr)
-                for (int const x : {node.a, node.b}) of[static_cast<std::size_t>(x)] |= of[static_cast<std::size_t>(k)];
-        struct place {
-            int part, level;
-            traced_operation<S> const* what;
-            int node;
-        };
-        std::vector<place> order;
-        std::vector<int> level(n, 0), in(n, 0);
-        for (int k = 0; k < g.size(); ++k) {
-            auto const at = static_cast<std::size_t>(k);
-            auto const& node = g[k];
-            if (node.what == nullptr or of[at] == 0) continue;
-            bool const m = of[at] >> momenta & 1, f = of[at] >> forces & 1;
-            in[at] = (of[at] >> shared & 1) or (m and f) ? shared : m ? momenta : f ? forces : seconds;
-            for (int const x : {node.a, node.b})
-                if (auto const from = static_cast<std::size_t>(x); g[x].what != nullptr and in[from] == in[at])
-                    level[at] = std::max(level[at], level[from] + 1);
-            order.push_back({in[at], level[at], node.what, k});
-        }
-        std::stable_sort(order.begin(), order.end(), [](place const& x, place const& y) {
-            if (x.part != y.part) return x.part < y.part;
-            if (x.level != y.level) return x.level < y.level;
-            return std::less<>()(x.what, y.what);
-        });
-        place_.assign(n, -1);
-        for (int k = 0; k < arguments; ++k) place_[static_cast<std::size_t>(k)] = k;
-        for (int k = 0; k < g.size(); ++k)
-            if (g.is_number(k) and of[static_cast<std::size_t>(k)] != 0) {
-                place_[static_cast<std::size_t>(k)] = arguments + static_cast<int>(numbers_.size());
-                numbers_.push_back(g.number(k));
-            }
-        first_ = arguments + static_cast<int>(numbers_.size());
-        int part_of_last = 0;
-        for (std::size_t first = 0; first < order.size();) {
-            auto const& o = order[first];
-            for (; part_of_last < o.part; ++part_of_last)
-                end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
-            std::vector<int> alike;
-            for (; first < order.size() and order[first].part == o.part and order[first].level == o.level and order[first].what == o.what;
-                 ++first)
-                alike.push_back(order[first].node);
-            add_rounds(g, *o.what, alike);
-        }
-        for (; part_of_last < parts; ++part_of_last) end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
-    }
+    evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked);
     /// Where a node's value is in the values; -1 for one that was not asked for.
     [[nodiscard]] int place(int node) const { return place_[static_cast<std::size_t>(node)]; }
     /// Room for all values, with the numbers in their places.
@@ -112,52 +61,108 @@ private:
         }
     };
     /// Rounds for operations of one kind on one level: one for each long row there is, and one for all others.
-    void add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes) {
-        constexpr std::size_t worth_it = 4;
-        // derivatives are made from the last operation to the first, and operands stand in the order of their places
-        std::stable_sort(nodes.begin(), nodes.end(),
-                         [&](int j, int k) { return std::pair(place(g[j].a), place(g[j].b)) < std::pair(place(g[k].a), place(g[k].b)); });
-        std::vector<row> rows;
-        std::map<std::pair<int, int>, std::size_t> next; // where a row would go on
-        for (int const k : nodes) {
-            int const a = place(g[k].a), b = place(g[k].b);
-            auto const found = next.find({a, b});
-            if (found != next.end() and rows[found->second].goes_on_with(a, b)) {
-                std::size_t const at = found->second;
-                auto& r = rows[at];
-                if (r.nodes.size() == 1) {
-                    r.step_a = a - r.a;
-                    r.step_b = b - r.b;
-                }
-                r.nodes.push_back(k);
-                next.erase(found);
-                next[{a + r.step_a, b + r.step_b}] = at;
-                continue;
-            }
-            for (auto const& [by_a, by_b] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}}) next[{a + by_a, b + by_b}] = rows.size();
-            rows.push_back({{k}, a, b});
-        }
-        auto const put = [&](int k) {
-            place_[static_cast<std::size_t>(k)] = first_ + static_cast<int>(a_.size());
-            a_.push_back(place(g[k].a));
-            b_.push_back(place(g[k].b));
-        };
-        int const before = static_cast<int>(a_.size());
-        for (auto const& r : rows)
-            if (r.nodes.size() < worth_it)
-                for (int const k : r.nodes) put(k);
-        if (int const others = static_cast<int>(a_.size()) - before; others > 0) rounds_.push_back({&what, others, before});
-        for (auto const& r : rows) {
-            if (r.nodes.size() < worth_it) continue;
-            rounds_.push_back({&what, static_cast<int>(r.nodes.size()), static_cast<int>(a_.size()), true, r.step_a == 0, r.step_b == 0});
-            for (int const k : r.nodes) put(k);
-        }
-    }
+    void add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes);
     int arguments_ = 0, first_ = 0;
     std::vector<S> numbers_;
     std::vector<round> rounds_;
     std::vector<int> a_, b_, place_;
     std::array<int, parts> end_of_{};
 };
+
+template <class S>
+evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked)
+    : arguments_(arguments) {
+    auto const n = static_cast<std::size_t>(g.size());
+    std::vector<std::uint8_t> of(n, 0); // a bit for each part
+    for (int p = 0; p < parts; ++p)
+        for (int const k : asked[static_cast<std::size_t>(p)]) of[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(1 << p);
+    for (int k = g.size(); k-- > 0;)
+        if (auto const& node = g[k]; node.what != nullptr)
+            for (int const x : {node.a, node.b}) of[static_cast<std::size_t>(x)] |= of[static_cast<std::size_t>(k)];
+    struct place {
+        int part, level;
+        traced_operation<S> const* what;
+        int node;
+    };
+    std::vector<place> order;
+    std::vector<int> level(n, 0), in(n, 0);
+    for (int k = 0; k < g.size(); ++k) {
+        auto const at = static_cast<std::size_t>(k);
+        auto const& node = g[k];
+        if (node.what == nullptr or of[at] == 0) continue;
+        bool const m = of[at] >> momenta & 1, f = of[at] >> forces & 1;
+        in[at] = (of[at] >> shared & 1) or (m and f) ? shared : m ? momenta : f ? forces : seconds;
+        for (int const x : {node.a, node.b})
+            if (auto const from = static_cast<std::size_t>(x); g[x].what != nullptr and in[from] == in[at])
+                level[at] = std::max(level[at], level[from] + 1);
+        order.push_back({in[at], level[at], node.what, k});
+    }
+    std::stable_sort(order.begin(), order.end(), [](place const& x, place const& y) {
+        if (x.part != y.part) return x.part < y.part;
+        if (x.level != y.level) return x.level < y.level;
+        return std::less<>()(x.what, y.what);
+    });
+    place_.assign(n, -1);
+    for (int k = 0; k < arguments; ++k) place_[static_cast<std::size_t>(k)] = k;
+    for (int k = 0; k < g.size(); ++k)
+        if (g.is_number(k) and of[static_cast<std::size_t>(k)] != 0) {
+            place_[static_cast<std::size_t>(k)] = arguments + static_cast<int>(numbers_.size());
+            numbers_.push_back(g.number(k));
+        }
+    first_ = arguments + static_cast<int>(numbers_.size());
+    int part_of_last = 0;
+    for (std::size_t first = 0; first < order.size();) {
+        auto const& o = order[first];
+        for (; part_of_last < o.part; ++part_of_last) end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
+        std::vector<int> alike;
+        for (; first < order.size() and order[first].part == o.part and order[first].level == o.level and order[first].what == o.what;
+             ++first)
+            alike.push_back(order[first].node);
+        add_rounds(g, *o.what, alike);
+    }
+    for (; part_of_last < parts; ++part_of_last) end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
+}
+template <class S>
+void evaluation<S>::add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes) {
+    constexpr std::size_t worth_it = 4;
+    // derivatives are made from the last operation to the first, and operands stand in the order of their places
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](int j, int k) { return std::pair(place(g[j].a), place(g[j].b)) < std::pair(place(g[k].a), place(g[k].b)); });
+    std::vector<row> rows;
+    std::map<std::pair<int, int>, std::size_t> next; // where a row would go on
+    for (int const k : nodes) {
+        int const a = place(g[k].a), b = place(g[k].b);
+        auto const found = next.find({a, b});
+        if (found != next.end() and rows[found->second].goes_on_with(a, b)) {
+            std::size_t const at = found->second;
+            auto& r = rows[at];
+            if (r.nodes.size() == 1) {
+                r.step_a = a - r.a;
+                r.step_b = b - r.b;
+            }
+            r.nodes.push_back(k);
+            next.erase(found);
+            next[{a + r.step_a, b + r.step_b}] = at;
+            continue;
+        }
+        for (auto const& [by_a, by_b] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}}) next[{a + by_a, b + by_b}] = rows.size();
+        rows.push_back({{k}, a, b});
+    }
+    auto const put = [&](int k) {
+        place_[static_cast<std::size_t>(k)] = first_ + static_cast<int>(a_.size());
+        a_.push_back(place(g[k].a));
+        b_.push_back(place(g[k].b));
+    };
+    int const before = static_cast<int>(a_.size());
+    for (auto const& r : rows)
+        if (r.nodes.size() < worth_it)
+            for (int const k : r.nodes) put(k);
+    if (int const others = static_cast<int>(a_.size()) - before; others > 0) rounds_.push_back({&what, others, before});
+    for (auto const& r : rows) {
+        if (r.nodes.size() < worth_it) continue;
+        rounds_.push_back({&what, static_cast<int>(r.nodes.size()), static_cast<int>(a_.size()), true, r.step_a == 0, r.step_b == 0});
+        for (int const k : r.nodes) put(k);
+    }
+}
 
 } // namespace hilger::detail

@@ -56,30 +56,12 @@ struct traced_formula {
         for (auto const& g : guards) compared(g.outcome, g.of_velocity);
     }
 };
-/// `evaluate(x, y, force)` returns L at traced x and y and gives the components of a force, where there is one; the graph holds for the
-/// branches at (q, v). Second derivatives are made by the arguments that `seconds_by` says.
-template <class S, class V, class Evaluate>
-traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
-    using s = shape<V>;
+/// The derivatives of L, and of the components of a force where there is one, in the graph that they are nodes of: second derivatives by
+/// the arguments that `seconds_by` says.
+template <class S>
+traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L, std::vector<traced<S>> const& force,
+                                 std::uint8_t seconds_by) {
     using T = traced<S>;
-    int const d = s::dimension(q);
-    formula_graph<S> g(d);
-    T L(0);
-    std::vector<T> force;
-    {
-        unwatched const while_tracing; // what was compared counts when the formula is evaluated
-        tracing<S> const here(g);
-        typename s::template with<T> x, y;
-        if constexpr (s::size == Eigen::Dynamic) {
-            x.resize(d);
-            y.resize(d);
-        }
-        for (int k = 0; k < d; ++k) {
-            s::component(x, k) = T::at(k, s::component(q, k));
-            s::component(y, k) = T::at(d + k, s::component(v, k));
-        }
-        L = evaluate(x, y, force);
-    }
     differentiator<S> derive(g);
     tracing<S> const here(g);
     g.has_values = false;
@@ -135,6 +117,33 @@ traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluat
     for (auto const& w : g.guards())
         made.guards.push_back({w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, ((g[w.a].on | g[w.b].on) & on_velocity) != 0});
     return made;
+}
+
+/// `evaluate(x, y, force)` returns L at traced x and y and gives the components of a force, where there is one; the graph holds for the
+/// branches at (q, v). Second derivatives are made by the arguments that `seconds_by` says.
+template <class S, class V, class Evaluate>
+traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
+    using s = shape<V>;
+    using T = traced<S>;
+    int const d = s::dimension(q);
+    formula_graph<S> g(d);
+    T L(0);
+    std::vector<T> force;
+    {
+        unwatched const while_tracing; // what was compared counts when the formula is evaluated
+        tracing<S> const here(g);
+        typename s::template with<T> x, y;
+        if constexpr (s::size == Eigen::Dynamic) {
+            x.resize(d);
+            y.resize(d);
+        }
+        for (int k = 0; k < d; ++k) {
+            s::component(x, k) = T::at(k, s::component(q, k));
+            s::component(y, k) = T::at(d + k, s::component(v, k));
+        }
+        L = evaluate(x, y, force);
+    }
+    return derivatives_in(g, d, L, force, seconds_by);
 }
 
 /// A formula and all that it says at the arguments where it was traced.

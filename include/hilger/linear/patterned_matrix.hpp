@@ -31,34 +31,7 @@ public:
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
     /// Entries that may be different from zero, and the diagonal.
-    void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
-        d_ = d;
-        int below = 0, above = 0;
-        for (auto const& [j, k] : entries) {
-            below = std::max(below, j - k);
-            above = std::max(above, k - j);
-        }
-        int const width = 2 * below + above + 1;
-        if (2 * width < d) {
-            how_ = solver::elimination;
-            few_ = elimination<S>(d, below, above);
-        } else if (d <= small) {
-            how_ = solver::elimination;
-            few_ = elimination<S>(d);
-        } else
-            how_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d) ? solver::sparse : solver::dense;
-        if (how_ == solver::dense)
-            data_.assign(static_cast<std::size_t>(d) * static_cast<std::size_t>(d), S(0));
-        else if (how_ == solver::sparse) {
-            std::vector<Eigen::Triplet<S>> all;
-            for (auto const& [j, k] : entries) all.emplace_back(j, k, S(0));
-            for (int k = 0; k < d; ++k) all.emplace_back(k, k, S(0));
-            sparse_.resize(d, d);
-            sparse_.setFromTriplets(all.begin(), all.end());
-            sparse_.makeCompressed();
-            sparse_factors_.reset(); // made for the pattern where they are first asked for
-        }
-    }
+    void prepare(int d, std::vector<std::pair<int, int>> const& entries);
     [[nodiscard]] int size() const { return d_; }
     /// Where an entry is kept.
     [[nodiscard]] int place(int j, int k) const {
@@ -92,12 +65,10 @@ public:
     template <class X>
     void solve(X& x) const {
         tally<S>::add(work::solve);
-        if (how_ == solver::dense)
-            x = dense_factors_.solve(vector(weight_.cwiseProduct(x)));
-        else if (how_ == solver::sparse)
-            x = sparse_factors_->solve(vector(weight_.cwiseProduct(x)));
-        else
+        if (how_ == solver::elimination)
             few_.solve(x);
+        else
+            x = solution(weight_.cwiseProduct(x));
     }
 
 private:
@@ -106,42 +77,8 @@ private:
         return how_ == solver::sparse ? sparse_.nonZeros()
                                       : static_cast<std::ptrdiff_t>(how_ == solver::dense ? data_.size() : few_.data().size());
     }
-    /// Rows are weighed by their largest entry, as elimination weighs them.
-    bool makes_factors() {
-        if (how_ == solver::elimination) return few_.factorize();
-        weight_.setZero(d_);
-        auto const weigh = [&](index_type row, S const& x) {
-            if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;
-        };
-        if (how_ == solver::dense) {
-            Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const> const K(data_.data(), d_, d_);
-            for (index_type k = 0; k < d_; ++k)
-                for (index_type j = 0; j < d_; ++j) weigh(j, K(j, k));
-            if (not(S(0) < weight_.minCoeff())) return false;
-            weight_ = weight_.cwiseInverse();
-            dense_factors_.compute(weight_.asDiagonal() * K);
-            return is_regular(dense_factors_);
-        }
-        using entries = typename Eigen::SparseMatrix<S>::InnerIterator;
-        for (int k = 0; k < d_; ++k)
-            for (entries x(sparse_, k); x; ++x) weigh(x.row(), x.value());
-        if (not(S(0) < weight_.minCoeff())) return false;
-        weight_ = weight_.cwiseInverse();
-        Eigen::SparseMatrix<S> weighed = sparse_;
-        for (int k = 0; k < d_; ++k)
-            for (entries x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
-        if (not sparse_factors_) {
-            sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
-            sparse_factors_->analyzePattern(weighed);
-        }
-        sparse_factors_->factorize(weighed);
-        if (sparse_factors_->info() != Eigen::Success) return false;
-        // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
-        vector x(d_);
-        for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
-        x = sparse_factors_->solve(x);
-        return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
-    }
+    bool makes_factors();
+    vector solution(vector const& weighed) const;
     solver how_ = solver::elimination;
     bool factorized_ = false;
     int d_ = 0;
@@ -152,5 +89,77 @@ private:
     Eigen::SparseMatrix<S> sparse_;
     own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
 };
+
+template <class S>
+void patterned_matrix<S>::prepare(int d, std::vector<std::pair<int, int>> const& entries) {
+    d_ = d;
+    int below = 0, above = 0;
+    for (auto const& [j, k] : entries) {
+        below = std::max(below, j - k);
+        above = std::max(above, k - j);
+    }
+    int const width = 2 * below + above + 1;
+    if (2 * width < d) {
+        how_ = solver::elimination;
+        few_ = elimination<S>(d, below, above);
+    } else if (d <= small) {
+        how_ = solver::elimination;
+        few_ = elimination<S>(d);
+    } else
+        how_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d) ? solver::sparse : solver::dense;
+    if (how_ == solver::dense)
+        data_.assign(static_cast<std::size_t>(d) * static_cast<std::size_t>(d), S(0));
+    else if (how_ == solver::sparse) {
+        std::vector<Eigen::Triplet<S>> all;
+        for (auto const& [j, k] : entries) all.emplace_back(j, k, S(0));
+        for (int k = 0; k < d; ++k) all.emplace_back(k, k, S(0));
+        sparse_.resize(d, d);
+        sparse_.setFromTriplets(all.begin(), all.end());
+        sparse_.makeCompressed();
+        sparse_factors_.reset(); // made for the pattern where they are first asked for
+    }
+}
+/// Rows are weighed by their largest entry, as elimination weighs them.
+template <class S>
+bool patterned_matrix<S>::makes_factors() {
+    if (how_ == solver::elimination) return few_.factorize();
+    weight_.setZero(d_);
+    auto const weigh = [&](index_type row, S const& x) {
+        if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;
+    };
+    if (how_ == solver::dense) {
+        Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const> const K(data_.data(), d_, d_);
+        for (index_type k = 0; k < d_; ++k)
+            for (index_type j = 0; j < d_; ++j) weigh(j, K(j, k));
+        if (not(S(0) < weight_.minCoeff())) return false;
+        weight_ = weight_.cwiseInverse();
+        dense_factors_.compute(weight_.asDiagonal() * K);
+        return is_regular(dense_factors_);
+    }
+    using entries = typename Eigen::SparseMatrix<S>::InnerIterator;
+    for (int k = 0; k < d_; ++k)
+        for (entries x(sparse_, k); x; ++x) weigh(x.row(), x.value());
+    if (not(S(0) < weight_.minCoeff())) return false;
+    weight_ = weight_.cwiseInverse();
+    Eigen::SparseMatrix<S> weighed = sparse_;
+    for (int k = 0; k < d_; ++k)
+        for (entries x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
+    if (not sparse_factors_) {
+        sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
+        sparse_factors_->analyzePattern(weighed);
+    }
+    sparse_factors_->factorize(weighed);
+    if (sparse_factors_->info() != Eigen::Success) return false;
+    // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
+    vector x(d_);
+    for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
+    x = sparse_factors_->solve(x);
+    return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
+}
+template <class S>
+auto patterned_matrix<S>::solution(vector const& weighed) const -> vector {
+    if (how_ == solver::dense) return dense_factors_.solve(weighed);
+    return sparse_factors_->solve(weighed);
+}
 
 } // namespace hilger::detail

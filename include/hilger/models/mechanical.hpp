@@ -9,9 +9,8 @@
 
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "hilger/inlining.hpp"
+#include "hilger/linear/positive_definite.hpp"
 #include "hilger/models/pairs.hpp"
 
 namespace hilger {
@@ -151,9 +150,11 @@ public:
     [[nodiscard]] V velocity(V const& q, V const& p) const {
         require_size(q.size());
         if constexpr (is_matrix) {
-            Eigen::LLT<block_of<V>> const factors(mass_.template cast<scalar_of<V>>());
-            if (factors.info() != Eigen::Success) error::raise<error::singular>("the mass matrix is not positive definite");
-            return factors.solve(p);
+            using S = scalar_of<V>;
+            Eigen::Matrix<S, Eigen::Dynamic, 1> v = p;
+            if (not detail::solve_positive_definite<S>(mass_.template cast<S>(), v))
+                error::raise<error::singular>("the mass matrix is not positive definite");
+            return v;
         } else if constexpr (requires { mass_.size(); })
             return p.cwiseQuotient(mass_.template cast<scalar_of<V>>());
         else

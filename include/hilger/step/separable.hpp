@@ -5,8 +5,8 @@
 #include "hilger/inlining.hpp"
 #include "hilger/linear/elimination.hpp"
 #include "hilger/newton/stop.hpp"
+#include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
-#include "hilger/step/structured_solvers.hpp"
 #include "hilger/variational/gradients.hpp"
 
 namespace hilger::detail {

@@ -7,9 +7,10 @@
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
+#include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
-#include "hilger/step/structured_solvers.hpp"
 #include "hilger/step/summation.hpp"
+#include "hilger/step/symmetric_matrix.hpp"
 #include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {
@@ -213,7 +214,7 @@ private:
         for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(U, A_);
-            kernel_.zero();
+            kernel_.set_zero();
             mass_.put(put);
             U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
             tally<S>::add(work::newton_round);
@@ -245,7 +246,7 @@ private:
         auto const evaluate_at = [&](V const& y, V& r) {
             v_ = y;
             A_ = x.q + c_ * v_;
-            kernel_.zero();
+            kernel_.set_zero();
             mass_.put(put);
             S bends(0);
             U.hessian(A_, [&](index_type j, index_type k, S const& b) {
@@ -290,7 +291,7 @@ private:
     [[no_unique_address]] std::conditional_t<resisted, V, no_step_force> start_;
     S h_, w_, c_, f_;
     mass_solver<Mass, V> mass_;
-    pattern_solver<V> kernel_;
+    symmetric_matrix<S> kernel_;
     bool prepared_ = false, stiff_ = false;
     V v_, r_, g_, A_, next_;
     Eigen::Matrix<S, Eigen::Dynamic, 1> room_;

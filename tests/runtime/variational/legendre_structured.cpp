@@ -122,6 +122,13 @@ TEST_CASE("every kind of mass, in exact numbers and in vectors of fixed size") {
     CHECK(momentum_of(heavy, x, y) == Eigen::Vector3d(full * y));
     CHECK_THROWS_AS((void)velocity_of(mechanical(Eigen::VectorXd(Eigen::VectorXd::Ones(2)), U), dynamic(x), dynamic(y)), error::mismatch);
     CHECK_THROWS_AS((void)velocity_of(mechanical(Eigen::MatrixXd(-full), U), dynamic(x), dynamic(y)), error::singular);
+    CHECK_THROWS_AS(
+        (void)velocity_of(mechanical(Eigen::Matrix2d(Eigen::Matrix2d::Ones()), U), Eigen::Vector2d(1, 2), Eigen::Vector2d(1, 1)),
+        error::singular);
+    Eigen::Matrix<Q, 3, 3> exact;
+    exact << 4, 1, 0, 1, 3, 1, 0, 1, 2;
+    V const v = velocity_of(mechanical(exact, U), q, p);
+    CHECK(V(exact * v) == p);
 }
 
 TEST_CASE("without a structure: no derivatives by the position") {

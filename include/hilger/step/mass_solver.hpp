@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+// The inverse of a structured system's mass, given as a number, a vector or a matrix.
+#pragma once
+
+#include <Eigen/Cholesky>
+
+#include "hilger/linear/regular.hpp"
+#include "hilger/models/mechanical.hpp"
+
+namespace hilger::detail {
+
+/// M^-1 and M times a vector, for the three kinds of mass.
+template <class Mass, class V>
+class mass_solver {
+    using S = scalar_of<V>;
+
+public:
+    mass_solver(Mass const& m, index_type d) {
+        if constexpr (is_matrix) {
+            if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
+            matrix_ = m.template cast<S>();
+            factors_.compute(matrix_);
+            bool regular = factors_.info() == Eigen::Success;
+            for (index_type k = 0; regular and k < d; ++k) {
+                S const pivot = S(factors_.matrixLLT()(k, k)) * S(factors_.matrixLLT()(k, k));
+                regular = is_pivot(pivot, S(matrix_(k, k)), d);
+            }
+            if (not regular) error::raise<error::singular>("the mass matrix is not positive definite, or not to the digits of its scalar");
+        } else if constexpr (requires { m.size(); }) {
+            if (m.size() != d) wrong(m.size(), d);
+            inverse_ = m.template cast<S>().cwiseInverse();
+        } else
+            inverse_ = V::Constant(d, S(1) / S(m));
+    }
+    template <class R>
+    void solve(R const& r, V& v) const {
+        if constexpr (is_matrix) {
+            tally<S>::add(work::solve);
+            v = factors_.solve(r);
+        } else
+            v = inverse_.cwiseProduct(r);
+    }
+    template <class Put>
+    void put(Put const& to) const {
+        if constexpr (is_matrix) {
+            for (index_type j = 0; j < matrix_.rows(); ++j)
+                for (index_type k = 0; k <= j; ++k) to(j, k, S(matrix_(j, k)));
+        } else
+            for (index_type j = 0; j < inverse_.size(); ++j) to(j, j, S(S(1) / inverse_(j)));
+    }
+
+private:
+    static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
+    struct nothing {};
+    [[noreturn]] static void wrong(index_type m, index_type d) {
+        error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
+    }
+    V inverse_;
+    block_of<V> matrix_;
+    std::conditional_t<is_matrix, Eigen::LLT<block_of<V>>, nothing> factors_;
+};
+
+} // namespace hilger::detail

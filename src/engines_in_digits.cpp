@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSL-1.0
+// See engines.cpp.
+#include "compiled_once.hpp"
+
+namespace hilger::detail {
+HILGER_ENGINES_WITH_ROOTS(, float50)
+HILGER_ENGINES(, Q)
+} // namespace hilger::detail
