@@ -25,7 +25,7 @@ public:
                   "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
                   "operator that does not say what it reads) has an "
                   "equation that looks to both ends of T, and initial values do not determine its solution; with both end values given, "
-                  "solve_boundary(equation, q_a, q_b) solves it");
+                  "solve(equation, T, {.q0 = ..., .qN = ...}) solves it");
     static_assert(not detail::is_local<E> or detail::is_on_one_step<E>,
                   "position and velocity of an embedding that is stepped read the two ends of one step, and these reach over two steps or "
                   "more: solve(variation(action), T, values) goes on from as many first values as their equation needs");

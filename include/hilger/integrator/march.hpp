@@ -51,7 +51,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     static_assert(EL::reads.is_local(),
                   "an action whose position or velocity reads all points before or after (Delta_minus_alpha, an antiderivative, an "
                   "operator that does not say what it reads) has an equation that looks to both ends of T, and first values do not "
-                  "determine its solution; with both end values given, solve_boundary(equation, q_a, q_b) solves it");
+                  "determine its solution; with both end values given, solve(equation, T, {.q0 = ..., .qN = ...}) solves it");
     constexpr index_type before = -EL::reads.on_T.first / 2, after = EL::reads.on_T.last / 2;
     std::vector<V> x;
     for (auto const& value : first) x.push_back(detail::as_state<V>(value));

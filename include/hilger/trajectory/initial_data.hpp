@@ -22,6 +22,12 @@ struct initial_positions {
     V q0;
     V q1;
 };
+/// The first and the last position: no trajectory starts from these; an equation is solved between them.
+template <class V>
+struct boundary_values {
+    V q0;
+    V qN;
+};
 
 namespace detail {
 
@@ -42,6 +48,8 @@ template <class X, class Y>
 initial_velocity(X const&, Y const&) -> initial_velocity<typename detail::common_parts<X, Y>::type>;
 template <class X, class Y>
 initial_positions(X const&, Y const&) -> initial_positions<typename detail::common_parts<X, Y>::type>;
+template <class X, class Y>
+boundary_values(X const&, Y const&) -> boundary_values<typename detail::common_parts<X, Y>::type>;
 
 namespace detail {
 
@@ -84,6 +92,14 @@ struct positions_in_braces {
     braced<V> q1;
     [[nodiscard]] constexpr initial_positions<V> data() const { return {q0.value, q1.value}; }
 };
+template <class S, int Size>
+struct ends_in_braces {
+    using V = typename state_of_size<S, Size>::type;
+    named parts{};
+    braced<V> q0;
+    braced<V> qN;
+    [[nodiscard]] constexpr boundary_values<V> data() const { return {q0.value, qN.value}; }
+};
 
 /// Takes what nothing above takes. Functions with these have another parameter that takes its argument by a conversion, which makes them
 /// the last choice.
@@ -100,12 +116,18 @@ struct any_positions_in_braces {
     anything q0;
     anything q1;
 };
+struct any_ends_in_braces {
+    named parts{};
+    anything q0;
+    anything qN;
+};
 template <class T>
 constexpr int not_initial_data() {
     static_assert(
         not std::same_as<T, T>,
-        "initial data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, of two numbers or two vectors of one length, "
-        "in numbers with no more digits than those of T; vectors of fixed size above 6 are initial_velocity{q0, v0}");
+        "data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or "
+        "two vectors of one length, in numbers with no more digits than those of T; vectors of fixed size above 6 are initial_velocity{q0, "
+        "v0}");
     return 0;
 }
 

@@ -27,8 +27,8 @@ inline constexpr bool keeps_digits = std::numeric_limits<X>::is_integer or std::
 
 /// Each X has an equal in S. Whole numbers of more digits than S are looked at when they are converted.
 template <class X, class S>
-concept exact_in = std::same_as<X, S> or
-    (std::numeric_limits<X>::is_specialized and not std::same_as<X, bool> and std::constructible_from<S, X> and detail::keeps_digits<X, S>);
+concept exact_in = std::same_as<X, S> or(not std::is_array_v<X> and std::numeric_limits<X>::is_specialized and not std::same_as<X, bool> and
+                                         std::constructible_from<S, X> and detail::keeps_digits<X, S>);
 
 namespace detail {
 
@@ -66,7 +66,7 @@ inline constexpr int given_size = given_vector<X>::size;
 
 /// Whether X is meant as a state, of whatever numbers, and whether those have equals in S.
 template <class X>
-inline constexpr bool is_given_state = scalar<X> or std::numeric_limits<X>::is_specialized;
+inline constexpr bool is_given_state = scalar<X> or std::numeric_limits<std::decay_t<X>>::is_specialized;
 template <class X>
     requires(given_size<X> != 0)
 inline constexpr bool is_given_state<X> = true;

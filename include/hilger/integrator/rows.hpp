@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+// Some values of a function such that the rows of an equation beside them hold: those inside a step, or all between two ends.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "hilger/integrator/march.hpp"
+#include "hilger/newton/newton.hpp"
+#include "hilger/variational/variation.hpp"
+
+namespace hilger::detail {
+
+/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold. `x` has the
+/// values at all points that the equation reads, in their order, among them a first guess of the unknown ones; a row reads values that are
+/// at most `reach` numbers from its own. `what` names the rows in messages.
+/// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
+template <class Action, class V, class Force>
+void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
+                index_type end, index_type reach, Force const& force, char const* what) {
+    using s = shape<V>;
+    using S = scalar_of<V>;
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+    auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
+    values_so_far<V, typename Action::root_type, typename Action::position_type::from> const now{{}, &T, &x};
+    int const n = static_cast<int>(end - begin), d = s::dimension(x[0]), near = static_cast<int>(reach);
+    auto const first_near = [&](int m) { return std::max(0, m - near); };
+    auto const end_near = [&](int m) { return std::min(n, m + near + 1); };
+    std::vector<std::pair<int, int>> entries;
+    for (int m = 0; m < n * d; ++m)
+        for (int k = first_near(m / d) * d; k < end_near(m / d) * d; ++k) entries.emplace_back(m, k);
+    patterned_matrix<S> empty;
+    empty.prepare(n * d, entries);
+
+    auto const put = [&](vector const& y) {
+        for (int m = 0; m < n; ++m)
+            for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
+    };
+    auto const residual = equation.residual(now, force);
+    auto const system = [&](vector const& y) {
+        put(y);
+        newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
+        made.jacobian.set_zero();
+        for (int k = 0; k < n; ++k) {
+            auto const slope = equation.residual_slope(now, begin + k, force);
+            for (int m = first_near(k); m < end_near(k); ++m) {
+                auto const block = slope.get(begin + m);
+                for (int c = 0; c < d; ++c)
+                    for (int e = 0; e < d; ++e) made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
+            }
+        }
+        for (int m = 0; m < n; ++m) {
+            V const row = residual.get(begin + m);
+            for (int c = 0; c < d; ++c) made.residual(m * d + c) = s::component(row, c);
+        }
+        return made;
+    };
+    vector guess(n * d), rounding(n * d);
+    S most(0);
+    for (index_type j = std::max(index_type{0}, begin - reach); j < std::min(static_cast<index_type>(x.size()), end + reach); ++j)
+        most = std::max(most, S(magnitude(at(j))));
+    for (int m = 0; m < n; ++m)
+        for (int c = 0; c < d; ++c) guess(m * d + c) = s::component(at(begin + m), c);
+    // A row is a difference of terms of this size.
+    rounding.setConstant(S(system(guess).jacobian.largest()) * most);
+    put(newton(system, guess, rounding, what));
+}
+
+} // namespace hilger::detail

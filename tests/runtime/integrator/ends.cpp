@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSL-1.0
+// Equations solved between two ends: the derived equation is the judge, and what initial values lead to.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+
+namespace ends_tests {
+
+using namespace hilger;
+
+namespace {
+
+constexpr unknown q;
+constexpr unknown<"q", subdivided<2>> y;
+constexpr lagrangian pendulum{[](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); }};
+constexpr lagrangian quadratic{[](auto const& t, auto const& x, auto const& v) { return v * v / 2 + x * v / 3 - (1 + t) * x * x / 2; }};
+constexpr lagrangian in_space{
+    [](auto const& x, auto const& v) { return v.dot(v) / 2 + v(0) * x(1) / 3 - x.dot(x) / 2 - x(0) * x(0) * x(1) * x(1) / 4; }};
+
+template <class R>
+Q largest(R const& residual) {
+    Q most(0);
+    for (Q const& r : residual) most = std::max(most, Q(abs(r)));
+    return most;
+}
+/// In rationals the equation holds, and the ends are those.
+template <class T, class Action>
+void holds_exactly(T const& scale, Action const& S) {
+    auto const EL = variation(S);
+    auto const x = solve(EL, scale, {.q0 = Q(1, 2), .qN = Q(-2, 3)});
+    CHECK(x.get(0) == Q(1, 2));
+    CHECK(x.get(x.size() - 1) == Q(-2, 3));
+    CHECK(largest(EL.residual(x)) == 0);
+}
+template <class T>
+void holds_exactly_on(T const& scale) {
+    holds_exactly(scale, integral(quadratic(q, Delta_plus[q]), scale));
+    holds_exactly(scale, nabla_integral(quadratic(q, Delta_minus[q]), scale));
+    holds_exactly(scale, integral(quadratic(extend[q], Delta_o_plus[extend[q]]), half(scale)));
+    constexpr polynomial_value<2, lobatto, 3> value; // Simpson's rule, whose nodes are rational
+    constexpr polynomial_slope<2, lobatto, 3> slope;
+    holds_exactly(scale, integral(quadratic(value[y], slope[y]), at_nodes<lobatto, 3>(scale)));
+}
+
+} // namespace
+
+TEST_CASE("in rational numbers the equation holds exactly, inside the steps too") {
+    holds_exactly_on(uniform(Q(0), Q(1, 7), 6));
+    holds_exactly_on(time_scale<Q>{Q(0), Q(1, 7), Q(1, 3), Q(1, 2), Q(4, 5)});
+}
+
+TEST_CASE("what initial values lead to is found again from its ends") {
+    auto const T = uniform(0.0, 0.05, 40);
+    auto const EL = variation(integral(pendulum(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    auto const x = solve(EL, T, {.q0 = 0.3, .v0 = 1.2});
+    auto const again = solve(EL, T, {.q0 = x[0], .qN = x[40]});
+    for (index_type i = 0; i < T.size(); ++i) CHECK(std::abs(again[i] - x[i]) <= 4096 * epsilon<double>());
+
+    auto const in_plane = variation(integral(in_space(q, Delta_plus[q]), T));
+    auto const found_again = [&](auto const& q0, auto const& v0) {
+        auto const z = solve(in_plane, T, initial_velocity{q0, v0});
+        auto const back = solve(in_plane, T, boundary_values{z[0], z[40]});
+        for (index_type i = 0; i < T.size(); ++i) CHECK((back[i] - z[i]).norm() <= 4096 * epsilon<double>());
+    };
+    found_again(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.5, 0.4));
+    found_again(Eigen::VectorXd(Eigen::Vector3d(0.3, -0.2, 1)), Eigen::VectorXd(Eigen::Vector3d(0.5, 0.4, -1)));
+    CHECK(solve(in_plane, T, {.q0 = {0.3, -0.2}, .qN = {0.5, 0.4}})[40] == Eigen::Vector2d(0.5, 0.4));
+}
+
+TEST_CASE("the order between ends is that of the step") {
+    // x'' = -x, x(0) = 0, x(1) = sin 1
+    auto const error = [](index_type n) {
+        auto const T = uniform(interval{float50(0), float50(1)}, n);
+        constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+        auto const x = solve(variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T))), T, {.q0 = 0, .qN = sin(float50(1))});
+        return float50(abs(x[n / 2] - sin(float50(1) / 2)));
+    };
+    CHECK(std::abs(static_cast<double>(log(error(32) / error(64)) / log(float50(2))) - 2) <= 0.02);
+}
+
+TEST_CASE("the two-sided equation of fractional order, and one step") {
+    auto const T = uniform(0.0, 0.1, 10);
+    auto const two_sided = variation(nabla_integral(pendulum(q, Delta_minus_alpha<3, 4>[q]), T));
+    auto const x = solve(two_sided, T, {.q0 = 0.25, .qN = 1.0});
+    auto const y = solve_boundary(two_sided, 0.25, 1.0).q;
+    for (index_type i = 0; i < T.size(); ++i) CHECK(x[i] == y[i]);
+    auto const one = uniform(0.0, 0.5, 1);
+    auto const z = solve(variation(integral(pendulum(q, Delta_plus[q]), one)), one, {.q0 = 0.25, .qN = 1.0});
+    CHECK(z[0] == 0.25);
+    CHECK(z[1] == 1.0);
+    auto const whole = solve(variation(integral(pendulum(q, Delta_plus[q]), T)), T, boundary_values{0, 1}); // numbers as they are meant
+    CHECK(whole[10] == 1.0);
+    CHECK(0.3 < whole[5]);
+    CHECK(whole[5] < 0.6);
+}
+
+TEST_CASE("ends that determine nothing, do not fit or are no numbers") {
+    // q_2 - (2 - h^2 omega^2) q_1 + q_0 = 0 with h^2 omega^2 = 2
+    constexpr lagrangian resonant{[](auto const& x, auto const& v) { return v * v / 2 - x * x; }};
+    auto const T = uniform(Q(0), Q(1), 2);
+    CHECK_THROWS_AS((void)solve(variation(integral(resonant(q, Delta_plus[q]), T)), T, {.q0 = 1, .qN = 1}), error::singular);
+    auto const D = uniform(0.0, 0.1, 10);
+    auto const EL = variation(integral(in_space(q, Delta_plus[q]), D));
+    Eigen::VectorXd const two = Eigen::VectorXd::Ones(2), three = Eigen::VectorXd::Ones(3);
+    CHECK_THROWS_WITH_AS((void)solve(EL, D, boundary_values{two, three}), doctest::Contains("the boundary values"), error::mismatch);
+    CHECK_THROWS_AS((void)solve(EL, D, boundary_values{two, Eigen::VectorXd(two / 0.0)}), error::not_finite);
+}
+
+} // namespace ends_tests
