@@ -30,10 +30,7 @@ auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force
     for (index_type i = 0; i <= T.steps(); ++i) at(parts * i) = V(x.get(i));
     if constexpr (parts > 1)
         for (index_type i = 0; i < T.steps(); ++i) {
-            V const &first = at(parts * i), &last = at(parts * (i + 1));
-            for (index_type m = 1; m < parts; ++m)
-                at(parts * i + m) = first + (last - first) * (S(static_cast<int>(m)) / S(static_cast<int>(parts)));
-            saying_where(state<S, V>{S(T.point(i)), first, zero_like(first)}, S(T.step(i)), [&] {
+            saying_where(state<S, V>{S(T.point(i)), at(parts * i), zero_like(at(0))}, S(T.step(i)), [&] {
                 detail::solve_rows(equation, T, all, parts * i + 1, parts * (i + 1), parts, force, "the equation inside a step");
             });
         }

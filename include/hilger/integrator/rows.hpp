@@ -13,8 +13,8 @@
 namespace hilger::detail {
 
 /// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold. `x` has the
-/// values at all points that the equation reads, in their order, among them a first guess of the unknown ones; a row reads values that are
-/// at most `reach` numbers from its own. `what` names the rows in messages.
+/// values at all points that the equation reads, in their order, and there are some before and behind the unknown ones, whose first guess
+/// is the straight line between these; a row reads values that are at most `reach` numbers from its own. `what` names the rows in messages.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
@@ -57,11 +57,11 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
         return made;
     };
     vector guess(n * d), rounding(n * d);
-    S most(0);
-    for (index_type j = std::max(index_type{0}, begin - reach); j < std::min(static_cast<index_type>(x.size()), end + reach); ++j)
-        most = std::max(most, S(magnitude(at(j))));
-    for (int m = 0; m < n; ++m)
-        for (int c = 0; c < d; ++c) guess(m * d + c) = s::component(at(begin + m), c);
+    S const most = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
+    for (int c = 0; c < d; ++c) {
+        S const first = s::component(at(begin - 1), c), last = s::component(at(end), c);
+        for (int m = 0; m < n; ++m) guess(m * d + c) = first + (last - first) * (S(m + 1) / S(n + 1));
+    }
     // A row is a difference of terms of this size.
     rounding.setConstant(S(system(guess).jacobian.largest()) * most);
     put(newton(system, guess, rounding, what));

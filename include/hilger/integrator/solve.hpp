@@ -25,34 +25,6 @@ auto solved(euler_lagrange<Action> const& equation, typename Action::root_type c
     else
         return with_inner_points(equation, x);
 }
-/// Between two ends, where the equation at a point reads its two neighbours.
-template <class Action, class V>
-auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends) {
-    using EL = euler_lagrange<Action>;
-    using Base = typename Action::position_type::from;
-    using S = typename Action::root_type::scalar_type;
-    static_assert(
-        EL::reads.is_local(),
-        "of the equations that look to both ends of T those are solved whose action is the nabla integral of L(q, Delta_minus_alpha[q]) "
-        "on a uniform T (hilger/boundary/of_variation.hpp)");
-    static_assert(
-        -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2,
-        "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
-        "more, or over none");
-    if constexpr (not are_given_states<S, V, V>()) refuse_states<S, V, V>();
-    using State = given_state_t<S, V>;
-    auto const q0 = as_state<State>(ends.q0), qN = as_state<State>(ends.qN);
-    require_same_dimension(q0, qN, "the boundary values");
-    if (not all_finite(q0) or not all_finite(qN)) error::raise<error::not_finite>("the boundary values are finite");
-    constexpr index_type parts = Base::last(1);
-    index_type const last = Base::last(T.steps());
-    std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
-    for (index_type j = 1; j < last; ++j)
-        x[static_cast<std::size_t>(j)] = q0 + (qN - q0) * (S(static_cast<int>(j)) / S(static_cast<int>(last)));
-    x.back() = qN;
-    if (last > 1) solve_rows(equation, T, x, 1, last, parts, no_force{}, "the equation between the ends of T");
-    return function_on(derived_scale(T, domain<Base>{}), std::move(x));
-}
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
 template <class Action, int Size>
@@ -140,7 +112,28 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 ///         oscillator; error::mismatch, error::not_finite
 template <class Action, class V>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends) {
-    return detail::solved(equation, T, ends);
+    using EL = euler_lagrange<Action>;
+    using Base = typename Action::position_type::from;
+    using S = typename Action::root_type::scalar_type;
+    static_assert(
+        EL::reads.is_local(),
+        "of the equations that look to both ends of T those are solved whose action is the nabla integral of L(q, Delta_minus_alpha[q]) "
+        "on a uniform T (hilger/boundary/of_variation.hpp)");
+    static_assert(
+        -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2,
+        "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
+        "more, or over none");
+    if constexpr (not detail::are_given_states<S, V, V>()) detail::refuse_states<S, V, V>();
+    using State = detail::given_state_t<S, V>;
+    auto const q0 = detail::as_state<State>(ends.q0), qN = detail::as_state<State>(ends.qN);
+    detail::require_same_dimension(q0, qN, "the boundary values");
+    if (not detail::all_finite(q0) or not detail::all_finite(qN)) error::raise<error::not_finite>("the boundary values are finite");
+    constexpr index_type parts = Base::last(1);
+    index_type const last = Base::last(T.steps());
+    std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
+    x.back() = qN;
+    if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, no_force{}, "the equation between the ends of T");
+    return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
 template <class Action>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 0> const& ends) {

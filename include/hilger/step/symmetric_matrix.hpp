@@ -66,13 +66,6 @@ private:
     }
     void make_room(hessian_pattern pattern, index_type d, std::vector<Eigen::Triplet<S>>& entries);
     bool solve_by_factors();
-    /// Whether all of these pivots have a digit left of the diagonal's entries, in the order of the pivots in room_.
-    template <class Pivots>
-    bool are_pivots(Pivots const& pivots) const {
-        for (index_type k = 0; k < room_.size(); ++k)
-            if (not is_pivot(S(pivots(k)), S(room_(k)), room_.size())) return false;
-        return true;
-    }
 
     hessian_pattern pattern_ = hessian_pattern::dense;
     vector diagonal_, below_, room_, unknown_;
@@ -108,25 +101,25 @@ void symmetric_matrix<S>::set_zero() {
 }
 template <class S>
 bool symmetric_matrix<S>::solve_by_factors() {
+    auto const solve_by = [&](auto const& factors, auto const& order, auto const& entries) {
+        if (factors.info() != Eigen::Success) return false;
+        room_ = order * entries.diagonal();
+        for (index_type k = 0; k < room_.size(); ++k)
+            if (not is_pivot(S(factors.vectorD()(k)), S(room_(k)), room_.size())) return false;
+        unknown_ = factors.solve(unknown_);
+        return true;
+    };
     if (pattern_ == hessian_pattern::dense) {
         if (not dense_factors_) dense_factors_.reset(new Eigen::LDLT<matrix, Eigen::Lower>(dense_.rows()));
         dense_factors_->compute(dense_);
-        if (dense_factors_->info() != Eigen::Success) return false;
-        room_ = dense_factors_->transpositionsP() * dense_.diagonal();
-        if (not are_pivots(dense_factors_->vectorD())) return false;
-        unknown_ = dense_factors_->solve(unknown_);
-        return true;
+        return solve_by(*dense_factors_, dense_factors_->transpositionsP(), dense_);
     }
     if (not sparse_factors_) {
         sparse_factors_.reset(new Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>, Eigen::Lower>);
         sparse_factors_->analyzePattern(sparse_);
     }
     sparse_factors_->factorize(sparse_);
-    if (sparse_factors_->info() != Eigen::Success) return false;
-    room_ = sparse_factors_->permutationP() * sparse_.diagonal();
-    if (not are_pivots(sparse_factors_->vectorD())) return false;
-    unknown_ = sparse_factors_->solve(unknown_);
-    return true;
+    return solve_by(*sparse_factors_, sparse_factors_->permutationP(), sparse_);
 }
 
 } // namespace hilger::detail

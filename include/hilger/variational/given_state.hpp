@@ -27,7 +27,7 @@ inline constexpr bool keeps_digits = std::numeric_limits<X>::is_integer or std::
 
 /// Each X has an equal in S. Whole numbers of more digits than S are looked at when they are converted.
 template <class X, class S>
-concept exact_in = std::same_as<X, S> or(not std::is_array_v<X> and std::numeric_limits<X>::is_specialized and not std::same_as<X, bool> and
+concept exact_in = std::same_as<X, S> or(std::numeric_limits<std::decay_t<X>>::is_specialized and not std::same_as<X, bool> and
                                          std::constructible_from<S, X> and detail::keeps_digits<X, S>);
 
 namespace detail {
