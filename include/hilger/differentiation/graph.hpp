@@ -34,7 +34,7 @@ struct traced_operation {
 };
 
 /// Which arguments a node depends on.
-enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2 };
+enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2, on_time = 4 };
 
 /// What is compared.
 enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
@@ -68,10 +68,12 @@ public:
         bool outcome;
     };
 
-    /// The arguments are the first nodes: d positions, then d velocities.
+    /// The arguments are the first nodes: d positions, then d velocities, then the time.
     explicit formula_graph(int d) {
         for (int k = 0; k < 2 * d; ++k) nodes_.push_back({nullptr, -1, k, static_cast<std::uint8_t>(k < d ? on_position : on_velocity)});
+        nodes_.push_back({nullptr, -1, 2 * d, on_time});
     }
+    [[nodiscard]] static constexpr int arguments(int d) { return 2 * d + 1; }
     [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
     [[nodiscard]] node const& operator[](int k) const { return nodes_[static_cast<std::size_t>(k)]; }
     [[nodiscard]] bool is_number(int k) const { return (*this)[k].what == nullptr and (*this)[k].a >= 0; }

@@ -30,7 +30,8 @@ struct traced_formula {
     struct guard {
         relation how;
         int a, b;
-        bool outcome, of_velocity;
+        bool outcome;
+        std::uint8_t on;
     };
     derivative_places places;
     evaluation<S> how;
@@ -38,8 +39,9 @@ struct traced_formula {
 
     /// Puts the arguments in their places, where `values` are prepared.
     template <class V>
-    static void put(V const& q, V const& v, std::vector<S>& values) {
+    static void put(S const& t, V const& q, V const& v, std::vector<S>& values) {
         int const d = shape<V>::dimension(q);
+        values[static_cast<std::size_t>(2 * d)] = t;
         for (int k = 0; k < d; ++k) {
             values[static_cast<std::size_t>(k)] = shape<V>::component(q, k);
             values[static_cast<std::size_t>(d + k)] = shape<V>::component(v, k);
@@ -51,9 +53,10 @@ struct traced_formula {
             if (holds(g.how, values[static_cast<std::size_t>(g.a)], values[static_cast<std::size_t>(g.b)]) != g.outcome) return false;
         return true;
     }
-    /// Tells those who watch of the comparisons.
+    /// Tells those who watch of the comparisons. Of the time alone, which is known before the step, they lead to no other branch.
     void tell_branches() const {
-        for (auto const& g : guards) compared(g.outcome, g.of_velocity);
+        for (auto const& g : guards)
+            if (g.on & (on_position | on_velocity)) compared(g.outcome, (g.on & on_velocity) != 0);
     }
 };
 /// The derivatives of L, and of the components of a force where there is one, in the graph that they are nodes of: second derivatives by
@@ -109,20 +112,21 @@ traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L,
     }
     for (auto const& w : g.guards()) // also of those that no derivative depends on: they are what the callable would do
         for (int const node : {w.a, w.b}) asked[evaluation<S>::shared].push_back(node);
-    made.how = evaluation<S>(g, 2 * d, asked);
+    made.how = evaluation<S>(g, g.arguments(d), asked);
     for (auto* list : {&made.places.by_q, &made.places.by_v})
         for (int& k : *list) k = made.how.place(k);
     for (auto& block : made.places.entries)
         for (auto& e : block) e.place = made.how.place(e.place);
     for (auto const& w : g.guards())
-        made.guards.push_back({w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, ((g[w.a].on | g[w.b].on) & on_velocity) != 0});
+        made.guards.push_back(
+            {w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, static_cast<std::uint8_t>(g[w.a].on | g[w.b].on)});
     return made;
 }
 
-/// `evaluate(x, y, force)` returns L at traced x and y and gives the components of a force, where there is one; the graph holds for the
-/// branches at (q, v). Second derivatives are made by the arguments that `seconds_by` says.
+/// `evaluate(t, x, y, force)` returns L at traced t, x and y and gives the components of a force, where there is one; the graph holds for
+/// the branches at (t, q, v). Second derivatives are made by the arguments that `seconds_by` says.
 template <class S, class V, class Evaluate>
-traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
+traced_formula<S> trace(S const& t, V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
     using s = shape<V>;
     using T = traced<S>;
     int const d = s::dimension(q);
@@ -141,7 +145,7 @@ traced_formula<S> trace(V const& q, V const& v, std::uint8_t seconds_by, Evaluat
             s::component(x, k) = T::at(k, s::component(q, k));
             s::component(y, k) = T::at(d + k, s::component(v, k));
         }
-        L = evaluate(x, y, force);
+        L = evaluate(T::at(2 * d, t), x, y, force);
     }
     return derivatives_in(g, d, L, force, seconds_by);
 }
@@ -155,12 +159,14 @@ public:
     V by_q, by_v; ///< with a force in by_q
     traced_formula<S> formula;
 
-    /// As trace takes them.
+    /// As trace takes them, without a time.
     template <class Evaluate>
     traced_there(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate)
-        : by_q(zero_like(q)), by_v(zero_like(q)), formula(trace<S>(q, v, seconds_by, evaluate)) {
+        : by_q(zero_like(q)), by_v(zero_like(q)),
+          formula(trace<S>(S(0), q, v, seconds_by,
+                           [&](traced<S> const&, auto const& x, auto const& y, auto& f) { return evaluate(x, y, f); })) {
         formula.how.prepare(values_);
-        formula.put(q, v, values_);
+        formula.put(S(0), q, v, values_);
         formula.tell_branches();
         for (int p = 0; p < evaluation<S>::parts; ++p) formula.how.compute(static_cast<typename evaluation<S>::part>(p), values_.data());
         for (int k = 0; k < shape<V>::dimension(q); ++k) {

@@ -35,6 +35,13 @@ constexpr auto with_force(L const& l, Force f) {
 
 namespace detail {
 
+/// Whether an L(t, q, v) or f(t, q, v) says that its time may be of any number type, as its states may: a member is_generic_in_time = true.
+/// What does not say so is told the time as a number of T, of which it may ask anything, std::sin(t) too.
+template <class F>
+inline constexpr bool is_generic_in_time = requires {
+    requires F::is_generic_in_time;
+};
+
 /// f at time t: a function of two states, whether f asks for the time or not.
 template <class F, class S>
 struct at_time {

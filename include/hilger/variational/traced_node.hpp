@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The derivatives of a Lagrangian, and of a force, at one node of a step by formulas that are traced where they are first needed
 // (differentiation/trace.hpp). A callable that compares its arguments is traced again where a comparison comes out differently, and one
-// that is told the time for each time.
+// that is told the time for each time, unless it says that it takes a traced time: is_generic_in_time.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,15 @@ namespace hilger::detail {
 template <class F, class Force, class S, class V>
 traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V const& q, V const& v) {
     using T = traced<S>;
-    return trace<S>(q, v, on_position | on_velocity, [&](auto const& x, auto const& y, std::vector<T>& force) {
-        if constexpr (not std::same_as<Force, no_force>) put_force<V>(at_time{what.force, t}(x, y), shape<V>::dimension(q), force);
-        return as_jet<T>(at_time{what.lagrangian, t}(x, y));
+    auto const value = [&](auto const& f, T const& time, auto const& x, auto const& y) {
+        if constexpr (is_generic_in_time<std::remove_cvref_t<decltype(f)>>)
+            return value_from(f, time, x, y);
+        else
+            return at_time{f, t}(x, y);
+    };
+    return trace<S>(t, q, v, on_position | on_velocity, [&](T const& time, auto const& x, auto const& y, std::vector<T>& force) {
+        if constexpr (not std::same_as<Force, no_force>) put_force<V>(value(what.force, time, x, y), shape<V>::dimension(q), force);
+        return as_jet<T>(value(what.lagrangian, time, x, y));
     });
 }
 
@@ -30,10 +36,11 @@ class traced_node : public node_values<scalar_of<V>, traced_node<Problem, V>> {
     using s = shape<V>;
     using F = std::remove_cvref_t<decltype(std::declval<Problem const&>().lagrangian)>;
     using given = typename s::template with<traced<S>>;
+    /// Whether the formula is another one at another time.
+    template <class X>
+    static constexpr bool told_time = std::invocable<X const&, S const&, given const&, given const&> and not is_generic_in_time<X>;
     static constexpr bool timed =
-        std::invocable<F const&, S const&, given const&, given const&> or
-        (has_force<Problem> and
-         std::invocable<std::remove_cvref_t<decltype(std::declval<Problem const&>().force)> const&, S const&, given const&, given const&>);
+        told_time<F> or (has_force<Problem> and told_time<std::remove_cvref_t<decltype(std::declval<Problem const&>().force)>>);
 
 public:
     static constexpr bool has_room = true; ///< for arguments
@@ -42,7 +49,7 @@ public:
     bool evaluate(Problem const& what, S const& t, V const& q, V const& v, wanted which) {
         bool const is_new = now_ == nullptr;
         if (is_new) learn(what, t, q, v);
-        now_->put(q, v, values_);
+        now_->put(t, q, v, values_);
         return evaluate_here(what, t, s::dimension(q), which) or is_new;
     }
     /// Whether arguments can be put where they are read from, 2d numbers, and not only given.
@@ -52,12 +59,13 @@ public:
     bool evaluate_here(Problem const& what, S const& t, int d, wanted which) {
         if (which != wanted::momenta_only) tally<S>::add(work::force);
         bool is_new = false;
+        values_[static_cast<std::size_t>(2 * d)] = t;
         if constexpr (timed)
             if (not(t == time_)) {
                 V const q = argument(0, d), v = argument(d, d);
                 known_.clear();
                 learn(what, t, q, v);
-                now_->put(q, v, values_);
+                now_->put(t, q, v, values_);
                 is_new = true;
             }
         now_->how.compute(evaluation<S>::shared, values_.data());
@@ -95,13 +103,13 @@ private:
     void take_branch(Problem const& what, S const& t, V const& q, V const& v) {
         for (auto const& f : known_) {
             take(f);
-            f->put(q, v, values_);
+            f->put(t, q, v, values_);
             f->how.compute(evaluation<S>::shared, values_.data());
             if (f->is_branch_of(values_)) return;
         }
         if (known_.size() >= 64) known_.clear(); // of a callable with so many branches the next one will be another one
         learn(what, t, q, v);
-        now_->put(q, v, values_);
+        now_->put(t, q, v, values_);
         now_->how.compute(evaluation<S>::shared, values_.data());
     }
     std::vector<formula> known_;
