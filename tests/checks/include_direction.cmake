@@ -26,6 +26,7 @@ set(order
   "fractional"
   "boundary"
   "formula"
+  "text"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
 set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp whole_number.hpp scale function operator adjoint printing)

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSL-1.0
+// The functions that formulas in text may call, in any number type.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "hilger/differentiation/traced_functions.hpp"
+#include "hilger/formula/functions.hpp"
+
+namespace hilger::text {
+
+/// The numbers that constants of T are.
+template <class T>
+struct number_of {
+    using type = T;
+};
+template <class T>
+    requires requires { typename T::scalar_type; } // of jets, and of what writes operations down
+struct number_of<T> {
+    using type = typename T::scalar_type;
+};
+template <>
+struct number_of<symbol> {
+    using type = double;
+};
+
+inline constexpr std::array<std::string_view, 17> functions_of_one{"sin",  "cos",  "tan",  "exp",  "log",   "sqrt",  "sinh", "cosh", "tanh",
+                                                                   "asin", "acos", "atan", "cbrt", "expm1", "log1p", "erf",  "abs"};
+inline bool is_function_of_one(std::string_view name) {
+    return std::find(functions_of_one.begin(), functions_of_one.end(), name) != functions_of_one.end();
+}
+/// All that may be called, for errors.
+inline std::string names_of_functions() {
+    std::string list;
+    for (auto const name : functions_of_one) list += std::string(name) + ", ";
+    return list + "atan2, hypot, pow, min, max, dot, norm, sum and if";
+}
+
+template <class T>
+T elementary(std::string_view name, T const& x) {
+    using std::acos, std::asin, std::atan, std::cbrt, std::cos, std::cosh, std::erf, std::exp, std::expm1, std::log, std::log1p, std::sin,
+        std::sinh, std::sqrt, std::tan, std::tanh;
+    if (name == "sin") return T(sin(x));
+    if (name == "cos") return T(cos(x));
+    if (name == "tan") return T(tan(x));
+    if (name == "exp") return T(exp(x));
+    if (name == "log") return T(log(x));
+    if (name == "sqrt") return T(sqrt(x));
+    if (name == "sinh") return T(sinh(x));
+    if (name == "cosh") return T(cosh(x));
+    if (name == "tanh") return T(tanh(x));
+    if (name == "asin") return T(asin(x));
+    if (name == "acos") return T(acos(x));
+    if (name == "atan") return T(atan(x));
+    if (name == "cbrt") return T(cbrt(x));
+    if (name == "expm1") return T(expm1(x));
+    if (name == "log1p") return T(log1p(x));
+    return T(erf(x));
+}
+template <class T>
+T elementary(std::string_view name, T const& x, T const& y) {
+    using std::atan2, std::hypot;
+    return name == "atan2" ? T(atan2(x, y)) : T(hypot(x, y));
+}
+template <class T>
+T power(T const& x, T const& y) {
+    using std::pow;
+    return T(pow(x, y));
+}
+/// Of a whole n, in which a scalar need have no power.
+template <class T>
+T whole_power(T const& x, long long n) {
+    if constexpr (std::same_as<T, symbol>)
+        return pow(x, symbol(static_cast<double>(n)));
+    else {
+        T y(1), square = x;
+        bool begun = false;
+        for (auto k = static_cast<unsigned long long>(n < 0 ? -n : n); k > 0; k /= 2) {
+            if (k % 2 == 1) y = std::exchange(begun, true) ? T(y * square) : square;
+            if (k > 1) square = T(square * square);
+        }
+        return n < 0 ? T(T(1) / y) : y;
+    }
+}
+template <class T>
+T absolute(T const& x) {
+    if constexpr (std::same_as<T, symbol>)
+        return abs(x);
+    else
+        return x < T(0) ? T(-x) : x;
+}
+template <class T>
+T least_of(T const& x, T const& y) {
+    if constexpr (std::same_as<T, symbol>)
+        return min(x, y);
+    else
+        return y < x ? y : x;
+}
+template <class T>
+T most_of(T const& x, T const& y) {
+    if constexpr (std::same_as<T, symbol>)
+        return max(x, y);
+    else
+        return x < y ? y : x;
+}
+
+} // namespace hilger::text

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSL-1.0
+// Lagrangians and forces in text, as callables of the states that all others are: what is derived, stepped and printed of them is the same.
+//   auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 1}});
+//   auto const L = lagrangian{text::lagrangian_in("v[0]^2/2 - (1 - cos(q[0]))", words)};
+//   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
+#pragma once
+
+#include "hilger/text/evaluate.hpp"
+#include "hilger/text/read.hpp"
+
+namespace hilger::text {
+
+/// L(t, q, v) = a formula.
+class stated_lagrangian {
+public:
+    static constexpr bool is_generic_in_time = true;
+    explicit stated_lagrangian(stated of) : of_(std::move(of)) {}
+    template <class T, class Q, class V>
+        requires requires(Q const& q) { q(0); }
+    auto operator()(T const& t, Q const& q, V const& v) const {
+        using value = plain_t<decltype(q(0) * v(0))>;
+        require_size(q.size());
+        return of_.value(value(t), q, v);
+    }
+    [[nodiscard]] stated const& formula() const { return of_; }
+
+private:
+    /// @throws error::mismatch
+    void require_size(index_type d) const {
+        if (d != of_.words().dimension())
+            error::raise<error::mismatch>(of_.source(), " has ", of_.words().dimension(), " coordinates, and the state has ", d);
+    }
+    stated of_;
+};
+
+/// f(t, q, v), a formula for each component.
+class stated_force {
+public:
+    static constexpr bool is_generic_in_time = true;
+    /// @throws error::mismatch when there is not one formula for each coordinate
+    explicit stated_force(std::vector<stated> components) : of_(std::move(components)) {
+        if (of_.empty() or static_cast<int>(of_.size()) != of_.front().words().dimension())
+            error::raise<error::mismatch>("a force has one formula for each coordinate, and here are ", of_.size(), " for ",
+                                          of_.empty() ? 0 : of_.front().words().dimension());
+    }
+    template <class T, class Q, class V>
+        requires requires(Q const& q) { q(0); }
+    auto operator()(T const& t, Q const& q, V const& v) const {
+        using value = plain_t<decltype(q(0) * v(0))>;
+        Eigen::Matrix<value, Eigen::Dynamic, 1> f(static_cast<index_type>(of_.size()));
+        for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = of_[k].value(value(t), q, v);
+        return f;
+    }
+
+private:
+    std::vector<stated> of_;
+};
+
+/// The Lagrangian in a text. @throws error::unreadable
+inline stated_lagrangian lagrangian_in(std::string_view formula, std::shared_ptr<vocabulary const> words, std::string const& source = "L") {
+    return stated_lagrangian(stated(read(formula, source), std::move(words), source));
+}
+
+} // namespace hilger::text

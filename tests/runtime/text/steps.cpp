@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSL-1.0
+// What is stepped of a formula in text is what is stepped of the same formula in C++: random Lagrangians, rational in t, q and v, with and
+// without branches, in rationals and in double; the equation is the judge.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "hilger/formula/print.hpp"
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
+#include "hilger/text/lagrangian.hpp"
+
+namespace text_steps_tests {
+
+using namespace hilger;
+
+namespace {
+
+constexpr int d = 2;
+
+/// A random U(t, q) that is a formula twice: as a text, and as a function of any number type.
+class random_potential {
+public:
+    explicit random_potential(unsigned seed) : random_(seed) { root_ = grow(3); }
+    [[nodiscard]] std::string text() const { return text_of(root_); }
+    template <class T, class X>
+    auto value(T const& t, X const& q) const {
+        return value_of<std::remove_cvref_t<decltype(q(0) + q(1))>>(t, q, root_);
+    }
+
+private:
+    enum what { number, time, position, plus, minus, times, over, square, choice };
+    struct node {
+        what is;
+        int a = 0, b = 0;
+    };
+    int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+    int add(node n) {
+        nodes_.push_back(n);
+        return static_cast<int>(nodes_.size()) - 1;
+    }
+    int grow(int levels) {
+        if (levels == 0) {
+            int const leaf = pick(4);
+            return leaf == 0 ? add({number, pick(9) + 1}) : leaf == 1 ? add({time}) : add({position, pick(d)});
+        }
+        what const kind = std::array{plus, minus, times, over, square, choice, plus, times}[static_cast<std::size_t>(pick(8))];
+        int const a = grow(levels - 1), b = kind == square ? a : grow(levels - 1);
+        return add({kind, a, b});
+    }
+    // Quotients have denominators 1 + b^2, which are never 0; choices compare q[0] with b.
+    [[nodiscard]] std::string text_of(int k) const {
+        auto const& n = nodes_[static_cast<std::size_t>(k)];
+        std::string const a = n.is < plus ? "" : "(" + text_of(n.a) + ")", b = n.is < plus ? "" : "(" + text_of(n.b) + ")";
+        switch (n.is) {
+        case number:
+            return std::to_string(n.a) + "/10";
+        case time:
+            return "t";
+        case position:
+            return "q[" + std::to_string(n.a) + "]";
+        case plus:
+            return a + " + " + b;
+        case minus:
+            return a + " - " + b;
+        case times:
+            return a + "*" + b;
+        case over:
+            return a + "/(1 + " + b + "^2)";
+        case square:
+            return a + "^2";
+        default:
+            return "if(q[0] < " + b + ", " + a + ", 2*" + a + ")";
+        }
+    }
+    template <class R, class T, class X>
+    R value_of(T const& t, X const& q, int k) const {
+        auto const& n = nodes_[static_cast<std::size_t>(k)];
+        if (n.is == number) return R(R(n.a) / R(10));
+        if (n.is == time) return R(t);
+        if (n.is == position) return R(q(n.a));
+        R const a = value_of<R>(t, q, n.a), b = value_of<R>(t, q, n.b);
+        switch (n.is) {
+        case plus:
+            return a + b;
+        case minus:
+            return a - b;
+        case times:
+            return a * b;
+        case over:
+            return a / (R(1) + b * b);
+        case square:
+            return a * a;
+        default:
+            return R(q(0)) < b ? a : R(2) * a;
+        }
+    }
+    std::mt19937 random_;
+    std::vector<node> nodes_;
+    int root_;
+};
+
+/// The same Lagrangian in C++.
+struct typed {
+    static constexpr bool is_generic_in_time = true;
+    random_potential const* U;
+    template <class T, class X>
+    auto operator()(T const& t, X const& q, X const& v) const {
+        return plain_t<decltype(q(0) * v(0))>(v(0) * v(0) / 2 + v(1) * v(1) - U->value(t, q));
+    }
+};
+text::stated_lagrangian in_text(random_potential const& U) {
+    auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", d}});
+    return text::lagrangian_in("v[0]^2/2 + v[1]^2 - (" + U.text() + ")", words);
+}
+template <class S>
+using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+/// The states along a path, as far as it gets, and why it stops.
+template <class Path>
+auto walked(Path const& path) {
+    return record(path, keep_partial);
+}
+
+} // namespace
+
+TEST_CASE("order-one steps in rationals are those of the same formula in C++") {
+    int whole = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        random_potential const U(seed);
+        CAPTURE(U.text());
+        auto const T = uniform(Q(1, 3), Q(1, 8), 2);
+        vector<Q> const q{{Q(1, 2), Q(-2, 3)}}, p{{Q(1, 5), Q(1)}};
+        auto const path = embed(lagrangian{in_text(U)}, order_one).along(T, q, p);
+        auto const here = walked(path), there = walked(embed(lagrangian{typed{&U}}, order_one).along(T, q, p));
+        REQUIRE(here.stopped == there.stopped);
+        REQUIRE(here.states.size() == there.states.size());
+        for (std::size_t i = 0; i < here.states.size(); ++i) CHECK(here.states[i] == there.states[i]);
+        if (here.stopped) continue;
+        ++whole;
+        CHECK(largest_residual(path) == 0);
+    }
+    CHECK(whole > 100);
+}
+TEST_CASE("mid-point steps in double are those of the same formula in C++") {
+    int whole = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        random_potential const U(seed);
+        CAPTURE(U.text());
+        auto const T = uniform(0.25, 0.03125, 20);
+        vector<double> const q{{0.5, -0.75}}, p{{0.25, 1.0}};
+        auto const here = walked(embed(lagrangian{in_text(U)}, mid_point).along(T, q, p)),
+                   there = walked(embed(lagrangian{typed{&U}}, mid_point).along(T, q, p));
+        REQUIRE(here.stopped.has_value() == there.stopped.has_value());
+        REQUIRE(here.states.size() == there.states.size());
+        for (std::size_t i = 0; i < here.states.size(); ++i) {
+            // n/10 is rounded once in both, and a formula traced from either has the same operations
+            CHECK(here.states[i].q == there.states[i].q);
+            CHECK(here.states[i].p == there.states[i].p);
+        }
+        whole += not here.stopped;
+    }
+    CHECK(whole > 100);
+}
+TEST_CASE("forces, the time, and what is printed") {
+    auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 2}});
+    words->set("k", "1/4");
+    auto const L = text::lagrangian_in("dot(v, v)/2 - k*dot(q, q) + q[0]*t", words);
+    text::stated_force const f({text::stated(text::read("-v[0]/8"), words, "f"), text::stated(text::read("q[0]*v[1]"), words, "f")});
+    auto const path = embed(with_force(lagrangian{L}, f), order_one).along(uniform(Q(0), Q(1, 4), 6), vector<Q>{{1, 2}}, vector<Q>{{0, 1}});
+    auto const by_hand = [](auto const& t, auto const& q, auto const& v) {
+        using R = plain_t<decltype(q(0) * v(0))>;
+        return R((v(0) * v(0) + v(1) * v(1)) / 2 - (q(0) * q(0) + q(1) * q(1)) / 4 + q(0) * t);
+    };
+    auto const pull = [](auto const&, auto const& q, auto const& v) {
+        Eigen::Matrix<plain_t<decltype(q(0) * v(0))>, Eigen::Dynamic, 1> made(2);
+        made(0) = -v(0) / 8;
+        made(1) = q(0) * v(1);
+        return made;
+    };
+    auto const typed_path =
+        embed(with_force(by_hand, pull), order_one).along(uniform(Q(0), Q(1, 4), 6), vector<Q>{{1, 2}}, vector<Q>{{0, 1}});
+    CHECK(record(path).states == record(typed_path).states);
+    CHECK(largest_residual(path) == 0);
+
+    auto const symbols = [](std::string const& name) { return [name](int k) { return symbol::variable(name, k); }; };
+    std::ostringstream out;
+    out << L.formula().value(symbol::variable("t"), symbols("q"), symbols("v"));
+    CHECK(out.str() == "(v₀² + v₁²)/2 − 0.25·(q₀² + q₁²) + q₀·t");
+    CHECK(L.formula().reads(text::meaning::role::time));
+    auto const longer = embed(lagrangian{L}, order_one).along(uniform(Q(0), Q(1), 2), vector<Q>{{1, 2, 3}}, vector<Q>{{0, 1, 2}});
+    CHECK_THROWS_WITH_AS((void)record(longer), "L has 2 coordinates, and the state has 3", error::mismatch);
+    CHECK_THROWS_AS(text::stated_force({text::stated(text::read("1"), words, "f")}), error::mismatch);
+}
+
+} // namespace text_steps_tests
