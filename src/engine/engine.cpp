@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/motions.hpp"
+
+namespace engine {
+
+namespace {
+
+template <class S>
+[[noreturn]] void refuse(std::string const& method, char const* where) {
+    std::string known;
+    for (auto const& name : method_names<S>()) known += (known.empty() ? "" : ", ") + name;
+    hilger::error::raise<hilger::error::invalid_parameter>("there is no method '", method, "'", where, ": there are ", known);
+}
+
+} // namespace
+
+template <>
+std::vector<std::string> method_names<double>() {
+    return {"order-one", "order-one-left", "mid-point", "verlet", "gauss-2", "gauss-4", "gauss-8", "lobatto-3", "kahan-li-8"};
+}
+
+template <>
+std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
+    if (not what.damping.empty()) {
+        if (auto made = damped(what, method, T)) return made;
+        hilger::error::raise<hilger::error::invalid_parameter>("with fractional damping the method is mid-point, and not '", method, "'");
+    }
+    if (auto made = embedded_in_one_step(what, method, T)) return made;
+    if (auto made = embedded_with_inner_points(what, method, T)) return made;
+    if (auto made = composed(what, method, T)) return made;
+    refuse<double>(method, "");
+}
+
+accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted) {
+    if (not what.damping.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("an accuracy is for Lagrangians and forces, without fractional damping");
+    return with_mechanics(what, [&](auto const& mechanics) {
+        auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},
+                                     hilger::accuracy{wanted});
+        accurate made{{}, {}, {x.end.t, x.end.q, x.end.p}, x.method, x.error};
+        for (hilger::index_type i = x.q.first(); i <= x.q.last(); ++i) {
+            made.t.push_back(x.q.root().element(i));
+            made.q.push_back(x.q[i]);
+        }
+        return made;
+    });
+}
+
+} // namespace engine

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSL-1.0
+// Problems that are known at run time only, solved by what is compiled once: a Lagrangian in text, forces and fractional damping beside it,
+// one of a list of methods, any scale, one of a few scalars. It is the library's engine and nothing else: flows of stated_lagrangian.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hilger/multiprecision.hpp"
+#include "hilger/text/lagrangian.hpp"
+
+namespace engine {
+
+/// What moves. Damping is -rho D^alpha q, as a mean over each step, of every coordinate.
+struct problem {
+    hilger::text::stated_lagrangian lagrangian;
+    std::optional<hilger::text::stated_force> force;
+    struct damping_term {
+        double rho, alpha;
+    };
+    std::vector<damping_term> damping;
+    std::string history = "direct"; ///< direct, blocks, exponentials, exponentials:1e-8, window:1000
+};
+
+/// T: {start + i step}, or any increasing points.
+template <class S>
+struct points {
+    S start{}, step{};
+    hilger::index_type steps = 0;
+    std::vector<S> given;
+    [[nodiscard]] bool is_uniform() const { return given.empty(); }
+};
+
+template <class S>
+using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+enum class second_datum { velocity, momentum, next_position };
+/// q0, and v0, p0 or q1.
+template <class S>
+struct initial {
+    vector<S> q0;
+    second_datum is;
+    vector<S> other;
+};
+template <class S>
+struct state {
+    S t;
+    vector<S> q, p;
+};
+
+/// A problem with its method on its scale.
+template <class S>
+class motion {
+public:
+    motion() = default;
+    motion(motion const&) = delete;
+    motion& operator=(motion const&) = delete;
+    virtual ~motion() = default;
+    /// The states at the points of T, one at a time, until `keep` returns false. @throws what steps throw
+    virtual void walk(initial<S> const& from,
+                      std::function<bool(S const& t, vector<S> const& q, vector<S> const& p)> const& keep) const = 0;
+    /// The positions that join two ends. @throws hilger::error::invalid_parameter where the method has no equation in positions, or forces
+    [[nodiscard]] virtual std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const = 0;
+    /// What the positions leave of the equation that the method comes from. @throws hilger::error::invalid_parameter where it has none
+    [[nodiscard]] virtual S residual(initial<S> const& from) const = 0;
+    /// The discrete Euler-Lagrange equation and Hamiltonian system, or what the method is called.
+    [[nodiscard]] virtual std::string equation(bool latex) const = 0;
+    /// H(p, q) = p v - L at a state.
+    [[nodiscard]] virtual S energy(state<S> const& x) const = 0;
+    /// The state at t between two neighbouring ones, of order 4. @throws hilger::error::invalid_parameter with a memory, which is no part
+    /// of a state
+    [[nodiscard]] virtual state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const = 0;
+};
+
+/// @throws hilger::error::invalid_parameter when there is no such method, for this problem or in this scalar
+template <class S>
+std::unique_ptr<motion<S>> make_motion(problem const& what, std::string const& method, points<S> const& T);
+template <>
+std::unique_ptr<motion<double>> make_motion(problem const&, std::string const&, points<double> const&);
+template <>
+std::unique_ptr<motion<hilger::Q>> make_motion(problem const&, std::string const&, points<hilger::Q> const&);
+template <>
+std::unique_ptr<motion<hilger::float50>> make_motion(problem const&, std::string const&, points<hilger::float50> const&);
+
+/// Names of methods, for errors and completion.
+template <class S>
+std::vector<std::string> method_names();
+
+/// A motion over [a, b] to a wanted accuracy.
+struct accurate {
+    std::vector<double> t;
+    std::vector<vector<double>> q;
+    state<double> end;
+    std::string method;
+    double error;
+};
+accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted);
+
+} // namespace engine

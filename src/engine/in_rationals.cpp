@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/many_digits.hpp"
+
+namespace engine {
+
+template <>
+std::unique_ptr<motion<hilger::Q>> make_motion(problem const& what, std::string const& method, points<hilger::Q> const& T) {
+    return made_in(what, method, T, "rationals");
+}
+
+} // namespace engine

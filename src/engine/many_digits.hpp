@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSL-1.0
+// What scalars of many digits have: the embeddings in one step.
+#pragma once
+
+#include "engine/motions.hpp"
+
+namespace engine {
+
+template <class S>
+std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& method, points<S> const& T, char const* scalar) {
+    if (not what.damping.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for numbers of the processor, and not for ", scalar);
+    auto made = with_mechanics(what, [&](auto const& mechanics) -> std::unique_ptr<motion<S>> {
+        if (method == "order-one") return on_scale(hilger::embed(mechanics, hilger::order_one), T, method);
+        if (method == "order-one-left") return on_scale(hilger::embed(mechanics, hilger::order_one_left), T, method);
+        if (method == "mid-point") return on_scale(hilger::embed(mechanics, hilger::mid_point), T, method);
+        return nullptr;
+    });
+    if (not made)
+        hilger::error::raise<hilger::error::invalid_parameter>(
+            "in ", scalar, " the methods are order-one, order-one-left and mid-point, and not '", method, "'");
+    return made;
+}
+
+} // namespace engine

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSL-1.0
+// The motion of one flow on one kind of scale, behind the interface of all.
+#pragma once
+
+#include <sstream>
+
+#include "engine/engine.hpp"
+#include "hilger/hilger.hpp"
+
+namespace engine {
+
+using free_problem = hilger::problem<hilger::text::stated_lagrangian, hilger::no_force>;
+using forced_problem = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
+
+/// Whether the flow comes from an equation in the positions at the points of T that it can be asked for.
+template <class Flow, class T>
+concept has_equation = requires(Flow const& f, T const& scale) {
+    equation_of(f, scale);
+};
+template <class Flow>
+concept has_memory = requires(Flow const& f) {
+    f.undamped();
+};
+
+/// Whether two positions determine the momentum between them.
+template <class Flow>
+inline constexpr bool starts_from_two_positions = false;
+template <class F, class Force, class E, hilger::sums Sums>
+inline constexpr bool starts_from_two_positions<hilger::flow<F, Force, E, Sums>> = hilger::controls_of<E> == 2;
+
+template <class S, class Flow, class Scale>
+class motion_of : public motion<S> {
+public:
+    motion_of(Flow flow, Scale T, std::string name) : flow_(std::move(flow)), T_(std::move(T)), name_(std::move(name)) {}
+
+    void walk(initial<S> const& from, std::function<bool(S const&, vector<S> const&, vector<S> const&)> const& keep) const override {
+        along(from, [&](auto const& path) {
+            for (auto const& x : path)
+                if (not keep(x.t, x.q, x.p)) return;
+        });
+    }
+    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const override {
+        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow> and not forced()) {
+            auto const x = solve(equation_of(flow_, T_), T_, hilger::boundary_values<vector<S>>{first, last});
+            std::vector<vector<S>> positions;
+            hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
+            for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
+            return positions;
+        } else
+            refuse("is solved from initial values: what joins two ends is found for embeddings, without forces and damping");
+    }
+    [[nodiscard]] S residual(initial<S> const& from) const override {
+        if constexpr (requires(Flow const& f, Scale const& T, vector<S> const& q) { largest_residual(f.along(T, q, q)); }) {
+            S worst(0);
+            along(from, [&](auto const& path) { worst = largest_residual(path); });
+            return worst;
+        } else
+            refuse("has no equation in the positions at the points of T alone");
+    }
+    [[nodiscard]] std::string equation(bool latex_wanted) const override {
+        if constexpr (has_equation<Flow, Scale>) {
+            auto const EL = equation_of(flow_, T_);
+            std::ostringstream out;
+            if (latex_wanted)
+                out << latex(EL);
+            else
+                out << EL << hamiltonian_form(EL);
+            return out.str();
+        } else
+            return name_;
+    }
+    [[nodiscard]] S energy(state<S> const& x) const override {
+        return hilger::energy(lagrangian())(hilger::state<S, vector<S>>{x.t, x.q, x.p});
+    }
+    [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
+        if constexpr (has_memory<Flow>)
+            refuse("has a memory, which is no part of a state: there is nothing between the points of T");
+        else {
+            auto const z = hilger::dense_step<S, vector<S>>(flow_.mechanics(), {x.t, x.q, x.p}, {y.t, y.q, y.p})(t);
+            return {z.t, z.q, z.p};
+        }
+    }
+
+private:
+    template <class Use>
+    void along(initial<S> const& from, Use const& use) const {
+        if (from.is == second_datum::momentum)
+            use(flow_.along(T_, from.q0, from.other));
+        else if (from.is == second_datum::velocity)
+            use(flow_.along(T_, hilger::initial_velocity<vector<S>>{from.q0, from.other}));
+        else if constexpr (starts_from_two_positions<Flow>)
+            use(flow_.along(T_, hilger::initial_positions<vector<S>>{from.q0, from.other}));
+        else
+            refuse("starts from q0 and v0 or p0, and not from two positions");
+    }
+    [[nodiscard]] auto const& lagrangian() const {
+        if constexpr (has_memory<Flow>)
+            return flow_.undamped().mechanics().lagrangian;
+        else
+            return flow_.mechanics().lagrangian;
+    }
+    static constexpr bool forced() { return std::same_as<typename hilger::detail::mechanics_of<Flow>::force, hilger::text::stated_force>; }
+    [[noreturn]] void refuse(char const* why) const {
+        hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
+    }
+    Flow flow_;
+    Scale T_;
+    std::string name_;
+};
+
+template <class S, class Flow>
+std::unique_ptr<motion<S>> on_scale(Flow const& flow, points<S> const& T, std::string const& name) {
+    if (T.is_uniform()) {
+        auto const scale = hilger::uniform(T.start, T.step, T.steps);
+        return std::make_unique<motion_of<S, Flow, std::remove_cvref_t<decltype(scale)>>>(flow, scale, name);
+    }
+    if constexpr (has_memory<Flow>)
+        hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for uniform scales");
+    else {
+        hilger::time_scale<S> const scale(T.given);
+        return std::make_unique<motion_of<S, Flow, hilger::time_scale<S>>>(flow, scale, name);
+    }
+}
+
+/// Calls use(mechanics) with the Lagrangian, or with it and the force.
+template <class Use>
+auto with_mechanics(problem const& what, Use const& use) {
+    if (what.force) return use(forced_problem{what.lagrangian, *what.force});
+    return use(free_problem{what.lagrangian, {}});
+}
+
+using made = std::unique_ptr<motion<double>>;
+made embedded_in_one_step(problem const& what, std::string const& method, points<double> const& T);
+made embedded_with_inner_points(problem const& what, std::string const& method, points<double> const& T);
+made composed(problem const& what, std::string const& method, points<double> const& T);
+made damped(problem const& what, std::string const& method, points<double> const& T);
+
+} // namespace engine

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the parts of the Python module share. The module _core is for the package beside it, which is what people write.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "hilger/text/expression.hpp"
+
+namespace py = pybind11;
+
+namespace bindings {
+
+/// A number or a formula of Python as a formula; nothing for what is neither.
+std::optional<hilger::text::expression> as_expression(py::handle x);
+void add_expressions(py::module_& m);
+void add_problems(py::module_& m);
+void add_motions(py::module_& m);
+void add_identities(py::module_& m);
+
+} // namespace bindings

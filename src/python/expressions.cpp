@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSL-1.0
+// Formulas by the operators and functions of Python. Numbers keep all their digits: 0.1 is the digits that repr prints, Fraction(1, 3) is a
+// quotient, Decimal and mpf are their digits.
+#include <optional>
+
+#include "bindings.hpp"
+#include "hilger/text/functions.hpp"
+#include "hilger/text/read.hpp"
+
+namespace bindings {
+
+using hilger::text::expression;
+using hilger::text::kind;
+
+namespace {
+
+expression of_digits(std::string digits) {
+    bool const minus = digits.starts_with('-');
+    expression const size = expression::number(minus ? digits.substr(1) : std::move(digits));
+    return minus ? -size : size;
+}
+bool is_a(py::handle x, char const* module, char const* type) {
+    // Nobody has one of a module that nobody imported.
+    py::dict const loaded = py::module_::import("sys").attr("modules");
+    return loaded.contains(module) and py::isinstance(x, py::object(py::object(loaded[module]).attr(type)));
+}
+std::string text_of(py::handle x) { return py::str(x); }
+
+} // namespace
+
+std::optional<expression> as_expression(py::handle x) {
+    if (py::isinstance<expression>(x)) return x.cast<expression>();
+    if (py::isinstance<py::bool_>(x) or py::isinstance<py::str>(x)) return {};
+    if (py::isinstance<py::int_>(x)) return of_digits(text_of(x));
+    if (py::isinstance<py::float_>(x)) { // numpy.float64 too
+        double const number = x.cast<double>();
+        if (not std::isfinite(number))
+            hilger::error::raise<hilger::error::not_finite>("a number in a formula is finite, and this one is ", number);
+        return of_digits(text_of(py::repr(py::float_(number))));
+    }
+    if (is_a(x, "numbers", "Rational")) {
+        expression const above = of_digits(text_of(x.attr("numerator")));
+        std::string const below = text_of(x.attr("denominator"));
+        return below == "1" ? above : above / expression::number(below);
+    }
+    if (is_a(x, "decimal", "Decimal")) return of_digits(text_of(py::str("{:f}").attr("format")(x)));
+    if (is_a(x, "mpmath", "mpf")) {
+        py::module_ const mpmath = py::module_::import("mpmath");
+        return of_digits(text_of(mpmath.attr("nstr")(x, py::int_(mpmath.attr("mp").attr("dps")) + py::int_(3), py::arg("min_fixed") = -400,
+                                                     py::arg("max_fixed") = 400)));
+    }
+    if (is_a(x, "numbers", "Number")) return as_expression(py::float_(py::reinterpret_borrow<py::object>(x))); // numpy's numbers
+    return {};
+}
+
+namespace {
+
+py::object not_implemented() { return py::reinterpret_borrow<py::object>(Py_NotImplemented); }
+/// A binary operation, and its reflection where the other operand is a number.
+template <class Type>
+void add_operator(Type& type, char const* name, char const* reflected, kind what, bool swap = false) {
+    auto const made = [what, swap](expression const& x, expression const& y) {
+        return py::cast(swap ? expression(what, "", {y, x}) : expression(what, "", {x, y}));
+    };
+    type.def(
+        name,
+        [made](expression const& x, py::handle y) {
+            auto const other = as_expression(y);
+            return other ? made(x, *other) : not_implemented();
+        },
+        py::is_operator());
+    if (reflected != nullptr)
+        type.def(
+            reflected,
+            [made](expression const& x, py::handle y) {
+                auto const other = as_expression(y);
+                return other ? made(*other, x) : not_implemented();
+            },
+            py::is_operator());
+}
+expression required(py::handle x) {
+    if (auto const e = as_expression(x)) return *e;
+    throw py::type_error("a formula or a number was expected, and here is a " + text_of(py::type::of(x).attr("__name__")));
+}
+
+} // namespace
+
+void add_expressions(py::module_& m) {
+    py::class_<expression> type(m, "Expression", "A formula of coordinates, velocities, the time and numbers.");
+    add_operator(type, "__add__", "__radd__", kind::plus);
+    add_operator(type, "__sub__", "__rsub__", kind::minus);
+    add_operator(type, "__mul__", "__rmul__", kind::times);
+    add_operator(type, "__truediv__", "__rtruediv__", kind::over);
+    add_operator(type, "__pow__", "__rpow__", kind::power);
+    add_operator(type, "__lt__", nullptr, kind::less);
+    add_operator(type, "__le__", nullptr, kind::less_or_equal);
+    add_operator(type, "__gt__", nullptr, kind::less, true);
+    add_operator(type, "__ge__", nullptr, kind::less_or_equal, true);
+    type.def(
+        "__neg__", [](expression const& x) { return -x; }, py::is_operator());
+    type.def(
+        "__pos__", [](expression const& x) { return x; }, py::is_operator());
+    type.def("__abs__", [](expression const& x) { return expression::call("abs", {x}); });
+    type.def("__bool__", [](expression const&) -> bool {
+        throw py::type_error("a formula is neither true nor false; what depends on a condition is hilger.where(condition, a, b)");
+    });
+    type.def_property_readonly("name", [](expression const& x) -> std::optional<std::string> {
+        return x.root().what == kind::name ? std::optional(x.root().name) : std::nullopt;
+    });
+    m.def("variable", &expression::variable);
+    m.def("element", [](std::string const& name, int k) { return expression::element(name, expression::number(std::to_string(k))); });
+    m.def("call", [](std::string const& function, py::args const& arguments) {
+        std::vector<expression> parts;
+        for (py::handle const x : arguments) parts.push_back(required(x));
+        return expression::call(function, parts);
+    });
+    m.def("where", [](py::handle condition, py::handle a, py::handle b) {
+        return expression(kind::choice, "", {required(condition), required(a), required(b)});
+    });
+    m.def("read", [](std::string const& text, std::string const& source) { return hilger::text::read(text, source); });
+    m.def("as_expression", &required);
+    py::list functions;
+    for (auto const name : hilger::text::functions_of_one) functions.append(py::str(name.data(), name.size()));
+    m.attr("functions_of_one") = functions;
+}
+
+} // namespace bindings

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Variational integrators from time-scale calculus: write a Lagrangian, choose the calculus, get the integrator.
+
+    import hilger as h
+    q, v = h.variables("q v")
+    L = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
+    T = h.uniform(0, 0.1, 10_000)
+    EL = h.variation(L, T, h.midpoint)
+    x = h.solve(EL, q0=1.0, v0=0.0)          # x.t, x.q, x.p
+"""
+
+from . import _core
+from ._core import (
+    Error,
+    Expression,
+    InvalidInput,
+    InvalidParameter,
+    InvalidScale,
+    Mismatch,
+    NoConvergence,
+    NoFormula,
+    NotFinite,
+    OutsideDomain,
+    Singular,
+    Unreadable,
+    where,
+)
+from .equations import (
+    Damping,
+    Equation,
+    Force,
+    Lagrangian,
+    Method,
+    damping,
+    force,
+    gauss,
+    kahan_li_8,
+    lobatto_3,
+    midpoint,
+    order_one,
+    order_one_left,
+    variation,
+    verlet,
+)
+from .formulas import (
+    Vector,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cbrt,
+    cos,
+    cosh,
+    dot,
+    erf,
+    exp,
+    expm1,
+    hypot,
+    log,
+    log1p,
+    maximum,
+    minimum,
+    norm,
+    pi,
+    read,
+    sin,
+    sinh,
+    sqrt,
+    t,
+    tan,
+    tanh,
+    variables,
+)
+from .scales import Identity, TimeScale, Uniform, identities, uniform
+from .solving import AccurateSolution, Solution, StepFailure, blocks, direct, exponentials, solve
+
+__version__ = _core.version

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Lagrangians, methods, and the discrete Euler-Lagrange equations that they make together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Sequence, Union
+
+from . import _core
+from ._core import Expression
+from .formulas import Formula, Vector, variables
+from .scales import TimeScale, Uniform, digits
+
+Variables = Union[str, Expression, Vector, Sequence[Union[Expression, Vector]]]
+
+
+def _all(x: Variables) -> list:
+    if isinstance(x, str):
+        x = variables(x)
+    return list(x) if isinstance(x, (tuple, list)) else [x]
+
+
+def _size(x: "Expression | Vector") -> int:
+    return x.size if isinstance(x, Vector) else 0
+
+
+class Lagrangian:
+    """L(t, q, v): a formula, or a text such as "m*v^2/2 - m*g*l*(1 - cos(q))" with the parameters in it as keywords.
+
+    q and v are variables, lists of them, or their names; `time` is the name of the time. Coordinates are numbered as they are given.
+    """
+
+    def __init__(self, L: "Formula | str", q: Variables = "q", v: Variables = "v", *, time: str = "t", **parameters: object) -> None:
+        qs, vs = _all(q), _all(v)
+        if [_size(x) for x in qs] != [_size(x) for x in vs]:
+            raise _core.Mismatch("each coordinate has its velocity, of the same size")
+        for x in (*qs, *vs):
+            if not isinstance(x, (Expression, Vector)) or x.name is None:
+                raise _core.InvalidParameter("coordinates and velocities are variables, as h.variables makes them")
+        self.coordinates = [(x.name, y.name, _size(x)) for x, y in zip(qs, vs)]
+        self.time = time
+        formula = _core.read(L, "L") if isinstance(L, str) else _core.as_expression(L)
+        given = {}
+        for name, x in parameters.items():
+            given[name] = [digits(y) for y in x] if hasattr(x, "__len__") and not isinstance(x, str) else digits(x)
+        self._problem = _core.Problem(formula, self.coordinates, time, given)
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates."""
+        return self._problem.dimension()
+
+    @property
+    def is_scalar(self) -> bool:
+        """One coordinate that is a number: states are numbers then, and not vectors of one."""
+        return len(self.coordinates) == 1 and self.coordinates[0][2] == 0
+
+    def _written(self, latex: bool) -> str:
+        try:
+            return self._problem.written(self.coordinates, self.time, latex)
+        except _core.NoFormula:
+            return "\\text{a formula with branches}" if latex else "a formula with branches"
+
+    def __repr__(self) -> str:
+        return f"L = {self._written(False)}"
+
+    def _repr_latex_(self) -> str:
+        return f"$L = {self._written(True)}$"
+
+
+@dataclass(frozen=True)
+class Method:
+    """An embedding, or a composition of steps."""
+
+    name: str
+
+    def __post_init__(self) -> None:
+        if self.name not in _core.methods:
+            raise _core.InvalidParameter(f"there is no method '{self.name}': there are {', '.join(_core.methods)}")
+
+
+order_one = Method("order-one")
+order_one_left = Method("order-one-left")
+midpoint = Method("mid-point")
+verlet = Method("verlet")
+lobatto_3 = Method("lobatto-3")
+kahan_li_8 = Method("kahan-li-8")
+
+
+def gauss(nodes: int) -> Method:
+    """Galerkin's embedding with 2, 4 or 8 Gauss nodes in a step: of order 4, 8 or 16."""
+    return Method(f"gauss-{nodes}")
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force beside dL/dq, a formula for each coordinate."""
+
+    components: tuple
+
+
+@dataclass(frozen=True)
+class Damping:
+    """The force -rho D^alpha q on every coordinate, 0 < alpha < 2, read as a mean over each step: of order two under the mid-point
+    embedding."""
+
+    rho: float
+    alpha: float
+
+
+def force(*components: Formula) -> Force:
+    """force(-v/10), or force(f0, f1, ...) with one formula for each coordinate."""
+    return Force(tuple(_core.as_expression(f) for f in components))
+
+
+def damping(rho: float, alpha: float) -> Damping:
+    """Fractional damping; alpha = 1 is friction."""
+    return Damping(float(rho), float(alpha))
+
+
+@dataclass(frozen=True)
+class Equation:
+    """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces and damping are added with +."""
+
+    lagrangian: Lagrangian
+    scale: "Uniform | TimeScale"
+    method: Method
+    forces: "tuple[Force, ...]" = ()
+    dampings: "tuple[Damping, ...]" = ()
+
+    def __add__(self, other: "Force | Damping") -> "Equation":
+        if isinstance(other, Force):
+            if len(other.components) != self.lagrangian.dimension:
+                raise _core.Mismatch(
+                    f"a force has one formula for each coordinate, and here are {len(other.components)} for {self.lagrangian.dimension}"
+                )
+            return replace(self, forces=(*self.forces, other))
+        if isinstance(other, Damping):
+            return replace(self, dampings=(*self.dampings, other))
+        return NotImplemented
+
+    def _stated(self, history: str = "direct") -> "_core.Problem":
+        problem = self.lagrangian._problem.copy()
+        if self.forces:
+            total = list(self.forces[0].components)
+            for f in self.forces[1:]:
+                total = [a + b for a, b in zip(total, f.components)]
+            problem.set_force(total)
+        for d in self.dampings:
+            problem.add_damping(d.rho, d.alpha)
+        problem.history = history
+        return problem
+
+    def _motion(self, history: str = "direct"):
+        T, kind = self.scale, self.scale.kind()
+        made = {"double": _core.Motion, "exact": _core.ExactMotion, "50 digits": _core.MotionIn50Digits}[kind]
+        number = float if kind == "double" else digits
+        given = (number(T.start), number(T.step), T.steps) if isinstance(T, Uniform) else ([number(x) for x in T.points],)
+        return made(self._stated(history), self.method.name, *given)
+
+    def _written(self, latex: bool) -> str:
+        undamped = replace(self, dampings=(), forces=())
+        return undamped._motion().equation(latex)
+
+    def __repr__(self) -> str:
+        more = "".join(f"forces: {', '.join('a formula' for _ in f.components)}\n" for f in self.forces)
+        more += "".join(f"beside ∂L/∂q: −{d.rho} D^{d.alpha} q\n" for d in self.dampings)
+        return f"{self.lagrangian!r}\n{self._written(False)}{more}"
+
+    def _repr_latex_(self) -> str:
+        return self._written(True)
+
+
+def variation(L: Lagrangian, T: "Uniform | TimeScale", method: Method = midpoint) -> Equation:
+    """The variation of the action of L on T under an embedding. It prints as the equation that is solved."""
+    return Equation(L, T, method)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Variables, and the functions that formulas are made with. Numbers in formulas keep their digits: 0.1 is one tenth in rationals."""
+
+from __future__ import annotations
+
+import re
+from typing import Iterator, Sequence, Union
+
+from . import _core
+from ._core import Expression
+
+Number = Union[int, float, "fractions.Fraction", "decimal.Decimal", "mpmath.mpf"]  # noqa: F821
+Formula = Union[Expression, Number]
+
+t: Expression = _core.variable("t")
+"""The time."""
+pi: Expression = _core.variable("pi")
+
+
+class Vector:
+    """A vector of coordinates or velocities: q[0], len(q), sum(x**2 for x in q), dot(q, q)."""
+
+    def __init__(self, name: str, size: int) -> None:
+        self.name, self.size = name, size
+
+    def __len__(self) -> int:
+        return self.size
+
+    def __getitem__(self, k: int) -> Expression:
+        k = range(self.size)[k]  # negative ones from the end, and IndexError
+        return _core.element(self.name, k)
+
+    def __iter__(self) -> Iterator[Expression]:
+        return (self[k] for k in range(self.size))
+
+    def __repr__(self) -> str:
+        return f"{self.name}[{self.size}]"
+
+
+def variables(names: str, size: int = 0) -> "tuple[Expression | Vector, ...] | Expression | Vector":
+    """Variables by name: ``q, v = variables("q v")`` are numbers, ``variables("q v", 3)`` and ``variables("q[3] v[3]")`` vectors."""
+    made = []
+    for word in names.replace(",", " ").split():
+        found = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", word)
+        if found is None:
+            raise _core.InvalidParameter(f"variables are written as in 'q v' or 'q[3] v[3]', and here is '{word}'")
+        d = int(found[2]) if found[2] else size
+        made.append(Vector(found[1], d) if d > 0 else _core.variable(found[1]))
+    return made[0] if len(made) == 1 else tuple(made)
+
+
+def read(text: str) -> Expression:
+    """The formula in a text, as "m*v^2/2 - m*g*l*(1 - cos(q))"."""
+    return _core.read(text, "the formula")
+
+
+def _name(x: object) -> "str | None":
+    return x.name if isinstance(x, (Expression, Vector)) else None
+
+
+def dot(x: Sequence[Formula], y: Sequence[Formula]) -> Expression:
+    """x[0]*y[0] + x[1]*y[1] + ..."""
+    if len(x) != len(y):
+        raise _core.Mismatch(f"dot takes vectors of one length, and these have {len(x)} and {len(y)} components")
+    products = [_core.as_expression(a) * b for a, b in zip(x, y)]
+    total = products[0]
+    for product in products[1:]:
+        total = total + product
+    return total
+
+
+def norm(x: Sequence[Formula]) -> Expression:
+    """The square root of dot(x, x)."""
+    return sqrt(dot(x, x))
+
+
+def _function_of_one(name: str):
+    import math
+
+    of_numbers = getattr(math, name, None)
+
+    def function(x: Formula) -> Formula:
+        if isinstance(x, (int, float)) and of_numbers is not None:
+            return of_numbers(x)
+        return _core.call(name, x)
+
+    function.__name__ = function.__qualname__ = name
+    function.__doc__ = f"{name}(x) of a formula or a number."
+    return function
+
+
+for _f in _core.functions_of_one:
+    if _f != "abs":  # Python's abs works
+        globals()[_f] = _function_of_one(_f)
+
+
+def atan2(y: Formula, x: Formula) -> Expression:
+    """The angle of (x, y)."""
+    return _core.call("atan2", y, x)
+
+
+def hypot(x: Formula, y: Formula) -> Expression:
+    """sqrt(x**2 + y**2)"""
+    return _core.call("hypot", x, y)
+
+
+def minimum(x: Formula, y: Formula) -> Expression:
+    """The smaller one; where they cross a derivative jumps."""
+    return _core.call("min", x, y)
+
+
+def maximum(x: Formula, y: Formula) -> Expression:
+    """The larger one; where they cross a derivative jumps."""
+    return _core.call("max", x, y)

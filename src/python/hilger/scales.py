@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Time scales, and the identities of the calculus on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Iterable
+
+from . import _core
+
+
+def kind_of(numbers: Iterable[object]) -> str:
+    """Which scalar holds numbers: 'double', 'exact' for fractions, '50 digits' for mpf and Decimal."""
+    kinds = set()
+    for x in numbers:
+        name = type(x).__name__
+        if isinstance(x, str):
+            kinds.add("exact")
+        elif isinstance(x, Fraction):
+            kinds.add("exact")
+        elif name in ("mpf", "Decimal"):
+            kinds.add("50 digits")
+        elif not isinstance(x, int):
+            kinds.add("double")
+    if len(kinds) > 1:
+        raise _core.InvalidParameter(f"numbers of one kind are expected, and here are {' and '.join(sorted(kinds))}")
+    return kinds.pop() if kinds else "double"
+
+
+def digits(x: object) -> str:
+    """A number as digits that lose nothing."""
+    if isinstance(x, str):
+        return x.strip()
+    if isinstance(x, Fraction):
+        return f"{x.numerator}/{x.denominator}"
+    if type(x).__name__ == "mpf":
+        import mpmath
+
+        return mpmath.nstr(x, 55, min_fixed=0, max_fixed=0)
+    if isinstance(x, int):
+        return str(x)
+    if type(x).__name__ == "Decimal":
+        return str(x)
+    return repr(float(x))
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """T = {start + i*step}, i = 0 ... steps."""
+
+    start: object
+    step: object
+    steps: int
+
+    def kind(self) -> str:
+        return kind_of((self.start, self.step))
+
+
+class TimeScale:
+    """Any increasing points. Fractions and texts as "1/3" are exact; then so is what is computed on them."""
+
+    def __init__(self, points: Iterable[object]) -> None:
+        self.points = tuple(points)
+        if len(self.points) < 2:
+            raise _core.InvalidScale(f"a time scale needs two points, and here are {len(self.points)}")
+
+    def kind(self) -> str:
+        return kind_of(self.points)
+
+    def __repr__(self) -> str:
+        return f"TimeScale({[str(x) for x in self.points]})"
+
+
+def uniform(start: object, step: object, steps: int) -> Uniform:
+    """T = {start + i*step}, i = 0 ... steps; in rationals where start or step is a Fraction, in 50 digits for mpmath's mpf."""
+    T = Uniform(start, step, steps)
+    T.kind()
+    return T
+
+
+@dataclass(frozen=True)
+class Identity:
+    """An identity of the calculus, tried with random functions in exact rationals."""
+
+    name: str
+    source: str
+    """S: Cresson and Safi 2022, B: Bourdin, Cresson, Greff and Inizan 2013."""
+    equalities: int
+    holds: bool
+    failure: str
+
+
+def identities(T: "TimeScale | Uniform") -> "list[Identity]":
+    """Every identity that holds on any scale, proved on T: each equality is one of rationals, without a tolerance."""
+    if isinstance(T, Uniform):
+        start, step = Fraction(digits(T.start)), Fraction(digits(T.step))
+        points = [digits(start + i * step) for i in range(T.steps + 1)]
+    else:
+        points = [digits(x) for x in T.points]
+    return [Identity(*row) for row in _core.identities(points)]

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Solutions of discrete Euler-Lagrange equations."""
+
+from __future__ import annotations
+
+import warnings
+from fractions import Fraction
+from typing import Callable, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _core
+from .equations import Equation, Lagrangian
+from .scales import Uniform, digits
+
+State = Union[float, Sequence[float], "np.ndarray"]
+
+
+class StepFailure(_core.Error):
+    """A step failed. What was reached before is in `solution`."""
+
+    def __init__(self, message: str, solution: "Solution") -> None:
+        super().__init__(message)
+        self.solution = solution
+
+
+def direct() -> str:
+    """The sum over all that was: exact, and of cost N**2."""
+    return "direct"
+
+
+def blocks() -> str:
+    """The same sums by fast convolutions in O(N log(N)**2)."""
+    return "blocks"
+
+
+def exponentials(tolerance: float = 0.0) -> str:
+    """The weights as a sum of exponentials: constant memory. With tolerance 0 as exact as double is."""
+    return f"exponentials:{tolerance}" if tolerance else "exponentials"
+
+
+def _numbers(kind: str, made: object) -> np.ndarray:
+    """What came from the engine, as an array: of Fraction or mpf for scalars that numpy does not have."""
+    if kind == "double":
+        return made
+    words, columns = made
+    if kind == "exact":
+        all_of_them = [Fraction(x) for x in words]
+    else:
+        import mpmath
+
+        with mpmath.workdps(60):
+            all_of_them = [mpmath.mpf(x) for x in words]
+    array = np.array(all_of_them, dtype=object)
+    return array.reshape(-1, columns) if columns else array
+
+
+class Solution:
+    """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
+
+    `x(t)` is the state between the points, of order 4 in the step; `x.residual()` what the positions leave of their equation;
+    `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did.
+    """
+
+    def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
+        self.equation, self._start, self._history = equation, start, history
+        self.t, self.q, self.p, self.stopped = t, q, p, stopped
+        self._made = None
+
+    @property
+    def _motion(self):
+        if self._made is None:
+            self._made = self.equation._motion(self._history)
+        return self._made
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        end = f", stopped: {self.stopped}" if self.stopped else ""
+        return f"<{self.equation.method.name}, {len(self)} points from t = {self.t[0]} to {self.t[-1]}{end}>"
+
+    def _row(self, x: np.ndarray, i: int):
+        return np.atleast_1d(x[i]) if self.t.dtype != object else [digits(y) for y in np.atleast_1d(x[i])]
+
+    def _time(self, t: object):
+        return float(t) if self.t.dtype != object else digits(t)
+
+    def __call__(self, t: "float | Sequence[float]"):
+        """q at t, a number or an array of them. @raises OutsideDomain"""
+        if np.ndim(t) > 0:
+            return np.array([self(s) for s in t])
+        if not self.t[0] <= t <= self.t[-1]:
+            raise _core.OutsideDomain(f"t = {t} is outside of the solution, which goes from {self.t[0]} to {self.t[-1]}")
+        i = min(max(int(np.searchsorted(self.t, t, side="right")) - 1, 0), len(self) - 2)
+        between = self._motion.between_states
+        row, time = self._row, self._time
+        q, _ = between(time(self.t[i]), row(self.q, i), row(self.p, i), time(self.t[i + 1]), row(self.q, i + 1), row(self.p, i + 1), time(t))
+        kind = self.equation.scale.kind()
+        q = _numbers(kind, q)
+        return q[0] if self.q.ndim == 1 else q
+
+    def residual(self):
+        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding."""
+        return _one(self.equation.scale.kind(), self._motion.residual(*self._start))
+
+    def energy(self) -> np.ndarray:
+        """H = p v - L at each point."""
+        row, kind = self._row, self.equation.scale.kind()
+        return np.array([_one(kind, self._motion.energy(self._time(t), row(self.q, i), row(self.p, i))) for i, t in enumerate(self.t)])
+
+    def plot(self, ax=None, **style):
+        """Positions over time, by matplotlib. Returns the axes."""
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            _, ax = plt.subplots()
+        ax.plot(self.t, self.q, **style)
+        ax.set_xlabel("t")
+        ax.set_ylabel("q")
+        return ax
+
+    def plot_energy_error(self, ax=None, **style):
+        """H(t) - H(0), by matplotlib. Returns the axes."""
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            _, ax = plt.subplots()
+        H = self.energy()
+        ax.plot(self.t, H - H[0], **style)
+        ax.set_xlabel("t")
+        ax.set_ylabel("H − H(0)")
+        return ax
+
+
+class AccurateSolution:
+    """A solution to a wanted accuracy: t, q, the method that was chosen, and its error against half as many steps."""
+
+    def __init__(self, t, q, end_momentum, method: str, error: float) -> None:
+        self.t, self.q, self.end_momentum, self.method, self.error = t, q, end_momentum, method, error
+
+    def __repr__(self) -> str:
+        return f"<{self.method}, {len(self.t) - 1} steps, error below {self.error:.1e}>"
+
+
+def _one(kind: str, made: object):
+    return made if kind == "double" else _numbers(kind, ([made], 0))[0]
+
+
+def _state(kind: str, x: object, scalar: bool, name: str):
+    flat = [x] if np.ndim(x) == 0 else list(x)
+    if scalar and np.ndim(x) > 0 and len(flat) != 1:
+        raise _core.Mismatch(f"{name} is one number, and here are {len(flat)}")
+    if kind == "double":
+        return np.array([float(y) for y in flat])
+    if kind == "exact" and any(isinstance(y, float) for y in flat):
+        raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is a float")
+    return [digits(y) for y in flat]
+
+
+def solve(
+    equation: "Equation | Lagrangian",
+    interval: "Optional[tuple[float, float]]" = None,
+    *,
+    q0: State,
+    v0: "Optional[State]" = None,
+    p0: "Optional[State]" = None,
+    q1: "Optional[State]" = None,
+    qN: "Optional[State]" = None,
+    history: str = "exponentials",
+    progress: "bool | Callable[[int], None]" = False,
+    accuracy: "Optional[float]" = None,
+) -> "Solution | AccurateSolution":
+    """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN.
+
+    `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
+    installed; a callable gets the number of points. An interrupt (Ctrl-C) ends the walk, and what there is is returned with a warning.
+    With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L, (0, 50), q0=1, v0=0,
+    accuracy=1e-10).
+
+    Raises StepFailure, whose `solution` has what was reached, and the errors of this module for input that has no meaning.
+    """
+    if isinstance(equation, Lagrangian):
+        if interval is None or accuracy is None or v0 is None:
+            raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
+        a, b = interval
+        scalar = equation.is_scalar
+        made = _core.solve_accurately(
+            equation._problem, float(a), float(b), _state("double", q0, scalar, "q0"), _state("double", v0, scalar, "v0"), float(accuracy)
+        )
+        t, q, p, method, error = made
+        return AccurateSolution(t, q[:, 0] if scalar else q, p, method, error)
+    if interval is not None or accuracy is not None:
+        raise _core.InvalidParameter("an equation has its scale: an interval and an accuracy go with a Lagrangian")
+    given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1), ("qN", qN)) if x is not None}
+    if len(given) != 1:
+        raise _core.InvalidParameter(f"q0 and one of v0, p0, q1 and qN determine a solution, and here is q0 with {' and '.join(given) or 'nothing'}")
+    (name, other), = given.items()
+    kind, scalar = equation.scale.kind(), equation.lagrangian.is_scalar
+    start = _state(kind, q0, scalar, "q0"), name, _state(kind, other, scalar, name)
+    motion = equation._motion(history)
+    column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
+    if name == "qN":
+        q = column(_numbers(kind, motion.between(start[0], start[2])))
+        T = equation.scale
+        if isinstance(T, Uniform):
+            points = [float(T.start) + i * float(T.step) if kind == "double" else T.start + i * T.step for i in range(T.steps + 1)]
+        else:
+            points = [float(x) if kind == "double" else Fraction(x) if kind == "exact" else x for x in T.points]
+        t = np.array(points, dtype=None if kind == "double" else object)
+        second = q[1] if np.ndim(q[1]) == 0 else q[1]
+        return Solution(equation, (start[0], "q1", _state(kind, second, scalar, "q1")), history, t, q, None, None)
+    bar = _bar(progress, equation)
+    try:
+        t, q, p, stopped, interrupted = motion.walk(*start, bar)
+    finally:
+        if hasattr(bar, "close"):
+            bar.close()
+    x = Solution(equation, start, history, _numbers(kind, t), column(_numbers(kind, q)), column(_numbers(kind, p)), stopped or None)
+    if interrupted:
+        x.stopped = f"interrupted at t = {x.t[-1]}"
+        warnings.warn(x.stopped + "; what there is was kept", RuntimeWarning, stacklevel=2)
+    elif stopped:
+        raise StepFailure(stopped, x)
+    return x
+
+
+class _Bar:
+    def __init__(self, tqdm, total: int) -> None:
+        self.bar = tqdm(total=total, unit=" steps")
+
+    def __call__(self, reached: int) -> None:
+        self.bar.update(reached - self.bar.n)
+
+    def close(self) -> None:
+        self.bar.close()
+
+
+def _bar(progress: object, equation: Equation):
+    if callable(progress):
+        return progress
+    if not progress:
+        return None
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    T = equation.scale
+    return _Bar(tqdm, T.steps if isinstance(T, Uniform) else len(T.points) - 1)

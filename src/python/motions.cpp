@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSL-1.0
+// Motions in numpy's arrays of double; in rationals and 50 digits numbers travel as text. A walk lets other threads of Python run, looks
+// for an interrupt every tenth of a second, and keeps what there is.
+#include <chrono>
+
+#include "bindings.hpp"
+#include "engine/engine.hpp"
+
+namespace bindings {
+
+namespace {
+
+/// How numbers come from Python and go there.
+template <class S>
+struct crossing {
+    using given = std::vector<std::string>;
+    static engine::vector<S> vector_of(given const& digits) {
+        engine::vector<S> x(static_cast<Eigen::Index>(digits.size()));
+        for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = number(digits[k]);
+        return x;
+    }
+    static S number(std::string const& digits) {
+        if (auto const x = hilger::text::number_in<S>(digits)) return *x;
+        hilger::error::raise<hilger::error::invalid_parameter>("a number was expected, as 0.1 or 1/3, and here is '", digits, "'");
+    }
+    static py::object array(std::vector<S>&& numbers, int columns) {
+        py::list rows;
+        for (S const& x : numbers) rows.append(word(x));
+        return py::make_tuple(rows, columns);
+    }
+    static py::object word(S const& x) {
+        if constexpr (std::numeric_limits<S>::is_exact)
+            return py::str(x.str());
+        else
+            return py::str(x.str(std::numeric_limits<S>::max_digits10, std::ios::scientific));
+    }
+};
+template <>
+struct crossing<double> {
+    using given = py::array_t<double, py::array::c_style | py::array::forcecast>;
+    static engine::vector<double> vector_of(given const& x) { return Eigen::Map<engine::vector<double> const>(x.data(), x.size()); }
+    static double number(double x) { return x; }
+    /// An array that owns the numbers, not a copy of them.
+    static py::object array(std::vector<double>&& numbers, int columns) {
+        auto* const kept = new std::vector<double>(std::move(numbers));
+        py::capsule const owner(kept, [](void* p) { delete static_cast<std::vector<double>*>(p); });
+        auto const rows = static_cast<py::ssize_t>(kept->size()) / std::max(columns, 1);
+        if (columns == 0) return py::array_t<double>({rows}, kept->data(), owner);
+        return py::array_t<double>({rows, static_cast<py::ssize_t>(columns)}, kept->data(), owner);
+    }
+    static py::object word(double x) { return py::float_(x); }
+};
+
+template <class S>
+engine::initial<S> initial_of(typename crossing<S>::given const& q0, std::string const& what, typename crossing<S>::given const& other) {
+    using engine::second_datum;
+    return {crossing<S>::vector_of(q0),
+            what == "v0"   ? second_datum::velocity
+            : what == "p0" ? second_datum::momentum
+                           : second_datum::next_position,
+            crossing<S>::vector_of(other)};
+}
+
+/// (t, q, p, why it stopped, whether it was interrupted)
+template <class S>
+py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
+               typename crossing<S>::given const& other, py::object const& progress) {
+    using clock = std::chrono::steady_clock;
+    auto const from = initial_of<S>(q0, what, other);
+    int const d = static_cast<int>(from.q0.size());
+    std::vector<S> t, q, p;
+    std::string stopped;
+    bool interrupted = false;
+    std::exception_ptr unexpected;
+    {
+        py::gil_scoped_release const others_run;
+        auto last_look = clock::now();
+        try {
+            path.walk(from, [&](S const& time, engine::vector<S> const& x, engine::vector<S> const& y) {
+                t.push_back(time);
+                q.insert(q.end(), x.data(), x.data() + d);
+                p.insert(p.end(), y.data(), y.data() + d);
+                if (t.size() % 64 != 0 or clock::now() - last_look < std::chrono::milliseconds(100)) return true;
+                py::gil_scoped_acquire const here;
+                if (not progress.is_none()) progress(t.size());
+                interrupted = PyErr_CheckSignals() != 0;
+                last_look = clock::now();
+                return not interrupted;
+            });
+        } catch (hilger::error::exception const& why) {
+            stopped = why.what();
+            if (t.empty()) unexpected = std::current_exception(); // it did not begin
+        }
+    }
+    if (unexpected) std::rethrow_exception(unexpected);
+    if (interrupted) {
+        if (not PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) throw py::error_already_set();
+        PyErr_Clear();
+    }
+    return py::make_tuple(crossing<S>::array(std::move(t), 0), crossing<S>::array(std::move(q), d), crossing<S>::array(std::move(p), d),
+                          stopped, interrupted);
+}
+
+template <class S>
+void add_motion(py::module_& m, char const* name) {
+    using with = crossing<S>;
+    using given = typename with::given;
+    using number = std::conditional_t<std::is_same_v<S, double>, double, std::string>;
+    using motion = engine::motion<S>;
+    auto const state_of = [](number const& t, given const& q, given const& p) {
+        return engine::state<S>{with::number(t), with::vector_of(q), with::vector_of(p)};
+    };
+    py::class_<motion>(m, name)
+        .def(py::init(
+            [](engine::problem const& what, std::string const& method, number const& start, number const& step, hilger::index_type steps) {
+                return engine::make_motion<S>(what, method, {with::number(start), with::number(step), steps, {}});
+            }))
+        .def(py::init([](engine::problem const& what, std::string const& method, given const& points) {
+            auto const all = with::vector_of(points);
+            return engine::make_motion<S>(what, method, {S(0), S(0), all.size() - 1, std::vector<S>(all.data(), all.data() + all.size())});
+        }))
+        .def("walk", &walk<S>)
+        .def("between",
+             [](motion const& path, given const& first, given const& last) {
+                 std::vector<S> q;
+                 auto const a = with::vector_of(first), b = with::vector_of(last);
+                 {
+                     py::gil_scoped_release const others_run;
+                     for (auto const& x : path.between(a, b)) q.insert(q.end(), x.data(), x.data() + x.size());
+                 }
+                 return with::array(std::move(q), static_cast<int>(a.size()));
+             })
+        .def("residual",
+             [](motion const& path, given const& q0, std::string const& what, given const& other) {
+                 auto const from = initial_of<S>(q0, what, other);
+                 py::gil_scoped_release const others_run;
+                 S const worst = path.residual(from);
+                 py::gil_scoped_acquire const here;
+                 return with::word(worst);
+             })
+        .def("equation", &motion::equation)
+        .def("energy", [state_of](motion const& path, number const& t, given const& q,
+                                  given const& p) { return with::word(path.energy(state_of(t, q, p))); })
+        .def("between_states", [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1,
+                                          given const& q1, given const& p1, number const& t) {
+            auto const x = path.between_states(state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(t));
+            return py::make_tuple(with::array({x.q.data(), x.q.data() + x.q.size()}, 0),
+                                  with::array({x.p.data(), x.p.data() + x.p.size()}, 0));
+        });
+}
+
+} // namespace
+
+void add_motions(py::module_& m) {
+    add_motion<double>(m, "Motion");
+    add_motion<hilger::Q>(m, "ExactMotion");
+    add_motion<hilger::float50>(m, "MotionIn50Digits");
+    m.attr("methods") = engine::method_names<double>();
+    m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
+                                 crossing<double>::given const& v0, double wanted) {
+        auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
+        auto made = [&] {
+            py::gil_scoped_release const others_run;
+            return engine::solve_accurately(what, a, b, x, y, wanted);
+        }();
+        std::vector<double> q;
+        for (auto const& at : made.q) q.insert(q.end(), at.data(), at.data() + at.size());
+        int const d = static_cast<int>(x.size());
+        return py::make_tuple(crossing<double>::array(std::move(made.t), 0), crossing<double>::array(std::move(q), d),
+                              crossing<double>::array({made.end.p.data(), made.end.p.data() + d}, 0), made.method, made.error);
+    });
+}
+
+} // namespace bindings

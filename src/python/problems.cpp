@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "bindings.hpp"
+#include "engine/engine.hpp"
+#include "hilger/formula/print.hpp"
+
+namespace bindings {
+
+namespace {
+
+namespace text = hilger::text;
+
+using given_parameter = std::variant<std::string, std::vector<std::string>>;
+
+engine::problem made(text::expression const& L, std::vector<std::tuple<std::string, std::string, int>> const& coordinates,
+                     std::string const& time, std::map<std::string, given_parameter> const& parameters) {
+    std::vector<text::coordinate> all;
+    for (auto const& [q, v, size] : coordinates) all.push_back({q, v, size});
+    auto words = std::make_shared<text::vocabulary>(all, time);
+    for (auto const& [name, digits] : parameters) std::visit([&, &n = name](auto const& d) { words->set(n, d); }, digits);
+    return {text::stated_lagrangian(text::stated(L, std::move(words), "L")), {}, {}, "direct"};
+}
+std::string written(engine::problem const& of, std::vector<std::tuple<std::string, std::string, int>> const& coordinates,
+                    std::string const& time, bool latex_wanted) {
+    std::vector<hilger::symbol> q, v;
+    for (auto const& [x, y, size] : coordinates)
+        for (int k = 0; k < std::max(size, 1); ++k) {
+            q.push_back(hilger::symbol::variable(x, size == 0 ? -1 : k));
+            v.push_back(hilger::symbol::variable(y, size == 0 ? -1 : k));
+        }
+    auto const at = [](auto const& list) { return [&list](int k) { return list[static_cast<std::size_t>(k)]; }; };
+    auto const L = of.lagrangian.formula().value(hilger::symbol::variable(time), at(q), at(v));
+    std::ostringstream out;
+    if (latex_wanted)
+        out << latex(L);
+    else
+        out << L;
+    return out.str();
+}
+
+} // namespace
+
+void add_problems(py::module_& m) {
+    py::class_<engine::problem>(m, "Problem")
+        .def(py::init(&made))
+        .def("copy", [](engine::problem const& p) { return p; })
+        .def("set_force",
+             [](engine::problem& p, std::vector<text::expression> const& components) {
+                 std::vector<text::stated> all;
+                 auto const words = std::make_shared<text::vocabulary>(p.lagrangian.formula().words());
+                 for (auto const& f : components) all.emplace_back(f, words, "the force");
+                 p.force.emplace(std::move(all));
+             })
+        .def("add_damping",
+             [](engine::problem& p, double rho, double alpha) {
+                 p.damping.push_back({rho, alpha});
+             })
+        .def_readwrite("history", &engine::problem::history)
+        .def("dimension", [](engine::problem const& p) { return p.lagrangian.formula().words().dimension(); })
+        .def("written", &written);
+}
+
+} // namespace bindings

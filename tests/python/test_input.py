@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSL-1.0
+"""What is written wrongly is said in one sentence; what is clear is taken."""
+
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+import hilger as h
+
+q, v = h.variables("q v")
+L = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
+T = h.uniform(0, 0.1, 10)
+EL = h.variation(L, T)
+
+
+class Refused(unittest.TestCase):
+    def says(self, error, sentence, what):
+        with self.assertRaises(error) as caught:
+            what()
+        self.assertIn(sentence, str(caught.exception))
+
+    def test_formulas(self):
+        self.says(h.Unreadable, "L, line 1, column 9: 'k' has no meaning: there are q, t, v", lambda: h.Lagrangian("v^2/2 - k*q"))
+        self.says(h.Unreadable, "L, line 1, column 11: ')' was expected, and there is the end", lambda: h.Lagrangian("v^2/2 - (q"))
+        self.says(h.Unreadable, "'v' has no meaning: there are q, t, w", lambda: h.Lagrangian(v**2 / 2, "q", "w"))
+        self.says(TypeError, "neither true nor false; what depends on a condition is hilger.where", lambda: 1 if q < 1 else 2)
+        self.says(TypeError, "unsupported operand", lambda: q + "a")
+        self.says(TypeError, "a formula or a number was expected, and here is a str", lambda: h.sin("q"))
+        self.says(h.NotFinite, "a number in a formula is finite", lambda: q + float("inf"))
+        self.says(h.InvalidParameter, "each name has one meaning, and 'q' was given two", lambda: h.Lagrangian(v**2, q, q))
+        self.says(h.InvalidParameter, "the parameter 'k' is a number", lambda: h.Lagrangian("v^2/2 - k*q", k="heavy"))
+        self.says(h.Mismatch, "each coordinate has its velocity", lambda: h.Lagrangian(v**2, h.variables("x[2]"), v))
+        self.says(IndexError, "out of range", lambda: h.variables("x", 2)[2])
+        self.says(h.InvalidParameter, "variables are written as in 'q v'", lambda: h.variables("q; v"))
+
+    def test_problems(self):
+        self.says(h.InvalidParameter, "determine a solution, and here is q0 with nothing", lambda: h.solve(EL, q0=1.0))
+        self.says(h.InvalidParameter, "and here is q0 with v0 and p0", lambda: h.solve(EL, q0=1.0, v0=0, p0=0))
+        self.says(h.Mismatch, "q0 is one number, and here are 2", lambda: h.solve(EL, q0=[1, 2], v0=0))
+        self.says(h.NotFinite, "finite", lambda: h.solve(EL, q0=float("nan"), v0=0))
+        self.says(h.InvalidParameter, "there is no method 'gauss-3': there are order-one, ", lambda: h.gauss(3))
+        self.says(h.InvalidScale, "the step h of a time scale is positive", lambda: h.solve(h.variation(L, h.uniform(0, -1, 3)), q0=1, v0=0))
+        self.says(h.InvalidScale, "needs two points", lambda: h.TimeScale([1]))
+        self.says(h.InvalidScale, "increas", lambda: h.solve(h.variation(L, h.TimeScale([0.0, 2.0, 1.0])), q0=1, v0=0))
+        self.says(h.InvalidParameter, "numbers of one kind", lambda: h.uniform(0.5, Fraction(1, 2), 3))
+        exact = h.variation(L, h.uniform(0, Fraction(1, 2), 3))
+        self.says(h.InvalidParameter, "here is a float", lambda: h.solve(exact, q0=0.5, v0=0))
+        self.says(h.Unreadable, "cos has no exact value in rationals",
+                  lambda: h.solve(h.variation(h.Lagrangian(v**2 / 2 + h.cos(q), q, v), exact.scale), q0=1, v0=0))
+        self.says(h.Mismatch, "a force has one formula for each coordinate, and here are 2 for 1", lambda: EL + h.force(v, v))
+        self.says(TypeError, "unsupported operand", lambda: EL + 1)
+        self.says(h.InvalidParameter, "with fractional damping the method is mid-point",
+                  lambda: h.solve(h.variation(L, T, h.verlet) + h.damping(0.1, 0.5), q0=1, v0=0))
+        self.says(h.InvalidParameter, "histories are direct, blocks", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
+        self.says(h.Error, "2", lambda: h.solve(EL + h.damping(0.1, 2.5), q0=1, v0=0))
+        self.says(h.Singular, "singular", lambda: h.solve(h.variation(h.Lagrangian("q^2/2"), T), q0=1, v0=0))
+        self.says(h.OutsideDomain, "outside of the solution", lambda: h.solve(EL, q0=1, v0=0)(2.0))
+        self.says(h.InvalidParameter, "go with a Lagrangian", lambda: h.solve(EL, (0, 1), q0=1, v0=0, accuracy=1e-3))
+        self.says(h.InvalidParameter, "64 epsilon", lambda: h.solve(L, (0, 1), q0=1, v0=0, accuracy=1e-17))
+
+    def test_errors_have_the_types_that_python_has_for_them(self):
+        self.assertTrue(issubclass(h.Unreadable, ValueError))
+        self.assertTrue(issubclass(h.Unreadable, h.Error))
+        self.assertTrue(issubclass(h.StepFailure, h.Error))
+
+
+class Taken(unittest.TestCase):
+    def test_ways_to_write_a_formula(self):
+        expected = list(h.solve(EL, q0=1.0, v0=0.0).q)
+        half = Fraction(1, 2)
+        for L2 in (
+            h.Lagrangian("v^2/2 - q^2/2"),
+            h.Lagrangian("(v**2 - q**2)/2"),
+            h.Lagrangian("k*v^2 - k*q^2  # a comment", k=0.5),
+            h.Lagrangian("w[0]*v^2 - w[1]*q^2", w=[half, "1/2"]),
+            h.Lagrangian(half * v**2 - Decimal("0.5") * q**2, q, v),
+            h.Lagrangian(v**2 / 2 - h.where(q < 100, q**2 / 2, q), [q], [v]),
+            h.Lagrangian(h.read("v^2/2 - abs(q)^2/2"), "q", "v"),
+        ):
+            for a, b in zip(h.solve(h.variation(L2, T), q0=1, v0=0).q, expected):
+                self.assertAlmostEqual(a, b, delta=64 * 2.3e-16)
+
+    def test_printed(self):
+        self.assertEqual(repr(L), "L = (v² − q²)/2")
+        self.assertEqual(L._repr_latex_(), "$L = \\frac{{v}^{2} - {q}^{2}}{2}$")
+        self.assertIn("[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = 0", repr(EL))
+        self.assertIn("\\begin{aligned}", EL._repr_latex_())
+        self.assertIn("−0.2 D^0.5 q", repr(EL + h.damping(0.2, 0.5)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Solutions against what is known of them: the equation is the judge."""
+
+import signal
+import threading
+import unittest
+import warnings
+from fractions import Fraction
+
+import numpy as np
+
+import hilger as h
+
+q, v = h.variables("q v")
+pendulum = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
+oscillator = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
+every_method = [h.order_one, h.order_one_left, h.midpoint, h.verlet, h.gauss(2), h.gauss(4), h.gauss(8), h.lobatto_3, h.kahan_li_8]
+epsilon = np.finfo(float).eps
+
+
+class Exact(unittest.TestCase):
+    def test_rationals(self):
+        h_ = Fraction(1, 10)
+        x = h.solve(h.variation(oscillator, h.uniform(Fraction(0), h_, 20)), q0=1, v0=0)
+        self.assertEqual(x.residual(), 0)
+        self.assertTrue(all(H == Fraction(1, 2) for H in x.energy()))
+        # q1 of the mid-point rule by hand: (4 - h^2)/(4 + h^2)
+        self.assertEqual(x.q[1], (4 - h_**2) / (4 + h_**2))
+        self.assertIsInstance(x.p[3], Fraction)
+        self.assertEqual(x.t[20], 2)
+
+    def test_other_data(self):
+        T = h.TimeScale(["0", "1/3", "1", "7/5", "2"])
+        for method in (h.order_one, h.order_one_left, h.midpoint):
+            EL = h.variation(oscillator, T, method)
+            x = h.solve(EL, q0=Fraction(1, 2), v0=Fraction(1, 3))
+            same = (h.solve(EL, q0=x.q[0], p0=x.p[0]), h.solve(EL, q0=x.q[0], q1=x.q[1]), h.solve(EL, q0=x.q[0], qN=x.q[-1]))
+            for y in same:
+                self.assertEqual(list(y.q), list(x.q))
+                self.assertEqual(y.residual(), 0)
+
+    def test_fractions_in_formulas_are_exact(self):
+        L = h.Lagrangian(v**2 / 2 - Fraction(1, 3) * q**2, q, v)
+        x = h.solve(h.variation(L, h.uniform(Fraction(0), Fraction(1), 2), h.order_one), q0=3, v0=0)
+        self.assertEqual(x.q[1] - x.q[0], -2)  # p1 = p0 + h dL/dq(q0), q1 = q0 + h p1
+
+    def test_identities(self):
+        for T in (h.TimeScale(["0", "1/3", "1", "7/5"]), h.uniform(Fraction(1, 2), Fraction(2, 7), 5)):
+            proved = h.identities(T)
+            self.assertGreater(len(proved), 30)
+            for identity in proved:
+                self.assertTrue(identity.holds, identity.name)
+                self.assertGreater(identity.equalities, 0)
+
+
+class Double(unittest.TestCase):
+    def test_orders(self):
+        order = {"order-one": 1, "order-one-left": 1, "mid-point": 2, "verlet": 2, "gauss-2": 4, "lobatto-3": 4}
+        best = h.solve(h.variation(pendulum, h.uniform(0, 0.05, 20), h.gauss(8)), q0=1.0, v0=0.5).q[-1]
+        for method in every_method:
+            if method.name in order:
+                errors = [h.solve(h.variation(pendulum, h.uniform(0, 1 / n, n), method), q0=1.0, v0=0.5).q[-1] - best for n in (80, 160)]
+                self.assertAlmostEqual(np.log2(errors[0] / errors[1]), order[method.name], delta=0.05, msg=method.name)
+
+    def test_equations_hold(self):
+        for method in every_method:
+            x = h.solve(h.variation(pendulum, h.uniform(0, 0.125, 100), method), q0=1.0, v0=0.5)
+            self.assertEqual(len(x), 101)
+            if method.name not in ("verlet", "kahan-li-8"):
+                # values at equidistant points inside a step are known from the polynomial through them, to 2^degree roundings
+                degree = int(method.name[-1]) if method.name[-1].isdigit() else 0
+                self.assertLess(x.residual(), 2 / 0.125**2 * 64 * epsilon * 2**degree, method.name)
+            else:
+                self.assertRaisesRegex(h.InvalidParameter, "has no equation", x.residual)
+
+    def test_friction_is_damping_of_order_one(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.1, 500))
+        x = h.solve(EL + h.damping(0.2, alpha=1.0), q0=1.0, v0=0.3, history=h.direct())
+        y = h.solve(EL + h.force(-0.2 * v), q0=1.0, v0=0.3)
+        self.assertLess(np.abs(x.q - y.q).max(), 500 * 16 * epsilon)
+
+    def test_histories_agree(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.05, 1000)) + h.damping(0.2, 0.5) + h.damping(0.05, 1.25)
+        by_sum = h.solve(EL, q0=1.0, v0=0.3, history=h.direct())
+        self.assertLess(by_sum.residual(), 1e-11)
+        for history in (h.blocks(), h.exponentials()):
+            self.assertLess(np.abs(h.solve(EL, q0=1.0, v0=0.3, history=history).q - by_sum.q).max(), 1e-12)
+        self.assertLess(np.abs(h.solve(EL, q0=1.0, v0=0.3, history=h.exponentials(1e-6)).q - by_sum.q).max(), 1e-4)
+
+    def test_vectors(self):
+        x, u = h.variables("x u", 2)
+        kepler = h.Lagrangian(h.dot(u, u) / 2 + 1 / h.norm(x), x, u)
+        text = h.Lagrangian("dot(u, u)/2 + k/norm(x)", "x[2]", "u[2]", k=1)
+        two = h.Lagrangian("(a^2 + b^2)/2 + 1/hypot(x, y)", h.variables("x y"), h.variables("a b"))
+        solutions = []
+        for L in (kepler, text, two):
+            s = h.solve(h.variation(L, h.uniform(0, 0.05, 200), h.gauss(4)), q0=[0.4, 0], v0=[0, 2])
+            self.assertEqual(s.q.shape, (201, 2))
+            self.assertLess(np.abs(s.energy() + 0.5).max(), 1e-7)
+            solutions.append(s.q)
+        self.assertLess(np.abs(solutions[0] - solutions[1]).max(), 1e-12)
+        self.assertLess(np.abs(solutions[0] - solutions[2]).max(), 1e-12)
+
+    def test_between_the_points(self):
+        coarse = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 50), h.gauss(4)), q0=1.0, v0=0.5)
+        fine = h.solve(h.variation(pendulum, h.uniform(0, 0.05, 100), h.gauss(4)), q0=1.0, v0=0.5)
+        self.assertLess(np.abs(coarse(fine.t) - fine.q).max(), 1e-6)
+        self.assertEqual(coarse(0.0), 1.0)
+        self.assertEqual(coarse(coarse.t[-1]), coarse.q[-1])
+
+    def test_accuracy(self):
+        exact = h.solve(oscillator, (0, 10), q0=1.0, v0=0.0, accuracy=1e-10)
+        self.assertLess(np.abs(exact.q - np.cos(exact.t)).max(), 1e-10)
+
+    def test_many_digits(self):
+        try:
+            import mpmath
+        except ImportError:
+            self.skipTest("mpmath is not installed")
+        with mpmath.workdps(50):
+            T = h.uniform(mpmath.mpf(0), mpmath.mpf(1) / 10, 10)
+            x = h.solve(h.variation(oscillator, T), q0=1, v0=0)
+            exact = h.solve(h.variation(oscillator, h.uniform(Fraction(0), Fraction(1, 10), 10)), q0=1, v0=0).q[-1]
+            self.assertLess(abs(x.q[-1] - mpmath.mpf(exact.numerator) / exact.denominator), mpmath.mpf(10) ** -48)
+
+
+class Arrays(unittest.TestCase):
+    def test_no_copies(self):
+        x = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 1000)), q0=1.0, v0=0.0)
+        self.assertEqual(x.q.shape, (1001,))
+        for array in (x.t, x.q, x.p):
+            self.assertEqual(array.dtype, np.float64)
+            self.assertFalse(array.flags.owndata)
+        kept = x.q
+        del x
+        self.assertEqual(kept[0], 1.0)
+
+    def test_numbers_of_numpy(self):
+        EL = h.variation(h.Lagrangian(v**2 / 2 - np.float64(0.5) * q**2, q, v), h.uniform(np.float64(0), np.float32(0.125), 8))
+        self.assertEqual(h.solve(EL, q0=np.int64(1), v0=np.float32(0)).q[0], 1)
+
+
+class Pictures(unittest.TestCase):
+    def test_axes(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        x = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 100)), q0=1.0, v0=0.0)
+        self.assertEqual(list(x.plot().lines[0].get_ydata()), list(x.q))
+        self.assertEqual(x.plot_energy_error().lines[0].get_ydata()[0], 0)
+
+
+class Endings(unittest.TestCase):
+    runs_away = h.Lagrangian(v**2 / 2 + q**4, q, v)
+
+    def test_what_was_reached_is_kept(self):
+        with self.assertRaises(h.StepFailure) as caught:
+            h.solve(h.variation(self.runs_away, h.uniform(0, 0.1, 100)), q0=1.0, v0=0.0)
+        x = caught.exception.solution
+        self.assertGreater(len(x), 3)
+        self.assertIn("the step from t = ", x.stopped)
+        self.assertTrue(np.all(np.isfinite(x.q)))
+
+    def test_an_interrupt_keeps_what_there_is(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.01, 50_000_000))
+        timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
+        timer.start()
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            x = h.solve(EL, q0=1.0, v0=0.0)
+        self.assertGreater(len(x), 100)
+        self.assertLess(len(x), 50_000_000)
+        self.assertIn("interrupted", x.stopped)
+        self.assertEqual([w.category for w in said], [RuntimeWarning])
+
+    def test_progress(self):
+        seen = []
+        h.solve(h.variation(pendulum, h.uniform(0, 0.01, 2_000_000)), q0=1.0, v0=0.0, progress=seen.append)
+        self.assertGreater(len(seen), 1)
+        self.assertEqual(seen, sorted(seen))
+
+    def test_others_run_meanwhile(self):
+        done = threading.Event()
+        other = threading.Thread(target=done.set)
+        EL = h.variation(pendulum, h.uniform(0, 0.01, 1_000_000))
+        other.start()
+        h.solve(EL, q0=1.0, v0=0.0)
+        self.assertTrue(done.is_set())
+        other.join()
+
+
+if __name__ == "__main__":
+    unittest.main()
