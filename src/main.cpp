@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     scenes->add_flag("--cost", cost, "print what a step of each computes, solves and keeps");
     program::run_options run;
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
-    run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists")->required();
+    run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
     run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
     run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits");
     run_command->add_option("--steps", run.choice.steps, "number of steps");

@@ -58,7 +58,8 @@ struct scene {
 
 /// All scenes, in the order in which they are listed.
 std::vector<scene> const& all_scenes();
-/// @throws hilger::error::invalid_parameter that lists the names there are
+/// The scene of this name, or the one that a file my.toml states. @throws hilger::error::invalid_parameter that lists the names there are,
+/// hilger::error::unreadable
 scene const& scene_named(std::string const& name);
 /// What is empty in a configuration, as the scene usually has it. @throws hilger::error::invalid_parameter that says what can be chosen
 configuration completed(scene const& what, configuration choice);

@@ -2,7 +2,9 @@
 #include "scenes.hpp"
 
 #include <algorithm>
+#include <map>
 
+#include "from_file.hpp"
 #include "hilger/error.hpp"
 
 namespace program {
@@ -41,12 +43,18 @@ std::vector<scene> const& all_scenes() {
 }
 
 scene const& scene_named(std::string const& name) {
+    if (name.ends_with(".toml")) {
+        static std::map<std::string, scene> files;
+        auto const at = files.find(name);
+        return at != files.end() ? at->second : files.emplace(name, scene_from_file(name)).first->second;
+    }
     std::vector<std::string> names;
     for (auto const& s : all_scenes()) {
         if (s.name == name) return s;
         names.push_back(s.name);
     }
-    hilger::error::raise<hilger::error::invalid_parameter>("there is no scene '", name, "'; there are ", listed(names));
+    hilger::error::raise<hilger::error::invalid_parameter>("there is no scene '", name, "'; there are ", listed(names),
+                                                           ", and files as my.toml");
 }
 
 configuration completed(scene const& what, configuration c) {

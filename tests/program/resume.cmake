@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
 # cmake -D hilger=<program> -D scene=<name> -D options=<list> -D out=<directory> -P resume.cmake
 # A run that is stopped again and again, and continued, writes byte for byte what one that is not writes.
+cmake_minimum_required(VERSION 3.22)
+cmake_path(GET scene STEM name) # of a file
 file(REMOVE_RECURSE ${out})
 execute_process(COMMAND ${hilger} run ${scene} ${options} --out ${out}/whole RESULT_VARIABLE result OUTPUT_VARIABLE said)
 if(NOT result EQUAL 0)
@@ -21,10 +23,10 @@ endforeach()
 if(stopped LESS 3)
   message(FATAL_ERROR "the run of ${scene} was interrupted ${stopped} times only, and nothing is seen from that")
 endif()
-execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${out}/whole/${scene}.csv ${out}/parts/${scene}.csv RESULT_VARIABLE result)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${out}/whole/${name}.csv ${out}/parts/${name}.csv RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "a run of ${scene} that was interrupted ${stopped} times has other rows than one that was not")
 endif()
-if(EXISTS ${out}/parts/${scene}.checkpoint)
+if(EXISTS ${out}/parts/${name}.checkpoint)
   message(FATAL_ERROR "a run that has ended leaves no checkpoint")
 endif()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The value of a formula in any number type: numbers, what writes down the operations (differentiation/traced.hpp), and symbols, which
+// How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced.hpp), and symbols, which
 // print it and make C of it.
 #pragma once
 
@@ -8,36 +8,14 @@
 
 #include "hilger/scalar.hpp"
 #include "hilger/text/functions.hpp"
-#include "hilger/text/vocabulary.hpp"
+#include "hilger/text/whole.hpp"
 
 namespace hilger::text {
-
-/// A formula and what its names stand for. Copies share both.
-class stated {
-public:
-    /// @throws error::unreadable with the place of a name that nothing is known of, of a vector without an index, an index outside of its
-    ///         vector, a function with a wrong number of arguments
-    stated(expression what, std::shared_ptr<vocabulary const> words, std::string source);
-
-    /// The value at (t, q, v), states given by component: q(k) is component k.
-    template <class T, class Q, class V>
-    T value(T const& t, Q const& q, V const& v) const;
-    [[nodiscard]] vocabulary const& words() const { return *words_; }
-    [[nodiscard]] expression const& formula() const { return what_; }
-    /// Whether one of the names in it stands for the time, or for velocities.
-    [[nodiscard]] bool reads(meaning::role role) const;
-    [[nodiscard]] std::string const& source() const { return source_; }
-
-private:
-    expression what_;
-    std::shared_ptr<vocabulary const> words_;
-    std::string source_;
-};
 
 namespace detail {
 
 /// No sum of a formula anybody means has more terms.
-inline constexpr long long most_terms = 20'000'000;
+inline constexpr long long most_terms = 2'000'000;
 
 template <class T, class Q, class V>
 class evaluator {
@@ -45,8 +23,8 @@ class evaluator {
 
 public:
     /// `everywhere`: both parts of choices that depend on the state are evaluated, to see whether they have a meaning.
-    evaluator(stated const& of, T const& t, Q const& q, V const& v, bool everywhere = false)
-        : of_(of), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
+    evaluator(vocabulary const& words, std::string const& source, T const& t, Q const& q, V const& v, bool everywhere = false)
+        : words_(words), source_(source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
 
     T value(node const& n) {
         if (not is_arithmetic(n.what)) return value_of_other(n);
@@ -63,9 +41,12 @@ public:
             T const y = value(*here.parts[1]);
             x = here.what == kind::plus ? T(x + y) : here.what == kind::minus ? T(x - y) : here.what == kind::times ? T(x * y) : T(x / y);
             keep(here, x);
+            ++operations_;
         }
         return x;
     }
+    /// How many there were so far.
+    [[nodiscard]] long long operations() const { return operations_; }
 
 private:
     /// What was computed outside of all sums holds everywhere: shared parts are computed once.
@@ -81,6 +62,7 @@ private:
         return x;
     }
     T computed(node const& n) {
+        ++operations_;
         switch (n.what) {
         case kind::number:
             return constant(n, n.name);
@@ -91,8 +73,7 @@ private:
         case kind::negative:
             return T(-value(*n.parts[0]));
         case kind::power:
-            if (auto const exponent = whole_constant(*n.parts[1])) return whole_power(value(*n.parts[0]), *exponent);
-            return power(n, value(*n.parts[0]), value(*n.parts[1]));
+            return power(n);
         case kind::choice:
             return choice(n);
         case kind::sum:
@@ -105,7 +86,7 @@ private:
     }
     T named(node const& n) {
         if (auto const at = indices_.find(n.name); at != indices_.end()) return T(S(at->second));
-        if (meaning const* m = of_.words().find(n.name)) {
+        if (meaning const* m = words_.find(n.name)) {
             if (m->size > 0)
                 refuse(n, "'" + n.name + "' has " + std::to_string(m->size) + " components: " + n.name + "[0], dot(" + n.name + ", " +
                               n.name + "), norm(" + n.name + ")");
@@ -122,7 +103,7 @@ private:
         refuse_name(n);
     }
     meaning const& meaning_of(node const& n) {
-        meaning const* const m = of_.words().find(n.name);
+        meaning const* const m = words_.find(n.name);
         if (m == nullptr) refuse_name(n);
         if (m->size == 0) refuse(n, "'" + n.name + "' is a number, and has no components");
         return *m;
@@ -140,7 +121,7 @@ private:
         case meaning::role::velocity:
             return T(v_(at));
         default:
-            return constant(n, of_.words().digits(at));
+            return constant(n, words_.digits(at));
         }
     }
     T constant(node const& n, std::string const& digits) {
@@ -150,7 +131,7 @@ private:
     }
     T sum(node const& n) {
         long long const first = whole(*n.parts[0]), last = whole(*n.parts[1]);
-        if (of_.words().find(n.name) != nullptr or indices_.contains(n.name))
+        if (words_.find(n.name) != nullptr or indices_.contains(n.name))
             refuse(n, "the index of a sum has a name of its own, and '" + n.name + "' is another thing already");
         T total(0);
         bool begun = false;
@@ -171,8 +152,9 @@ private:
     }
     /// Whether a condition compares whole numbers that the state has no part in, as i == 0 in a sum.
     bool is_of_indices(node const& n) {
-        return std::all_of(n.parts.begin(), n.parts.end(),
-                           [&](auto const& part) { return is_condition(part->what) ? is_of_indices(*part) : bool(whole_constant(*part)); });
+        return std::all_of(n.parts.begin(), n.parts.end(), [&](auto const& part) {
+            return is_condition(part->what) ? is_of_indices(*part) : bool(whole_constant(*part, words_, indices_));
+        });
     }
     bool holds(node const& n) {
         switch (n.what) {
@@ -224,25 +206,31 @@ private:
         }
         if (n.name == "pow") {
             needs(2);
-            if (auto const exponent = whole_constant(*n.parts[1])) return whole_power(value(*n.parts[0]), *exponent);
-            return power(n, value(*n.parts[0]), value(*n.parts[1]));
+            return power(n);
         }
         if (n.name == "atan2" or n.name == "hypot") {
             needs(2);
             return elementary(n, n.name, value(*n.parts[0]), value(*n.parts[1]));
         }
         if (not is_function_of_one(n.name))
-            refuse(n, of_.words().find(n.name) != nullptr or indices_.contains(n.name)
+            refuse(n, words_.find(n.name) != nullptr or indices_.contains(n.name)
                           ? "'" + n.name + "' is no function: a product is written with *, as 2*q, and a component with q[0]"
                           : "there is no function '" + n.name + "': there are " + names_of_functions());
         needs(1);
         return elementary(n, n.name, value(*n.parts[0]));
     }
-    T power(node const& n, T const& x, T const& y) {
-        if constexpr (std::numeric_limits<S>::is_exact)
+    T power(node const& n) {
+        constexpr bool exact = std::numeric_limits<S>::is_exact;
+        if (auto const exponent = whole_constant(*n.parts[1], words_, indices_)) {
+            constexpr long long most = 1000; // or the digits of one number could fill the memory
+            if (exact and (*exponent < -most or most < *exponent))
+                refuse(n, "in rationals exponents are at most " + std::to_string(most) + ", and here is " + std::to_string(*exponent));
+            return whole_power(value(*n.parts[0]), *exponent);
+        }
+        if constexpr (exact)
             refuse(n, "in rationals exponents are whole numbers");
         else
-            return text::power(x, y);
+            return text::power(value(*n.parts[0]), value(*n.parts[1]));
     }
     template <class... X>
     T elementary(node const& n, std::string const& name, X const&... x) {
@@ -252,95 +240,28 @@ private:
             return text::elementary(name, x...);
     }
 
-    /// A whole number that does not depend on the state, where n is one: digits, indices, parameters and what is made of them.
-    std::optional<long long> whole_constant(node const& n) {
-        if (n.what == kind::number) return whole_in(n.name);
-        if (n.what == kind::name or n.what == kind::element) {
-            if (auto const at = indices_.find(n.name); at != indices_.end()) return at->second;
-            meaning const* const m = of_.words().find(n.name);
-            if (m == nullptr or m->is != meaning::role::parameter or (m->size == 0) != (n.what == kind::name)) return {};
-            auto const k = n.what == kind::name ? 0 : whole_constant(*n.parts[0]);
-            if (not k or *k < 0 or (m->size > 0 and *k >= m->size)) return {};
-            return whole_in(of_.words().digits(m->first + static_cast<int>(*k)));
-        }
-        if (n.what == kind::negative) {
-            auto const x = whole_constant(*n.parts[0]);
-            return x ? std::optional(-*x) : x;
-        }
-        if (not is_arithmetic(n.what) and n.what != kind::power) return {};
-        auto const x = whole_constant(*n.parts[0]), y = whole_constant(*n.parts[1]);
-        if (not x or not y) return {};
-        switch (n.what) {
-        case kind::power: {
-            if (*y < 0 or *y > 30) return {};
-            std::optional<long long> z = 1;
-            for (long long k = 0; k < *y and z; ++k) z = in_range(*z * *x);
-            return z;
-        }
-        case kind::plus:
-            return in_range(*x + *y);
-        case kind::minus:
-            return in_range(*x - *y);
-        case kind::times:
-            return in_range(*x * *y);
-        default:
-            return *y == 0 or *x % *y != 0 ? std::nullopt : std::optional(*x / *y);
-        }
-    }
-    static std::optional<long long> in_range(long long x) {
-        constexpr long long most = 1'000'000'000; // products of two stay in range
-        return x < -most or most < x ? std::nullopt : std::optional(x);
-    }
-    static std::optional<long long> whole_in(std::string const& digits) {
-        auto const x = number_in<double>(digits);
-        return x and *x == std::floor(*x) and std::abs(*x) < 1e9 ? in_range(static_cast<long long>(*x)) : std::nullopt;
-    }
     long long whole(node const& n) {
-        auto const x = whole_constant(n);
+        auto const x = whole_constant(n, words_, indices_);
         if (not x) refuse(n, "indices are whole numbers made of numbers, parameters and indices of sums, and here is none");
         return *x;
     }
-    [[noreturn]] void refuse_name(node const& n) { refuse(n, "'" + n.name + "' has no meaning: there are " + of_.words().known()); }
+    [[noreturn]] void refuse_name(node const& n) { refuse(n, "'" + n.name + "' has no meaning: there are " + words_.known()); }
     [[noreturn]] void refuse(node const& n, std::string const& why) {
-        if (n.at.line == 0) error::raise<error::unreadable>(of_.source(), ": ", why);
-        error::raise<error::unreadable>(of_.source(), ", line ", n.at.line, ", column ", n.at.column, ": ", why);
+        if (n.at.line == 0) error::raise<error::unreadable>(source_, ": ", why);
+        error::raise<error::unreadable>(source_, ", line ", n.at.line, ", column ", n.at.column, ": ", why);
     }
 
-    stated const& of_;
+    vocabulary const& words_;
+    std::string const& source_;
     T const& t_;
     Q const& q_;
     V const& v_;
     std::unordered_map<node const*, T> values_;
-    std::map<std::string, long long> indices_;
+    indices indices_;
     bool everywhere_;
-    long long terms_ = 0;
+    long long terms_ = 0, operations_ = 0;
 };
 
 } // namespace detail
-
-template <class T, class Q, class V>
-T stated::value(T const& t, Q const& q, V const& v) const {
-    return detail::evaluator<T, Q, V>(*this, t, q, v).value(what_.root());
-}
-
-inline stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)
-    : what_(std::move(what)), words_(std::move(words)), source_(std::move(source)) {
-    double const time = 1;
-    auto const one = [](int) { return 1.0; };
-    detail::evaluator(*this, time, one, one, true).value(what_.root());
-}
-inline bool stated::reads(meaning::role role) const {
-    std::vector<node const*> open{&what_.root()};
-    std::unordered_map<node const*, bool> seen;
-    while (not open.empty()) {
-        node const& n = *open.back();
-        open.pop_back();
-        if (not seen.emplace(&n, true).second) continue;
-        if (n.what == kind::name or n.what == kind::element)
-            if (meaning const* m = words_->find(n.name); m != nullptr and m->is == role) return true;
-        for (auto const& part : n.parts) open.push_back(part.get());
-    }
-    return false;
-}
 
 } // namespace hilger::text

@@ -5,8 +5,8 @@
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
 #pragma once
 
-#include "hilger/text/evaluate.hpp"
 #include "hilger/text/read.hpp"
+#include "hilger/text/stated.hpp"
 
 namespace hilger::text {
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/engine.hpp"
+#include "scene.hpp"
+
+namespace program {
+
+/// A problem in text with its data, digits in the place of numbers.
+struct stated_problem {
+    engine::problem of;
+    std::vector<std::string> q, v; ///< initial, one for each coordinate
+    std::string start, end;        ///< of T
+    /// Whether the energy is constant.
+    [[nodiscard]] bool conserves_energy() const {
+        return not of.force and of.damping.empty() and not of.lagrangian.formula().reads(hilger::text::meaning::role::time);
+    }
+};
+
+/// The scene that a file in TOML states; its name is that of the file.
+/// @throws hilger::error::unreadable with file, line and column, what stands there and what is accepted
+scene scene_from_file(std::string const& path);
+/// The same of what stands in a file of this name.
+scene scene_from_text(std::string_view content, std::string const& path);
+/// The methods that a stated problem can be run with, and its way along T.
+std::vector<std::string> embeddings_of(stated_problem const& what);
+std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
+
+} // namespace program

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSL-1.0
+// Systems in text, along the trajectories that all others have.
+#include "from_file.hpp"
+#include "histories.hpp"
+#include "path_walk.hpp"
+
+namespace program {
+
+namespace {
+
+using vector = Eigen::VectorXd;
+using forced = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
+
+vector numbers_of(std::vector<std::string> const& digits) {
+    vector x(static_cast<Eigen::Index>(digits.size()));
+    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
+    return x;
+}
+/// Where the energy is constant, how far it is from what it was.
+struct observed {
+    hilger::text::stated_lagrangian L;
+    bool energy;
+    template <class State>
+    std::vector<double> operator()(State const& x) const {
+        if (not energy) return {};
+        return {hilger::energy(L)(x)};
+    }
+};
+/// What is damped or driven may be both.
+forced with_any_force(stated_problem const& what) {
+    if (what.of.force) return {what.of.lagrangian, *what.of.force};
+    auto const words = std::make_shared<hilger::text::vocabulary>(what.of.lagrangian.formula().words());
+    std::vector<hilger::text::stated> const none(what.q.size(), hilger::text::stated(hilger::text::expression(), words, "the force"));
+    return {what.of.lagrangian, hilger::text::stated_force(none)};
+}
+
+} // namespace
+
+std::vector<std::string> embeddings_of(stated_problem const& what) {
+    if (not what.of.damping.empty()) return {"mid-point"};
+    if (what.of.force) return {"order-one", "mid-point", "gauss-4"};
+    return {"order-one", "mid-point", "verlet", "gauss-4", "gauss-8"};
+}
+
+std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
+    auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
+    auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, c.steps);
+    std::unique_ptr<walk> made;
+    auto const along = [&](auto const& flow) {
+        hilger::initial_velocity<vector> const from{numbers_of(what.q), numbers_of(what.v)};
+        made = walk_along(flow.along(T, from), observed{what.of.lagrangian, what.conserves_energy()});
+    };
+    std::vector<hilger::fractional_term<double>> terms;
+    for (auto const& [rho, alpha] : what.of.damping) terms.push_back({rho, alpha});
+    if (not terms.empty())
+        with_history(c.history, c.steps, [&]<class Policy>(Policy const& policy) {
+            if constexpr (not std::same_as<Policy, hilger::window>)
+                along(hilger::embed(hilger::with_fractional_damping(with_any_force(what), terms, policy), hilger::mid_point));
+        });
+    else if (what.of.force) {
+        forced const mechanics{what.of.lagrangian, *what.of.force};
+        if (c.embedding == "order-one") along(hilger::embed(mechanics, hilger::order_one));
+        if (c.embedding == "mid-point") along(hilger::embed(mechanics, hilger::mid_point));
+        if (c.embedding == "gauss-4") along(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
+    } else {
+        auto const& L = what.of.lagrangian;
+        if (c.embedding == "order-one") along(hilger::embed(L, hilger::order_one));
+        if (c.embedding == "mid-point") along(hilger::embed(L, hilger::mid_point));
+        if (c.embedding == "verlet") along(hilger::stoermer_verlet(L));
+        if (c.embedding == "gauss-4") along(hilger::embed(L, hilger::galerkin<4, hilger::gauss>));
+        if (c.embedding == "gauss-8") along(hilger::embed(L, hilger::galerkin<8, hilger::gauss>));
+    }
+    return made;
+}
+
+} // namespace program
