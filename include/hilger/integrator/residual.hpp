@@ -41,19 +41,23 @@ auto positions_along(Path const& path) {
 
 } // namespace detail
 
-/// The largest component of the residual of the equation that the method of `path` was derived from, at the positions along it, forces
-/// included. Terms of the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of
-/// this size it is along a solution. For flows under embeddings by operators; a composition, and a step with positions inside, have
-/// equations in positions that a trajectory does not have. @throws as walking does
-template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Scale, class V>
-auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W, Checked>, Sums>, Scale, V> const& path) {
-    auto const q = detail::positions_along(path);
-    auto const equation = equation_of(path.method(), q.root());
-    auto const& force = path.method().mechanics().force;
+/// The largest component of the residual of the equation that a flow was derived from, at positions q in C(T), forces included. Terms of
+/// the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of this size it is along
+/// a solution. For flows under embeddings by operators; a composition, and a step with positions inside, have equations in positions that a
+/// trajectory does not have. @throws error::singular, newton_failure where there are points inside the steps and no solution for them
+template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, discrete_function X>
+auto largest_residual(flow<F, Force, embedding<A, B, W, Checked>, Sums> const& method, X const& q) {
+    auto const equation = equation_of(method, q.root());
+    auto const& force = method.mechanics().force;
     if constexpr (std::same_as<typename A::from, nodes>)
         return largest_residual(equation, q, force);
     else
         return largest_residual(equation, with_inner_points(equation, q, force), force);
+}
+/// The same along a trajectory. @throws as walking does
+template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Scale, class V>
+auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W, Checked>, Sums>, Scale, V> const& path) {
+    return largest_residual(path.method(), detail::positions_along(path));
 }
 
 } // namespace hilger
