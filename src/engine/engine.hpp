@@ -65,8 +65,9 @@ public:
                       std::function<bool(S const& t, vector<S> const& q, vector<S> const& p)> const& keep) const = 0;
     /// The positions that join two ends. @throws hilger::error::invalid_parameter where the method has no equation in positions, or forces
     [[nodiscard]] virtual std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const = 0;
-    /// What the positions leave of the equation that the method comes from. @throws hilger::error::invalid_parameter where it has none
-    [[nodiscard]] virtual S residual(initial<S> const& from) const = 0;
+    /// What the positions at the points of T leave of the equation that the method comes from; with a memory, what those that `from` leads
+    /// to leave of it. @throws hilger::error::invalid_parameter where it has none
+    [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const = 0;
     /// The discrete Euler-Lagrange equation and Hamiltonian system, or what the method is called.
     [[nodiscard]] virtual std::string equation(bool latex) const = 0;
     /// H(p, q) = p v - L at a state.

@@ -49,8 +49,10 @@ public:
         } else
             refuse("is solved from initial values: what joins two ends is found for embeddings, without forces and damping");
     }
-    [[nodiscard]] S residual(initial<S> const& from) const override {
-        if constexpr (requires(Flow const& f, Scale const& T, vector<S> const& q) { largest_residual(f.along(T, q, q)); }) {
+    [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const override {
+        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
+            return largest_residual(flow_, hilger::function_on(T_, positions));
+        else if constexpr (has_memory<Flow>) {
             S worst(0);
             along(from, [&](auto const& path) { worst = largest_residual(path); });
             return worst;

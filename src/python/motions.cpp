@@ -2,9 +2,11 @@
 // Motions in numpy's arrays of double; in rationals and 50 digits numbers travel as text. A walk lets other threads of Python run, looks
 // for an interrupt every tenth of a second, and keeps what there is.
 #include <chrono>
+#include <future>
 
 #include "bindings.hpp"
 #include "engine/engine.hpp"
+#include "engine/ensemble.hpp"
 
 namespace bindings {
 
@@ -131,10 +133,12 @@ void add_motion(py::module_& m, char const* name) {
                  return with::array(std::move(q), static_cast<int>(a.size()));
              })
         .def("residual",
-             [](motion const& path, given const& q0, std::string const& what, given const& other) {
+             [](motion const& path, given const& q0, std::string const& what, given const& other, std::vector<given> const& positions) {
                  auto const from = initial_of<S>(q0, what, other);
+                 std::vector<engine::vector<S>> all;
+                 for (given const& q : positions) all.push_back(with::vector_of(q));
                  py::gil_scoped_release const others_run;
-                 S const worst = path.residual(from);
+                 S const worst = path.residual(from, all);
                  py::gil_scoped_acquire const here;
                  return with::word(worst);
              })
@@ -149,12 +153,46 @@ void add_motion(py::module_& m, char const* name) {
         });
 }
 
+/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension.
+py::tuple walk_all(engine::motion<double> const& path, hilger::index_type steps, py::array_t<double, py::array::c_style> const& q0,
+                   std::string const& what, py::array_t<double, py::array::c_style> const& other, hilger::index_type stride, int threads,
+                   py::object const& progress) {
+    std::vector<engine::initial<double>> from;
+    auto const d = q0.shape(1);
+    for (py::ssize_t k = 0; k < q0.shape(0); ++k)
+        from.push_back(initial_of<double>(py::array_t<double>(d, q0.data(k, 0)), what, py::array_t<double>(d, other.data(k, 0))));
+    std::atomic<bool> stop = false;
+    std::atomic<hilger::index_type> done = 0;
+    auto running = std::async(std::launch::async, [&] { return engine::walk_all(path, steps, from, stride, threads, stop, done); });
+    bool raised = false;
+    for (;;) {
+        {
+            py::gil_scoped_release const others_run;
+            if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
+        }
+        if (raised) continue;
+        if (not progress.is_none()) progress(done.load());
+        raised = PyErr_CheckSignals() != 0;
+        if (raised) stop = true;
+    }
+    auto made = running.get();
+    if (raised) {
+        if (not PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) throw py::error_already_set();
+        PyErr_Clear();
+    }
+    auto const cube = [&](std::vector<double>&& numbers) {
+        return crossing<double>::array(std::move(numbers), 0).attr("reshape")(made.members, made.points, made.dimension);
+    };
+    return py::make_tuple(crossing<double>::array(std::move(made.t), 0), cube(std::move(made.q)), cube(std::move(made.p)), made.failures);
+}
+
 } // namespace
 
 void add_motions(py::module_& m) {
     add_motion<double>(m, "Motion");
     add_motion<hilger::Q>(m, "ExactMotion");
     add_motion<hilger::float50>(m, "MotionIn50Digits");
+    m.def("walk_all", &walk_all);
     m.attr("methods") = engine::method_names<double>();
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
                                  crossing<double>::given const& v0, double wanted) {

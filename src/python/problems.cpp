@@ -21,6 +21,9 @@ engine::problem made(text::expression const& L, std::vector<std::tuple<std::stri
 }
 std::string written(engine::problem const& of, std::vector<std::tuple<std::string, std::string, int>> const& coordinates,
                     std::string const& time, bool latex_wanted) {
+    constexpr long long page = 2000;
+    if (auto const n = of.lagrangian.formula().operations(); n > page)
+        return (latex_wanted ? "\\text{a formula of " : "a formula of ") + std::to_string(n) + " operations" + (latex_wanted ? "}" : "");
     std::vector<hilger::symbol> q, v;
     for (auto const& [x, y, size] : coordinates)
         for (int k = 0; k < std::max(size, 1); ++k) {

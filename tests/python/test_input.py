@@ -80,6 +80,11 @@ class Taken(unittest.TestCase):
             for a, b in zip(h.solve(h.variation(L2, T), q0=1, v0=0).q, expected):
                 self.assertAlmostEqual(a, b, delta=64 * 2.3e-16)
 
+    def test_long_formulas(self):
+        chain = sum((q - k) ** 2 for k in range(5000))
+        self.assertRegex(repr(h.Lagrangian(v**2 / 2 - chain, q, v)), "L = a formula of [0-9]+ operations")
+        self.assertRegex(repr(h.Lagrangian("v^2/2 - sum(i, 1, 100000, (q - i)^2)")), "L = a formula of [0-9]+ operations")
+
     def test_printed(self):
         self.assertEqual(repr(L), "L = (v² − q²)/2")
         self.assertEqual(L._repr_latex_(), "$L = \\frac{{v}^{2} - {q}^{2}}{2}$")

@@ -108,6 +108,15 @@ class Double(unittest.TestCase):
         self.assertEqual(coarse(0.0), 1.0)
         self.assertEqual(coarse(coarse.t[-1]), coarse.q[-1])
 
+    def test_what_joins_two_ends_has_no_momenta(self):
+        x = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 10)), q0=0.0, qN=0.5)
+        self.assertIsNone(x.p)
+        self.assertRaisesRegex(h.InvalidParameter, "positions alone", x.energy)
+        self.assertRaisesRegex(h.InvalidParameter, "positions alone", lambda: x(0.5))
+        self.assertLess(x.residual(), 1e-11)
+        x.q[5] += 1e-3
+        self.assertGreater(x.residual(), 1e-3)  # of the positions that there are
+
     def test_accuracy(self):
         exact = h.solve(oscillator, (0, 10), q0=1.0, v0=0.0, accuracy=1e-10)
         self.assertLess(np.abs(exact.q - np.cos(exact.t)).max(), 1e-10)
@@ -160,6 +169,8 @@ class Endings(unittest.TestCase):
         x = caught.exception.solution
         self.assertGreater(len(x), 3)
         self.assertIn("the step from t = ", x.stopped)
+        self.assertRaisesRegex(h.InvalidParameter, "this one stopped", x.residual)
+        self.assertEqual(x(x.t[-1]), x.q[-1])
         self.assertTrue(np.all(np.isfinite(x.q)))
 
     def test_an_interrupt_keeps_what_there_is(self):

@@ -25,6 +25,7 @@ from ._core import (
     Unreadable,
     where,
 )
+from .ensemble import Ensemble, solve_many
 from .equations import (
     Damping,
     Equation,

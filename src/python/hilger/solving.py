@@ -58,8 +58,8 @@ def _numbers(kind: str, made: object) -> np.ndarray:
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
-    `x(t)` is the state between the points, of order 4 in the step; `x.residual()` what the positions leave of their equation;
-    `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did.
+    `x(t)` is q between the points, of order 4 in the step; `x.residual()` what the positions leave of their equation; `x.energy()` H at
+    the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends has positions alone, and p is None.
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
@@ -80,6 +80,11 @@ class Solution:
         end = f", stopped: {self.stopped}" if self.stopped else ""
         return f"<{self.equation.method.name}, {len(self)} points from t = {self.t[0]} to {self.t[-1]}{end}>"
 
+    def _momenta(self):
+        if self.p is None:
+            raise _core.InvalidParameter("what joins two ends has positions alone; solve again from q0 and q1 for momenta")
+        return self.p
+
     def _row(self, x: np.ndarray, i: int):
         return np.atleast_1d(x[i]) if self.t.dtype != object else [digits(y) for y in np.atleast_1d(x[i])]
 
@@ -90,24 +95,30 @@ class Solution:
         """q at t, a number or an array of them. @raises OutsideDomain"""
         if np.ndim(t) > 0:
             return np.array([self(s) for s in t])
+        p = self._momenta()
         if not self.t[0] <= t <= self.t[-1]:
             raise _core.OutsideDomain(f"t = {t} is outside of the solution, which goes from {self.t[0]} to {self.t[-1]}")
+        if len(self) == 1:
+            return self.q[0]
         i = min(max(int(np.searchsorted(self.t, t, side="right")) - 1, 0), len(self) - 2)
-        between = self._motion.between_states
         row, time = self._row, self._time
-        q, _ = between(time(self.t[i]), row(self.q, i), row(self.p, i), time(self.t[i + 1]), row(self.q, i + 1), row(self.p, i + 1), time(t))
+        ends = (z for j in (i, i + 1) for z in (time(self.t[j]), row(self.q, j), row(p, j)))
+        q, _ = self._motion.between_states(*ends, time(t))
         kind = self.equation.scale.kind()
         q = _numbers(kind, q)
         return q[0] if self.q.ndim == 1 else q
 
     def residual(self):
         """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding."""
-        return _one(self.equation.scale.kind(), self._motion.residual(*self._start))
+        if self.stopped:
+            raise _core.InvalidParameter(f"the residual is that of a whole solution, and this one stopped: {self.stopped}")
+        positions = [self._row(self.q, i) for i in range(len(self))]
+        return _one(self.equation.scale.kind(), self._motion.residual(*self._start, positions))
 
     def energy(self) -> np.ndarray:
         """H = p v - L at each point."""
-        row, kind = self._row, self.equation.scale.kind()
-        return np.array([_one(kind, self._motion.energy(self._time(t), row(self.q, i), row(self.p, i))) for i, t in enumerate(self.t)])
+        row, kind, p = self._row, self.equation.scale.kind(), self._momenta()
+        return np.array([_one(kind, self._motion.energy(self._time(t), row(self.q, i), row(p, i))) for i, t in enumerate(self.t)])
 
     def plot(self, ax=None, **style):
         """Positions over time, by matplotlib. Returns the axes."""
@@ -208,8 +219,7 @@ def solve(
         else:
             points = [float(x) if kind == "double" else Fraction(x) if kind == "exact" else x for x in T.points]
         t = np.array(points, dtype=None if kind == "double" else object)
-        second = q[1] if np.ndim(q[1]) == 0 else q[1]
-        return Solution(equation, (start[0], "q1", _state(kind, second, scalar, "q1")), history, t, q, None, None)
+        return Solution(equation, (start[0], "q1", _state(kind, q[1], scalar, "q1")), history, t, q, None, None)
     bar = _bar(progress, equation)
     try:
         t, q, p, stopped, interrupted = motion.walk(*start, bar)
