@@ -16,7 +16,8 @@ template <class S>
 
 template <>
 std::vector<std::string> method_names<double>() {
-    return {"order-one", "order-one-left", "mid-point", "verlet", "gauss-2", "gauss-4", "gauss-8", "lobatto-3", "kahan-li-8"};
+    return {"order-one", "order-one-left", "mid-point",  "verlet",    "gauss-2",       "gauss-4",
+            "gauss-8",   "lobatto-3",      "kahan-li-8", "theta:0.3", "two-sided:0.75"};
 }
 
 template <>
@@ -27,7 +28,9 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;
     if (auto made = embedded_with_inner_points(what, method, T)) return made;
+    if (auto made = embedded_at_lambda(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
+    if (auto made = between_two_ends(what, method, T)) return made;
     refuse<double>(method, "");
 }
 

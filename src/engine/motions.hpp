@@ -134,6 +134,8 @@ auto with_mechanics(problem const& what, Use const& use) {
 using made = std::unique_ptr<motion<double>>;
 made embedded_in_one_step(problem const& what, std::string const& method, points<double> const& T);
 made embedded_with_inner_points(problem const& what, std::string const& method, points<double> const& T);
+made embedded_at_lambda(problem const& what, std::string const& method, points<double> const& T);
+made between_two_ends(problem const& what, std::string const& method, points<double> const& T);
 made composed(problem const& what, std::string const& method, points<double> const& T);
 made damped(problem const& what, std::string const& method, points<double> const& T);
 

@@ -14,7 +14,7 @@ import hilger as h
 q, v = h.variables("q v")
 pendulum = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
 oscillator = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
-every_method = [h.order_one, h.order_one_left, h.midpoint, h.verlet, h.gauss(2), h.gauss(4), h.gauss(8), h.lobatto_3, h.kahan_li_8]
+every_method = [h.order_one, h.order_one_left, h.midpoint, h.theta(0.3), h.theta(Fraction(2, 3)), h.verlet, h.gauss(2), h.gauss(4), h.gauss(8), h.lobatto_3, h.kahan_li_8]
 epsilon = np.finfo(float).eps
 
 
@@ -55,7 +55,7 @@ class Exact(unittest.TestCase):
 
 class Double(unittest.TestCase):
     def test_orders(self):
-        order = {"order-one": 1, "order-one-left": 1, "mid-point": 2, "verlet": 2, "gauss-2": 4, "lobatto-3": 4}
+        order = {"theta:0.3": 1, "theta:2/3": 1, "order-one": 1, "order-one-left": 1, "mid-point": 2, "verlet": 2, "gauss-2": 4, "lobatto-3": 4}
         best = h.solve(h.variation(pendulum, h.uniform(0, 0.05, 20), h.gauss(8)), q0=1.0, v0=0.5).q[-1]
         for method in every_method:
             if method.name in order:
@@ -68,10 +68,28 @@ class Double(unittest.TestCase):
             self.assertEqual(len(x), 101)
             if method.name not in ("verlet", "kahan-li-8"):
                 # values at equidistant points inside a step are known from the polynomial through them, to 2^degree roundings
-                degree = int(method.name[-1]) if method.name[-1].isdigit() else 0
+                degree = int(method.name[-1]) if method.name.startswith(("gauss", "lobatto")) else 0
                 self.assertLess(x.residual(), 2 / 0.125**2 * 64 * epsilon * 2**degree, method.name)
             else:
                 self.assertRaisesRegex(h.InvalidParameter, "has no equation", x.residual)
+
+    def test_theta_one_half_is_the_mid_point(self):
+        T = h.uniform(0, 0.125, 50)
+        x, y = (h.solve(h.variation(pendulum, T, method), q0=1.0, v0=0.5) for method in (h.midpoint, h.theta(0.5)))
+        self.assertEqual(list(x.q), list(y.q))
+
+    def test_two_sided(self):
+        T = h.uniform(0, 1 / 64, 64)
+        EL = h.variation(h.Lagrangian("v^2/2 - q"), T, h.two_sided(0.75))
+        x = h.solve(EL, q0=0.0, qN=1.0)
+        self.assertEqual((x.q[0], x.q[-1]), (0, 1))
+        self.assertLess(x.residual(), 1e-11)
+        self.assertIn("Δ₊^(0.75)[∂L/∂v(⋆)]", repr(EL))
+        self.assertRaisesRegex(h.InvalidParameter, "looks to both ends", lambda: h.solve(EL, q0=0.0, v0=1.0))
+        # of order 1 it is the equation of order one
+        same = h.variation(h.Lagrangian("v^2/2 - q"), T, h.two_sided(1)), h.variation(h.Lagrangian("v^2/2 - q"), T, h.order_one_left)
+        a, b = (h.solve(how, q0=0.0, qN=1.0).q for how in same)
+        self.assertLess(np.abs(a - b).max(), 1e-11)
 
     def test_friction_is_damping_of_order_one(self):
         EL = h.variation(pendulum, h.uniform(0, 0.1, 500))

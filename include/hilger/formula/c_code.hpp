@@ -110,14 +110,14 @@ std::string written_equations(F const& L, embedding<A, B, W, Checked> const& e, 
 
 /// L as a formula, or nothing when it would fill a page.
 template <class V, class F>
-std::string written_lagrangian(F const& lagrangian) {
+std::string written_lagrangian(F const& lagrangian, int d) {
     constexpr int page = 200; // operations and leaves, without sharing
     symbol const t = symbol::variable("t");
-    auto const q = variables<V>("q"), v = variables<V>("v");
+    auto const q = variables<V>("q", d), v = variables<V>("v", d);
     symbol const L(at_time{lagrangian, t}(q, v));
     if (size_of(L, page) >= page) return "a Lagrangian L";
     std::ostringstream out;
-    out << (std::invocable<F const&, decltype(t), decltype(q), decltype(v)> ? "L(t, q, v) = " : "L(q, v) = ") << L;
+    out << (reads_time<F, std::remove_const_t<decltype(q)>>(lagrangian) ? "L(t, q, v) = " : "L(q, v) = ") << L;
     return out.str();
 }
 
@@ -130,7 +130,7 @@ inline void require_c_name(std::string const& name) {
 
 } // namespace detail
 
-/// C99 that needs math.h alone, for states of the kind V (double, or an Eigen vector of fixed size d). With d = 1 for a number, and
+/// C99 that needs math.h alone, for states of the kind V: double, or an Eigen vector of d components. With d = 1 for a number, and
 /// `double t` as the first argument of all where L or the force depends on the time (t at q, at q0 for the residual):
 ///   double NAME_lagrangian(const double q[d], const double v[d])
 ///   void NAME_momentum(const double q[d], const double v[d], double p[d])                    p = dL/dv
@@ -139,17 +139,21 @@ inline void require_c_name(std::string const& name) {
 ///   int NAME_step(double h, double q[d], double p[d], double v[d])
 ///       one step; v is the guess of the velocity at the node, and becomes that velocity. Returns NAME_ok (0), or NAME_singular,
 ///       NAME_no_convergence, NAME_not_finite with q, p and v as they were.
-/// @throws error::no_formula when L compares its arguments, error::invalid_parameter when `name` is no name in C
+/// @throws error::no_formula when L compares its arguments, error::invalid_parameter when `name` is no name in C, or V is of dynamic size
+///         and d is not said
 template <class V = double, class F, class Force, class E>
-std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string const& name) {
+std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string const& name, int d = detail::shape<V>::size) {
     static_assert(facts_of<E>.one_node,
                   "C code is written for embeddings whose integral has one node in a step, as mid-point and order one");
     detail::require_c_name(name);
+    if (d < 1 or (detail::shape<V>::size != Eigen::Dynamic and d != detail::shape<V>::size))
+        error::raise<error::invalid_parameter>(
+            "C code is for a number of components that is known: c_code<Eigen::VectorXd>(flow, name, d)");
     symbol const h = symbol::variable("h"), from = symbol::variable("q_i"), to = symbol::variable("q_{i+1}");
     tableau<symbol> const b = tableau_of(method.embedding(), h);
-    detail::c_writer const write(detail::evaluation_of<V>(method.mechanics()), b, h, name);
+    detail::c_writer const write(detail::evaluation_of<V>(method.mechanics(), d), b, h, name);
     std::ostringstream out;
-    out << "/* " << name << ": " << detail::written_lagrangian<V>(method.mechanics().lagrangian)
+    out << "/* " << name << ": " << detail::written_lagrangian<V>(method.mechanics().lagrangian, d)
         << (std::same_as<Force, no_force> ? "" : ", with forces beside ∂L/∂q") << "\n * under the embedding \"" << method.embedding().name
         << "\". The discrete Euler-Lagrange equation and Hamiltonian system:\n *   "
         << detail::written_equations(method.mechanics().lagrangian, method.embedding(), " *   ") << " * One node in a step h: weight "
@@ -159,7 +163,7 @@ std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string con
         << write.lagrangian() << "\n/* p = dL/dv */\n"
         << write.momentum() << "\n/* r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2), zero on solutions */\n"
         << write.residual() << '\n';
-    if (detail::shape<V>::size > 1) out << detail::c_solve(name, detail::shape<V>::size) << '\n';
+    if (d > 1) out << detail::c_solve(name, d) << '\n';
     out << "/* One step (q_i, p_i) -> (q_{i+1}, p_{i+1}); v is the guess of the velocity at the node and becomes that velocity.\n"
            "   On failure all three are left as they were. */\n"
         << write.step();

@@ -67,17 +67,24 @@ inline bool branches(symbol_list const& formulas, symbol_list const& variables) 
     return std::any_of(formulas.begin(), formulas.end(), has);
 }
 
-/// What is to be evaluated for states of the kind V, a number or a vector of fixed size. It refers to `what`.
+/// Whether a callable takes the time and, where it can say so, reads it: a formula in text takes it always.
+template <class F, class V>
+bool reads_time(F const& f) {
+    if constexpr (requires { f.reads_time(); })
+        return f.reads_time();
+    else
+        return std::invocable<F const&, symbol const&, V const&, V const&>;
+}
+
+/// What is to be evaluated for states of the kind V, numbers or vectors of d components. It refers to `what`.
 template <class V, class F, class Force>
-node_evaluation evaluation_of(problem<F, Force> const& what) {
+node_evaluation evaluation_of(problem<F, Force> const& what, int d) {
     using s = shape<V>;
-    static_assert(s::size != Eigen::Dynamic, "formulas are written for states of a fixed size, as Eigen::Vector2d is");
     using vector = typename s::template with<symbol>;
-    constexpr bool timed = std::invocable<F const&, symbol const&, vector const&, vector const&> or
-                           std::invocable<Force const&, symbol const&, vector const&, vector const&>;
-    return {s::size, timed, [&what](symbol const& t, symbol_list const& q, symbol_list const& v) {
-                vector x, y;
-                for (int k = 0; k < s::size; ++k) {
+    bool const timed = reads_time<F, vector>(what.lagrangian) or reads_time<Force, vector>(what.force);
+    return {d, timed, [&what, d](symbol const& t, symbol_list const& q, symbol_list const& v) {
+                vector x = variables<V>("q", d), y = x;
+                for (int k = 0; k < d; ++k) {
                     s::component(x, k) = q[static_cast<std::size_t>(k)];
                     s::component(y, k) = v[static_cast<std::size_t>(k)];
                 }
@@ -87,7 +94,7 @@ node_evaluation evaluation_of(problem<F, Force> const& what) {
                 n.p = jacobian({n.L}, v);
                 if constexpr (not std::same_as<Force, no_force>) {
                     vector const f(at_time{what.force, t}(x, y));
-                    for (int k = 0; k < s::size; ++k) n.g[static_cast<std::size_t>(k)] += s::component(f, k);
+                    for (int k = 0; k < d; ++k) n.g[static_cast<std::size_t>(k)] += s::component(f, k);
                 }
                 n.gq = jacobian(n.g, q);
                 n.gv = jacobian(n.g, v);

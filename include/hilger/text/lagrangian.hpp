@@ -23,6 +23,7 @@ public:
         return of_.value(value(t), q, v);
     }
     [[nodiscard]] stated const& formula() const { return of_; }
+    [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
 
 private:
     /// @throws error::mismatch
@@ -50,6 +51,9 @@ public:
         Eigen::Matrix<value, Eigen::Dynamic, 1> f(static_cast<index_type>(of_.size()));
         for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = of_[k].value(value(t), q, v);
         return f;
+    }
+    [[nodiscard]] bool reads_time() const {
+        return std::any_of(of_.begin(), of_.end(), [](stated const& f) { return f.reads(meaning::role::time); });
     }
 
 private:

@@ -40,6 +40,8 @@ from .equations import (
     midpoint,
     order_one,
     order_one_left,
+    theta,
+    two_sided,
     variation,
     verlet,
 )

@@ -75,7 +75,8 @@ class Method:
     name: str
 
     def __post_init__(self) -> None:
-        if self.name not in _core.methods:
+        kinds = {name.split(":")[0] + ":" for name in _core.methods if ":" in name}
+        if self.name not in _core.methods and not any(self.name.startswith(kind) for kind in kinds):
             raise _core.InvalidParameter(f"there is no method '{self.name}': there are {', '.join(_core.methods)}")
 
 
@@ -90,6 +91,16 @@ kahan_li_8 = Method("kahan-li-8")
 def gauss(nodes: int) -> Method:
     """Galerkin's embedding with 2, 4 or 8 Gauss nodes in a step: of order 4, 8 or 16."""
     return Method(f"gauss-{nodes}")
+
+
+def theta(lam: float) -> Method:
+    """Position and force at (1 - λ) t_i + λ t_{i+1}, 0 < λ < 1: of order one, but for the mid-point."""
+    return Method(f"theta:{digits(lam)}")
+
+
+def two_sided(alpha: float) -> Method:
+    """v is the fractional derivative Δ₋^α[q]: the equation ∂L/∂q + Δ₊^α[∂L/∂v] = 0 looks to both ends of T, and is solved from q0 and qN."""
+    return Method(f"two-sided:{digits(alpha)}")
 
 
 @dataclass(frozen=True)
@@ -150,6 +161,11 @@ class Equation:
             problem.add_damping(d.rho, d.alpha)
         problem.history = history
         return problem
+
+    def c_code(self, name: str) -> str:
+        """One step as C99 that needs math.h alone, of order_one, order_one_left and midpoint:
+        ``int NAME_step(double h, double q[d], double p[d], double v[d])``, with ``double t`` first where the time is read."""
+        return self._stated().c_code(self.method.name, name)
 
     def _motion(self, history: str = "direct"):
         T, kind = self.scale, self.scale.kind()

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "hilger/formula/c_code.hpp"
+
+#include "engine/motions.hpp"
+
+namespace engine {
+
+std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
+    if (not what.damping.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
+    int const d = what.lagrangian.formula().words().dimension();
+    return with_mechanics(what, [&](auto const& mechanics) {
+        auto const written = [&](auto const& how) { return hilger::c_code<vector<double>>(hilger::embed(mechanics, how), name, d); };
+        if (method == "order-one") return written(hilger::order_one);
+        if (method == "order-one-left") return written(hilger::order_one_left);
+        if (method == "mid-point") return written(hilger::mid_point);
+        hilger::error::raise<hilger::error::invalid_parameter>(
+            "C code is written of embeddings with one node in a step, order-one, order-one-left and mid-point, and not of ", method);
+    });
+}
+
+} // namespace engine

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+// The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)): it is
+// solved between two ends.
+#include "engine/motions.hpp"
+#include "hilger/boundary/of_variation.hpp"
+
+namespace engine {
+
+namespace {
+
+class two_sided : public motion<double> {
+    [[nodiscard]] auto derived() const {
+        constexpr hilger::unknown q;
+        return variation(nabla_integral(hilger::lagrangian{L_}(q, hilger::Delta_minus(alpha_)[q]), T_));
+    }
+
+public:
+    two_sided(hilger::text::stated_lagrangian L, double alpha, points<double> const& T)
+        : L_(std::move(L)), alpha_(alpha), T_(hilger::uniform(T.start, T.step, T.steps)) {}
+
+    void walk(initial<double> const&,
+              std::function<bool(double const&, vector<double> const&, vector<double> const&)> const&) const override {
+        refuse("it looks to both ends, and initial values do not determine its solution: give q0 and qN");
+    }
+    [[nodiscard]] std::vector<vector<double>> between(vector<double> const& first, vector<double> const& last) const override {
+        auto const x = solve(derived(), T_, hilger::boundary_values<vector<double>>{first, last});
+        std::vector<vector<double>> positions;
+        for (hilger::index_type i = x.first(); i <= x.last(); ++i) positions.push_back(x[i]);
+        return positions;
+    }
+    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions) const override {
+        return largest_residual(derived(), hilger::function_on(T_, positions));
+    }
+    [[nodiscard]] std::string equation(bool latex_wanted) const override {
+        auto const EL = derived();
+        std::ostringstream out;
+        if (latex_wanted)
+            out << latex(EL);
+        else
+            out << EL;
+        return out.str();
+    }
+    [[nodiscard]] double energy(state<double> const&) const override { refuse("it has no energy at a point"); }
+    [[nodiscard]] state<double> between_states(state<double> const&, state<double> const&, double const&) const override {
+        refuse("there is nothing between the points of T");
+    }
+
+private:
+    [[noreturn]] static void refuse(char const* why) {
+        hilger::error::raise<hilger::error::invalid_parameter>("the two-sided fractional equation is another kind: ", why);
+    }
+    hilger::text::stated_lagrangian L_;
+    double alpha_;
+    decltype(hilger::uniform(0.0, 1.0, 1)) T_;
+};
+
+} // namespace
+
+made between_two_ends(problem const& what, std::string const& method, points<double> const& T) {
+    if (not method.starts_with("two-sided:")) return nullptr;
+    auto const alpha = hilger::text::number_in<double>(method.substr(10));
+    if (not alpha)
+        hilger::error::raise<hilger::error::invalid_parameter>("an order is a number, as in two-sided:0.75, and not '", method, "'");
+    if (not T.is_uniform() or what.force)
+        hilger::error::raise<hilger::error::invalid_parameter>("the two-sided fractional equation is for uniform scales, without forces");
+    return std::make_unique<two_sided>(what.lagrangian, *alpha, T);
+}
+
+} // namespace engine
