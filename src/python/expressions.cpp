@@ -120,7 +120,11 @@ void add_expressions(py::module_& m) {
     m.def("read", [](std::string const& text, std::string const& source) { return hilger::text::read(text, source); });
     m.def("as_expression", &required);
     py::list functions;
-    for (auto const name : hilger::text::functions_of_one) functions.append(py::str(name.data(), name.size()));
+    for (auto const name : hilger::text::functions_of_one) {
+        functions.append(py::str(name.data(), name.size()));
+        // as methods numpy's functions find them: numpy.sin(q)
+        type.def(std::string(name).c_str(), [f = std::string(name)](expression const& x) { return expression::call(f, {x}); });
+    }
     m.attr("functions_of_one") = functions;
 }
 

@@ -53,10 +53,29 @@ class Refused(unittest.TestCase):
                   lambda: h.solve(h.variation(L, T, h.verlet) + h.damping(0.1, 0.5), q0=1, v0=0))
         self.says(h.InvalidParameter, "histories are direct, blocks", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
         self.says(h.Error, "2", lambda: h.solve(EL + h.damping(0.1, 2.5), q0=1, v0=0))
-        self.says(h.Singular, "singular", lambda: h.solve(h.variation(h.Lagrangian("q^2/2"), T), q0=1, v0=0))
+        self.says(h.StepFailure, "singular", lambda: h.solve(h.variation(h.Lagrangian("q^2/2"), T), q0=1, v0=0))
         self.says(h.OutsideDomain, "outside of the solution", lambda: h.solve(EL, q0=1, v0=0)(2.0))
         self.says(h.InvalidParameter, "go with a Lagrangian", lambda: h.solve(EL, (0, 1), q0=1, v0=0, accuracy=1e-3))
         self.says(h.InvalidParameter, "64 epsilon", lambda: h.solve(L, (0, 1), q0=1, v0=0, accuracy=1e-17))
+
+    def test_lengths(self):
+        three = h.variation(h.Lagrangian("dot(v, v)/2 - dot(q, q)/2", "q[3]", "v[3]"), T)
+        for given in ({"v0": 0}, {"v0": [0, 0]}, {"v0": []}, {"v0": [0] * 4}, {"p0": [0]}, {"q1": [1, 2]}, {"qN": [1]}):
+            self.says(h.Mismatch, "has 3 numbers, one for each coordinate", lambda: h.solve(three, q0=[1, 2, 3], **given))
+        self.says(h.Mismatch, "q0 has 3 numbers", lambda: h.solve(three, q0=1, v0=[0, 0, 0]))
+        self.says(h.Mismatch, "v0 has 3 numbers",
+                  lambda: h.solve(three.lagrangian, (0, 1), q0=[1, 2, 3], v0=[0, 0], accuracy=1e-3))
+
+    def test_kinds(self):
+        self.says(TypeError, "a method, as h.midpoint or h.gauss(4), was expected", lambda: h.variation(L, T, "mid-point"))
+        self.says(TypeError, "a scale, as h.uniform", lambda: h.variation(L, [0, 1, 2]))
+        self.says(TypeError, "a Lagrangian was expected", lambda: h.variation("v^2/2", T))
+        self.says(TypeError, "the number of steps is a whole number", lambda: h.uniform(0, 0.1, 10.0))
+        self.says(TypeError, "a history is direct()", lambda: h.solve(EL, q0=1, v0=0, history=h.direct))
+        self.says(TypeError, "here is the text '012'", lambda: h.TimeScale("012"))
+        self.says(h.InvalidParameter, "at least one component", lambda: h.variables("q[0]"))
+        self.says(h.InvalidParameter, "from q0 and v0, and nothing else", lambda: h.solve(L, (0, 1), q0=1, v0=0, p0=1, accuracy=1e-3))
+        self.says(h.Unreadable, "a number ends before '−'", lambda: h.Lagrangian("v^2/2−q^2/2"))
 
     def test_errors_have_the_types_that_python_has_for_them(self):
         self.assertTrue(issubclass(h.Unreadable, ValueError))
@@ -79,6 +98,17 @@ class Taken(unittest.TestCase):
         ):
             for a, b in zip(h.solve(h.variation(L2, T), q0=1, v0=0).q, expected):
                 self.assertAlmostEqual(a, b, delta=64 * 2.3e-16)
+
+    def test_numpy_and_texts(self):
+        import numpy as np
+
+        EL2 = h.variation(h.Lagrangian(v**2 / 2 - (1 - np.cos(q)), q, v), T)
+        EL3 = h.variation(h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v), T)
+        self.assertEqual(list(h.solve(EL2, q0=1, v0=0).q), list(h.solve(EL3, q0=1, v0=0).q))
+        a, b = (h.solve(EL + h.force(f), q0=1, v0=0).q for f in ("-v/10", [-v / 10]))
+        self.assertEqual(list(a), list(b))
+        x = h.solve(h.variation(L, h.uniform("0", "1/10", 5)), q0=1, qN=Fraction(1, 2))
+        self.assertEqual(list(x.t), [Fraction(i, 10) for i in range(6)])
 
     def test_long_formulas(self):
         chain = sum((q - k) ** 2 for k in range(5000))

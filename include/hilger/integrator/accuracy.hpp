@@ -23,7 +23,8 @@ struct accurate_solution {
     state<S, V> end;            ///< at the end of the interval
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
-    S error;                    ///< its distance from the run with half as many steps: more than its own error
+    S error;                    ///< its distance from the run with half as many steps: more than its own error where L is smooth, and an
+                                ///< accident where both runs miss what is narrow, or L has branches
     index_type evaluated_steps; ///< of all runs together
 };
 
@@ -97,7 +98,9 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
         error::raise<error::invalid_parameter>("an accuracy in this scalar is at least ", S(64) * epsilon<S>(), " (64 epsilon), not ",
                                                goal.wanted);
     using V = detail::given_state_t<S, W>;
-    V const q0 = detail::as_state<V>(from.q0), p0 = embed(L, mid_point).momentum(I.a, q0, detail::as_state<V>(from.v0));
+    V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
+    detail::require_same_dimension(q0, v0, "the initial position and velocity");
+    V const p0 = embed(L, mid_point).momentum(I.a, q0, v0);
     auto const run = [&](auto const& how, char const* method) { return detail::solve_by_doubling(embed(L, how), method, I, q0, p0, goal); };
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.

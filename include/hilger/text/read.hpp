@@ -195,8 +195,11 @@ private:
                 if (not digit(there())) take();
                 while (digit(there())) take();
             }
-            if (letter(there()))
-                refuse("a number ends before '" + std::string(1, there()) + "': a product is written with *, as 2*q", here_);
+            if (letter(there())) {
+                std::size_t bytes = 1; // of a letter of UTF-8
+                while ((static_cast<unsigned char>(there(bytes)) & 0xC0U) == 0x80U) ++bytes;
+                refuse("a number ends before '" + std::string(text_.substr(at_, bytes)) + "': a product is written with *, as 2*q", here_);
+            }
             return;
         }
         if (letter(there())) {

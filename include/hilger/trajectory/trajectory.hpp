@@ -194,7 +194,9 @@ public:
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_velocity<W> const& from) const {
         return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
-            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum(T.min(), q0, detail::as_state<V>(from.v0));
+            V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
+            detail::require_same_dimension(q0, v0, "the initial position and velocity");
+            V p0 = self().momentum(T.min(), q0, v0);
             return std::pair{std::move(q0), std::move(p0)};
         });
     }
@@ -202,7 +204,9 @@ public:
     auto along(Scale const& T, initial_positions<W> const& from) const {
         return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
             scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
-            V q0 = detail::as_state<V>(from.q0), p0 = self().momentum_between(T.min(), q0, detail::as_state<V>(from.q1), h);
+            V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
+            detail::require_same_dimension(q0, q1, "the first two positions");
+            V p0 = self().momentum_between(T.min(), q0, q1, h);
             return std::pair{std::move(q0), std::move(p0)};
         });
     }

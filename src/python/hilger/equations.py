@@ -119,9 +119,11 @@ class Damping:
     alpha: float
 
 
-def force(*components: Formula) -> Force:
-    """force(-v/10), or force(f0, f1, ...) with one formula for each coordinate."""
-    return Force(tuple(_core.as_expression(f) for f in components))
+def force(*components: "Formula | str") -> Force:
+    """force(-v/10), force("-v/10"), or force(f0, f1, ...) with one formula for each coordinate."""
+    if len(components) == 1 and isinstance(components[0], (list, tuple)):
+        components = tuple(components[0])
+    return Force(tuple(_core.read(f, "the force") if isinstance(f, str) else _core.as_expression(f) for f in components))
 
 
 def damping(rho: float, alpha: float) -> Damping:
@@ -189,4 +191,11 @@ class Equation:
 
 def variation(L: Lagrangian, T: "Uniform | TimeScale", method: Method = midpoint) -> Equation:
     """The variation of the action of L on T under an embedding. It prints as the equation that is solved."""
+    for x, kind, what in (
+        (L, Lagrangian, "a Lagrangian"),
+        (T, (Uniform, TimeScale), "a scale, as h.uniform(0, 0.1, 100),"),
+        (method, Method, "a method, as h.midpoint or h.gauss(4),"),
+    ):
+        if not isinstance(x, kind):
+            raise TypeError(f"{what} was expected, and here is {x!r}")
     return Equation(L, T, method)

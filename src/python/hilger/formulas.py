@@ -45,6 +45,8 @@ def variables(names: str, size: int = 0) -> "tuple[Expression | Vector, ...] | E
         if found is None:
             raise _core.InvalidParameter(f"variables are written as in 'q v' or 'q[3] v[3]', and here is '{word}'")
         d = int(found[2]) if found[2] else size
+        if found[2] == "0" or not isinstance(d, int) or d < 0:
+            raise _core.InvalidParameter(f"a vector has at least one component, and here is '{word}' with {d}")
         made.append(Vector(found[1], d) if d > 0 else _core.variable(found[1]))
     return made[0] if len(made) == 1 else tuple(made)
 

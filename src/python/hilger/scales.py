@@ -45,6 +45,27 @@ def digits(x: object) -> str:
     return repr(float(x))
 
 
+def _in_digits(work):
+    """Does work with as many digits of mpmath as the engine has, where mpmath is."""
+    try:
+        import mpmath
+    except ImportError:
+        return work()
+    with mpmath.workdps(60):
+        return work()
+
+
+def number_of(kind: str, x: object):
+    """x as a number of a scalar."""
+    if kind == "double":
+        return float(x)
+    if kind == "exact":
+        return Fraction(digits(x))
+    import mpmath
+
+    return _in_digits(lambda: mpmath.mpf(digits(x)))
+
+
 @dataclass(frozen=True)
 class Uniform:
     """T = {start + i*step}, i = 0 ... steps."""
@@ -56,11 +77,18 @@ class Uniform:
     def kind(self) -> str:
         return kind_of((self.start, self.step))
 
+    def numbers(self) -> list:
+        """Its points, in its scalar."""
+        a, h = (number_of(self.kind(), x) for x in (self.start, self.step))
+        return [_in_digits(lambda i=i: a + i * h) for i in range(self.steps + 1)]
+
 
 class TimeScale:
     """Any increasing points. Fractions and texts as "1/3" are exact; then so is what is computed on them."""
 
     def __init__(self, points: Iterable[object]) -> None:
+        if isinstance(points, str):
+            raise TypeError(f"a time scale is a list of points, and here is the text {points!r}")
         self.points = tuple(points)
         if len(self.points) < 2:
             raise _core.InvalidScale(f"a time scale needs two points, and here are {len(self.points)}")
@@ -68,13 +96,19 @@ class TimeScale:
     def kind(self) -> str:
         return kind_of(self.points)
 
+    def numbers(self) -> list:
+        """Its points, in its scalar."""
+        return [number_of(self.kind(), x) for x in self.points]
+
     def __repr__(self) -> str:
         return f"TimeScale({[str(x) for x in self.points]})"
 
 
 def uniform(start: object, step: object, steps: int) -> Uniform:
     """T = {start + i*step}, i = 0 ... steps; in rationals where start or step is a Fraction, in 50 digits for mpmath's mpf."""
-    T = Uniform(start, step, steps)
+    if isinstance(steps, bool) or not hasattr(steps, "__index__"):
+        raise TypeError(f"the number of steps is a whole number, and here is {steps!r}")
+    T = Uniform(start, step, int(steps))
     T.kind()
     return T
 

@@ -17,7 +17,7 @@ State = Union[float, Sequence[float], "np.ndarray"]
 
 
 class StepFailure(_core.Error):
-    """A step failed. What was reached before is in `solution`."""
+    """A step failed. What was reached before is in `solution`; None where the first step could not begin."""
 
     def __init__(self, message: str, solution: "Solution") -> None:
         super().__init__(message)
@@ -145,23 +145,28 @@ class Solution:
 
 
 class AccurateSolution:
-    """A solution to a wanted accuracy: t, q, the method that was chosen, and its error against half as many steps."""
+    """A solution to a wanted accuracy: t, q, the method that was chosen, and `error`, its distance from the run with half as many steps.
+
+    That is more than its own error where L is smooth, and says little where L has branches, or something narrow that both runs miss.
+    """
 
     def __init__(self, t, q, end_momentum, method: str, error: float) -> None:
         self.t, self.q, self.end_momentum, self.method, self.error = t, q, end_momentum, method, error
 
     def __repr__(self) -> str:
-        return f"<{self.method}, {len(self.t) - 1} steps, error below {self.error:.1e}>"
+        return f"<{self.method}, {len(self.t) - 1} steps, {self.error:.1e} from half as many>"
 
 
 def _one(kind: str, made: object):
     return made if kind == "double" else _numbers(kind, ([made], 0))[0]
 
 
-def _state(kind: str, x: object, scalar: bool, name: str):
+def _state(kind: str, x: object, L: Lagrangian, name: str):
     flat = [x] if np.ndim(x) == 0 else list(x)
-    if scalar and np.ndim(x) > 0 and len(flat) != 1:
+    if L.is_scalar and len(flat) != 1:
         raise _core.Mismatch(f"{name} is one number, and here are {len(flat)}")
+    if len(flat) != L.dimension or any(np.ndim(y) > 0 for y in flat):
+        raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
         return np.array([float(y) for y in flat])
     if kind == "exact" and any(isinstance(y, float) for y in flat):
@@ -194,35 +199,42 @@ def solve(
     if isinstance(equation, Lagrangian):
         if interval is None or accuracy is None or v0 is None:
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
+        if any(x is not None for x in (p0, q1, qN)) or progress or history != "exponentials":
+            raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
         a, b = interval
         scalar = equation.is_scalar
         made = _core.solve_accurately(
-            equation._problem, float(a), float(b), _state("double", q0, scalar, "q0"), _state("double", v0, scalar, "v0"), float(accuracy)
+            equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy)
         )
         t, q, p, method, error = made
         return AccurateSolution(t, q[:, 0] if scalar else q, p, method, error)
+    if not isinstance(equation, Equation):
+        raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
+    if not isinstance(history, str):
+        raise TypeError(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
     if interval is not None or accuracy is not None:
         raise _core.InvalidParameter("an equation has its scale: an interval and an accuracy go with a Lagrangian")
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1), ("qN", qN)) if x is not None}
     if len(given) != 1:
         raise _core.InvalidParameter(f"q0 and one of v0, p0, q1 and qN determine a solution, and here is q0 with {' and '.join(given) or 'nothing'}")
     (name, other), = given.items()
-    kind, scalar = equation.scale.kind(), equation.lagrangian.is_scalar
-    start = _state(kind, q0, scalar, "q0"), name, _state(kind, other, scalar, name)
+    kind, L = equation.scale.kind(), equation.lagrangian
+    scalar = L.is_scalar
+    start = _state(kind, q0, L, "q0"), name, _state(kind, other, L, name)
     motion = equation._motion(history)
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
     if name == "qN":
         q = column(_numbers(kind, motion.between(start[0], start[2])))
-        T = equation.scale
-        if isinstance(T, Uniform):
-            points = [float(T.start) + i * float(T.step) if kind == "double" else T.start + i * T.step for i in range(T.steps + 1)]
-        else:
-            points = [float(x) if kind == "double" else Fraction(x) if kind == "exact" else x for x in T.points]
+        points = equation.scale.numbers()
         t = np.array(points, dtype=None if kind == "double" else object)
-        return Solution(equation, (start[0], "q1", _state(kind, q[1], scalar, "q1")), history, t, q, None, None)
+        return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, t, q, None, None)
     bar = _bar(progress, equation)
     try:
         t, q, p, stopped, interrupted = motion.walk(*start, bar)
+    except _core.Error as why:
+        if str(why).startswith("the step from"):
+            raise StepFailure(str(why), None) from why
+        raise
     finally:
         if hasattr(bar, "close"):
             bar.close()

@@ -103,6 +103,7 @@ TEST_CASE("what means nothing is said, and where") {
     says("x +\n (1 - u", "the formula, line 2, column 8: ')' was expected, and there is the end");
     says("x u", "the formula, line 1, column 3: an operator or the end was expected, and there is 'u'");
     says("2x", "the formula, line 1, column 2: a number ends before 'x': a product is written with *, as 2*q");
+    says("2−x", "the formula, line 1, column 2: a number ends before '−': a product is written with *, as 2*q");
     says("x = 2", "the formula, line 1, column 3: equality is ==");
     says("α + $", "the formula, line 1, column 5: '$' has no meaning in a formula");
     says("sum(i, 0, 3)", "the formula, line 1, column 1: it is written sum(index, first, last, term), and here are 3 arguments");

@@ -190,6 +190,11 @@ TEST_CASE("forces, the time, and what is printed") {
     out << L.formula().value(symbol::variable("t"), symbols("q"), symbols("v"));
     CHECK(out.str() == "(v₀² + v₁²)/2 − 0.25·(q₀² + q₁²) + q₀·t");
     CHECK(L.formula().reads(text::meaning::role::time));
+    auto const flow = embed(lagrangian{L}, mid_point);
+    auto const T = uniform(Q(0), Q(1), 2);
+    CHECK_THROWS_AS((void)flow.along(T, initial_velocity<vector<Q>>{vector<Q>{{1, 2}}, vector<Q>{{1}}}), error::mismatch);
+    CHECK_THROWS_AS((void)flow.along(T, initial_velocity<vector<Q>>{vector<Q>{{1, 2}}, vector<Q>{{1, 2, 3}}}), error::mismatch);
+    CHECK_THROWS_AS((void)flow.along(T, initial_positions<vector<Q>>{vector<Q>{{1, 2}}, vector<Q>{{1}}}), error::mismatch);
     auto const longer = embed(lagrangian{L}, order_one).along(uniform(Q(0), Q(1), 2), vector<Q>{{1, 2, 3}}, vector<Q>{{0, 1, 2}});
     CHECK_THROWS_WITH_AS((void)record(longer), "L has 2 coordinates, and the state has 3", error::mismatch);
     CHECK_THROWS_AS(text::stated_force({text::stated(text::read("1"), words, "f")}), error::mismatch);
