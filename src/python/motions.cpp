@@ -171,7 +171,12 @@ py::tuple walk_all(engine::motion<double> const& path, hilger::index_type steps,
             if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
         }
         if (raised) continue;
-        if (not progress.is_none()) progress(done.load());
+        try {
+            if (not progress.is_none()) progress(done.load());
+        } catch (...) { // or its members would be waited for
+            stop = true;
+            throw;
+        }
         raised = PyErr_CheckSignals() != 0;
         if (raised) stop = true;
     }

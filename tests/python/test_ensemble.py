@@ -62,6 +62,18 @@ class Ensemble(unittest.TestCase):
         self.assertIn("interrupted", many.failed.values())
         self.assertEqual([w.category for w in said], [RuntimeWarning])
 
+    def test_progress(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.001, 100_000))
+        seen = []
+        h.solve_many(EL, q0=np.linspace(0, 1, 40), v0=0.0, progress=seen.append)
+        self.assertEqual(seen, sorted(seen))
+
+        def enough(_):
+            raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            h.solve_many(EL, q0=np.linspace(0, 1, 100_000), v0=0.0, progress=enough)
+
     def test_refused(self):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 10))
         with self.assertRaisesRegex(h.Mismatch, "q0 has a row of 2 numbers for each member, and here is an array of shape .4, 3."):

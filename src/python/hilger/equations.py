@@ -127,7 +127,7 @@ def force(*components: "Formula | str") -> Force:
 
 
 def damping(rho: float, alpha: float) -> Damping:
-    """Fractional damping; alpha = 1 is friction."""
+    """Fractional damping with Caputo's derivative, of q - q0 and for alpha > 1 of q - q0 - v0 t; alpha = 1 is friction."""
     return Damping(float(rho), float(alpha))
 
 
