@@ -115,7 +115,7 @@ std::unique_ptr<walk> begin_in(System const& system, configuration const& c, dou
     return result;
 }
 
-/// In 50 and 100 digits, which src/CMakeLists.txt has compiled for each system by itself.
+/// In 50 and 100 digits, which src/program.cmake has compiled for each system by itself.
 #define PROGRAM_MANY_DIGITS(keyword, System)                                                                                               \
     keyword template std::unique_ptr<walk> begin_in<hilger::float50>(System const&, configuration const&, double, double);                 \
     keyword template std::unique_ptr<walk> begin_in<hilger::float100>(System const&, configuration const&, double, double);

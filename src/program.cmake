@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSL-1.0
+# The command-line program.
+file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp)
+# Counting takes no time, nor do scales of one step and proofs in rationals, and optimising them takes minutes. Last: of what is in several
+# files the linker takes the first.
+set(not_optimised ${CMAKE_CURRENT_SOURCE_DIR}/papers_cresson.cpp ${CMAKE_CURRENT_SOURCE_DIR}/scenes/cost.cpp)
+list(FILTER sources EXCLUDE REGEX "/(demo|numbers|engines.*)[.]cpp$")
+list(REMOVE_ITEM sources ${not_optimised})
+add_executable(hilger ${sources} ${not_optimised})
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set_source_files_properties(${not_optimised} extremes/smallest.cpp
+    PROPERTIES COMPILE_OPTIONS -Og COMPILE_DEFINITIONS HILGER_DEBUG SKIP_PRECOMPILE_HEADERS ON)
+endif()
+target_link_libraries(hilger PRIVATE extremes)
+precompile_as(hilger extremes)
+set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
+target_link_libraries(hilger PRIVATE hilger_development CLI11::CLI11)
+# One more peer for hilger trade, where it is installed (libgsl-dev).
+find_package(GSL QUIET)
+if(GSL_FOUND)
+  target_link_libraries(hilger PRIVATE GSL::gsl)
+endif()
+set_property(SOURCE scenes/peers.cpp PROPERTY COMPILE_DEFINITIONS PROGRAM_HAS_GSL=$<BOOL:${GSL_FOUND}>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ does not see that what Boost.odeint copies is not read before it is written.
+  set_source_files_properties(scenes/peers.cpp PROPERTIES COMPILE_OPTIONS "-Wno-maybe-uninitialized;-Wno-uninitialized")
+endif()
+# What a system has in many digits is a file of its own: at -O3 and -O1 the compiler takes minutes for it, and its time goes into loops
+# over digits.
+foreach(system IN ITEMS pendulum double_pendulum kepler henon_heiles planetary fermi_pasta_ulam charged_particle)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/many_digits/${system}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT
+    "#include \"compiled_once.hpp\"\n#include \"scenes/path_walk.hpp\"\n#include \"scenes/systems.hpp\"\nnamespace program {\nPROGRAM_MANY_DIGITS(, ${system}_system)\n}\n")
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -Og SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+  set_source_files_properties(${source} PROPERTIES UNITY_GROUP many_digits)
+  target_sources(hilger PRIVATE ${source})
+endforeach()
+# Scenes have their methods in common.
+set_target_properties(hilger PROPERTIES UNITY_BUILD ${HILGER_UNITY_TESTS} UNITY_BUILD_MODE GROUP)
+set_source_files_properties(scenes/charged_particle.cpp scenes/henon_heiles.cpp scenes/kepler.cpp scenes/pendulums.cpp
+  PROPERTIES UNITY_GROUP plane)
+set_source_files_properties(scenes/fermi_pasta_ulam.cpp scenes/outer_solar_system.cpp PROPERTIES UNITY_GROUP structured)
+install(TARGETS hilger COMPONENT program)
