@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "engine/machine_code.hpp"
 #include "engine/motions.hpp"
 
 namespace engine {
@@ -22,6 +23,7 @@ std::vector<std::string> method_names<double>() {
 
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
+    prepare_machine_code();
     if (not what.damping.empty()) {
         if (auto made = damped(what, method, T)) return made;
         hilger::error::raise<hilger::error::invalid_parameter>("with fractional damping the method is mid-point, and not '", method, "'");

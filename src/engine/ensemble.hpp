@@ -21,7 +21,7 @@ struct ensemble {
 
 /// Keeps the first state, every stride-th and the last one of each. Stops where `stop` becomes true, `done` members being whole.
 /// @throws hilger::error::invalid_parameter when stride < 1 or threads < 1
-ensemble walk_all(motion<double> const& path, hilger::index_type steps, std::vector<initial<double>> const& from, hilger::index_type stride,
-                  int threads, std::atomic<bool> const& stop, std::atomic<hilger::index_type>& done);
+ensemble walk_all(motion<double> const& path, std::vector<initial<double>> const& from, hilger::index_type stride, int threads,
+                  std::atomic<bool> const& stop, std::atomic<hilger::index_type>& done);
 
 } // namespace engine

@@ -22,6 +22,13 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
+template <class S, class Scale>
+std::vector<S> elements_of(Scale const& T) {
+    std::vector<S> all;
+    for (hilger::index_type i = T.first(); i <= T.last(); ++i) all.push_back(T.element(i));
+    return all;
+}
+
 /// Whether two positions determine the momentum between them.
 template <class Flow>
 inline constexpr bool starts_from_two_positions = false;
@@ -39,6 +46,7 @@ public:
                 if (not keep(x.t, x.q, x.p)) return;
         });
     }
+    [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
     [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow> and not forced()) {
             auto const x = solve(equation_of(flow_, T_), T_, hilger::boundary_values<vector<S>>{first, last});
@@ -106,7 +114,11 @@ private:
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }
     Flow flow_;
+
+protected:
     Scale T_;
+
+private:
     std::string name_;
 };
 

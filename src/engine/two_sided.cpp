@@ -22,6 +22,7 @@ public:
               std::function<bool(double const&, vector<double> const&, vector<double> const&)> const&) const override {
         refuse("it looks to both ends, and initial values do not determine its solution: give q0 and qN");
     }
+    [[nodiscard]] std::vector<double> times() const override { return elements_of<double>(T_); }
     [[nodiscard]] std::vector<vector<double>> between(vector<double> const& first, vector<double> const& last) const override {
         auto const x = solve(derived(), T_, hilger::boundary_values<vector<double>>{first, last});
         std::vector<vector<double>> positions;

@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "engine/engine.hpp"
 #include "engine/ensemble.hpp"
+#include "engine/machine_code.hpp"
 
 namespace bindings {
 
@@ -122,6 +123,7 @@ void add_motion(py::module_& m, char const* name) {
             return engine::make_motion<S>(what, method, {S(0), S(0), all.size() - 1, std::vector<S>(all.data(), all.data() + all.size())});
         }))
         .def("walk", &walk<S>)
+        .def("times", [](motion const& path) { return with::array(path.times(), 0); })
         .def("between",
              [](motion const& path, given const& first, given const& last) {
                  std::vector<S> q;
@@ -154,8 +156,8 @@ void add_motion(py::module_& m, char const* name) {
 }
 
 /// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension.
-py::tuple walk_all(engine::motion<double> const& path, hilger::index_type steps, py::array_t<double, py::array::c_style> const& q0,
-                   std::string const& what, py::array_t<double, py::array::c_style> const& other, hilger::index_type stride, int threads,
+py::tuple walk_all(engine::motion<double> const& path, py::array_t<double, py::array::c_style> const& q0, std::string const& what,
+                   py::array_t<double, py::array::c_style> const& other, hilger::index_type stride, int threads,
                    py::object const& progress) {
     std::vector<engine::initial<double>> from;
     auto const d = q0.shape(1);
@@ -163,7 +165,7 @@ py::tuple walk_all(engine::motion<double> const& path, hilger::index_type steps,
         from.push_back(initial_of<double>(py::array_t<double>(d, q0.data(k, 0)), what, py::array_t<double>(d, other.data(k, 0))));
     std::atomic<bool> stop = false;
     std::atomic<hilger::index_type> done = 0;
-    auto running = std::async(std::launch::async, [&] { return engine::walk_all(path, steps, from, stride, threads, stop, done); });
+    auto running = std::async(std::launch::async, [&] { return engine::walk_all(path, from, stride, threads, stop, done); });
     bool raised = false;
     for (;;) {
         {
@@ -198,6 +200,13 @@ void add_motions(py::module_& m) {
     add_motion<hilger::Q>(m, "ExactMotion");
     add_motion<hilger::float50>(m, "MotionIn50Digits");
     m.def("walk_all", &walk_all);
+    m.def("set_machine_code", [](std::string const& how) {
+        using engine::machine_code;
+        if (how != "on" and how != "off" and how != "at once")
+            hilger::error::raise<hilger::error::invalid_parameter>("machine code is \"on\", \"off\" or \"at once\", and not \"", how, '"');
+        engine::set_machine_code(how == "on" ? machine_code::on : how == "off" ? machine_code::off : machine_code::at_once);
+    });
+    m.def("formulas_in_machine_code", &engine::formulas_in_machine_code);
     m.attr("methods") = engine::method_names<double>();
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
                                  crossing<double>::given const& v0, double wanted) {

@@ -6,6 +6,7 @@
 //   hilger_bench plain          plain lambdas of many degrees of freedom
 //   hilger_bench history        what the memory of a fractional difference costs
 //   hilger_bench fractional     steps with fractional damping, and their errors
+//   hilger_bench formulas       formulas known at run time
 //   hilger_bench boundary       two-sided fractional problems
 #include "timing.hpp"
 
@@ -19,6 +20,8 @@ int main(int count, char** arguments) {
         bench::histories();
     else if (what == "plain")
         bench::plain_lambdas();
+    else if (what == "formulas")
+        bench::formulas();
     else if (what == "boundary")
         bench::boundary();
     else if (what == "fractional")

@@ -45,6 +45,7 @@ void small_systems();
 void large_systems();
 void plain_lambdas();
 void boundary();
+void formulas();
 void rounding(double log10_of_steps);
 void drift(double log10_of_steps);
 void histories();

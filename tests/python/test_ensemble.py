@@ -74,6 +74,12 @@ class Ensemble(unittest.TestCase):
         with self.assertRaisesRegex(LookupError, "enough"):
             h.solve_many(EL, q0=np.linspace(0, 1, 100_000), v0=0.0, progress=enough)
 
+    def test_times_where_the_first_member_fails(self):
+        runs_away = h.Lagrangian("v^2/2 + q^4/4")
+        many = h.solve_many(h.variation(runs_away, h.uniform(0, 0.5, 10)), q0=np.array([4.0, 0.0]), v0=0.0, every=4)
+        self.assertEqual(list(many.failed), [0])
+        self.assertEqual(list(many.t), [0, 2, 4, 5])
+
     def test_refused(self):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 10))
         with self.assertRaisesRegex(h.Mismatch, "q0 has a row of 2 numbers for each member, and here is an array of shape .4, 3."):

@@ -76,7 +76,7 @@ class Double(unittest.TestCase):
     def test_theta_one_half_is_the_mid_point(self):
         T = h.uniform(0, 0.125, 50)
         x, y = (h.solve(h.variation(pendulum, T, method), q0=1.0, v0=0.5) for method in (h.midpoint, h.theta(0.5)))
-        self.assertEqual(list(x.q), list(y.q))
+        np.testing.assert_allclose(x.q, y.q, rtol=0, atol=8 * epsilon * T.steps)  # few coordinates have an engine of their own
 
     def test_two_sided(self):
         T = h.uniform(0, 1 / 64, 64)

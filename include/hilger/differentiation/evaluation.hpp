@@ -8,10 +8,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "hilger/differentiation/graph.hpp"
+#include "hilger/differentiation/translation.hpp"
 
 namespace hilger::detail {
 
@@ -33,6 +35,10 @@ public:
         std::copy(numbers_.begin(), numbers_.end(), values.begin() + arguments_);
     }
     void compute(part which, S* values) const {
+        if (translation_) {
+            if (auto const function = translation_->of(which)) return function(values);
+            translation_->count(*this);
+        }
         int const begin = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1], end = end_of_[static_cast<std::size_t>(which)];
         for (int k = begin; k < end; ++k) {
             auto const& r = rounds_[static_cast<std::size_t>(k)];
@@ -42,6 +48,34 @@ public:
             else
                 r.what->run(values, first_ + r.first, r.count, a, b);
         }
+    }
+
+    /// Operations that are computed one after the other, or at the same time: values[out + i] from values[a[i]] and values[b[i]]. In a row
+    /// the operands stand one after the other, or are one for all of them.
+    struct operations {
+        traced_operation<S> const* what;
+        int count, out;
+        int const *a, *b;
+        bool in_a_row;
+    };
+    /// Calls use(operations) in the order of one part.
+    template <class Use>
+    void for_each_round(part which, Use const& use) const {
+        for (int k = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1]; k < end_of_[static_cast<std::size_t>(which)]; ++k) {
+            auto const& r = rounds_[static_cast<std::size_t>(k)];
+            use(operations{r.what, r.count, first_ + r.first, a_.data() + r.first, b_.data() + r.first, r.in_a_row});
+        }
+    }
+    /// Where results are that somebody reads, some of them more than once.
+    [[nodiscard]] std::vector<int> const& results() const { return results_; }
+    /// How many values there are: arguments, numbers and operations.
+    [[nodiscard]] int size() const { return first_ + static_cast<int>(a_.size()); }
+
+    /// All parts, one after the other.
+    void compute_all(S* values) const {
+        if (translation_)
+            if (auto const function = translation_->of(parts)) return function(values);
+        for (int p = 0; p < parts; ++p) compute(static_cast<part>(p), values);
     }
 
 private:
@@ -65,8 +99,9 @@ private:
     int arguments_ = 0, first_ = 0;
     std::vector<S> numbers_;
     std::vector<round> rounds_;
-    std::vector<int> a_, b_, place_;
+    std::vector<int> a_, b_, place_, results_;
     std::array<int, parts> end_of_{};
+    std::shared_ptr<translation<S>> translation_; ///< where somebody makes any
 };
 
 template <class S>
@@ -121,6 +156,9 @@ evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<s
         add_rounds(g, *o.what, alike);
     }
     for (; part_of_last < parts; ++part_of_last) end_of_[static_cast<std::size_t>(part_of_last)] = static_cast<int>(rounds_.size());
+    for (auto const& list : asked)
+        for (int const k : list) results_.push_back(place_[static_cast<std::size_t>(k)]);
+    if (translator<S>::installed().load(std::memory_order_acquire) != nullptr) translation_ = std::make_shared<translation<S>>();
 }
 template <class S>
 void evaluation<S>::add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes) {

@@ -24,6 +24,7 @@ namespace detail {
 /// What a node does. One object for each operation and scalar, so that equality is equality of addresses.
 template <class S>
 struct traced_operation {
+    char const* name; ///< as C has it: an operator of two operands, "-x", or a function
     bool commutes;
     /// x[out + i] = f(x[a[i]], x[b[i]]) for i = 0 ... count - 1
     void (*run)(S* x, int out, int count, int const* a, int const* b);

@@ -84,7 +84,7 @@ std::pair<traced<S>, traced<S>> pull_back_of(traced<S> const& x, traced<S> const
     return O::pull_back(x, y, result, adjoint);
 }
 template <class O, class S>
-inline constexpr traced_operation<S> operation_object{O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
+inline constexpr traced_operation<S> operation_object{O::name, O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
 
 template <class O, class S>
 traced<S> make_traced(traced<S> const& x, traced<S> const& y) {
@@ -100,6 +100,7 @@ traced<S> make_traced(traced<S> const& x) {
 }
 
 struct plus_traced {
+    static constexpr char const* name = "+";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -111,6 +112,7 @@ struct plus_traced {
     }
 };
 struct minus_traced {
+    static constexpr char const* name = "-";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -122,6 +124,7 @@ struct minus_traced {
     }
 };
 struct times_traced {
+    static constexpr char const* name = "*";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -133,6 +136,7 @@ struct times_traced {
     }
 };
 struct over_traced {
+    static constexpr char const* name = "/";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -145,6 +149,7 @@ struct over_traced {
     }
 };
 struct minus_of_traced {
+    static constexpr char const* name = "-x";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const&) {

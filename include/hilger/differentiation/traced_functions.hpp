@@ -143,6 +143,7 @@ struct function_of_one {
 #define HILGER_TRACED_FUNCTION(function, derivative, ...)                                                                                  \
     namespace detail {                                                                                                                     \
     struct function##_traced : function_of_one {                                                                                           \
+        static constexpr char const* name = #function;                                                                                     \
         template <class S>                                                                                                                 \
         static S value(S const& x, S const&) {                                                                                             \
             using std::function;                                                                                                           \
@@ -182,6 +183,7 @@ HILGER_TRACED_FUNCTION(erf, adjoint*(T(two_over_root_of_pi<typename T::scalar_ty
 
 namespace detail {
 struct hypot_traced {
+    static constexpr char const* name = "hypot";
     static constexpr bool commutes = true;
     template <class S>
     static S value(S const& x, S const& y) {
@@ -196,6 +198,7 @@ struct hypot_traced {
 };
 /// Of (y, x), as the function takes them.
 struct atan2_traced {
+    static constexpr char const* name = "atan2";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& y, S const& x) {
@@ -210,6 +213,7 @@ struct atan2_traced {
 };
 /// x^c with a number c.
 struct power_traced {
+    static constexpr char const* name = "pow";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& c) {
@@ -225,6 +229,7 @@ struct power_traced {
 };
 /// c^x with a number c.
 struct exponential_traced {
+    static constexpr char const* name = "pow";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& c, S const& x) {

@@ -68,6 +68,10 @@ public:
                 now_->put(t, q, v, values_);
                 is_new = true;
             }
+        if (which == wanted::with_seconds and now_->guards.empty()) {
+            now_->how.compute_all(values_.data());
+            return is_new;
+        }
         now_->how.compute(evaluation<S>::shared, values_.data());
         if (not now_->is_branch_of(values_)) {
             take_branch(what, t, argument(0, d), argument(d, d));

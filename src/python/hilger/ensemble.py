@@ -11,7 +11,6 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
-from .scales import Uniform
 
 
 class Ensemble:
@@ -69,11 +68,8 @@ def solve_many(
         raise _core.Mismatch(f"q0 and {name} have as many rows as there are members, and here are {len(a)} and {len(b)}")
     members = max(len(a), len(b))
     a, b = (np.ascontiguousarray(np.broadcast_to(x, (members, d))) for x in (a, b))
-    T = equation.scale
-    steps = T.steps if isinstance(T, Uniform) else len(T.points) - 1
-    t, q, p, why = _core.walk_all(
-        equation._motion(history), steps, a, name, b, steps if every is None else every, threads or os.cpu_count() or 1, progress
-    )
+    stride = equation.scale.steps if every is None else every
+    t, q, p, why = _core.walk_all(equation._motion(history), a, name, b, stride, threads or os.cpu_count() or 1, progress)
     failed = {k: reason for k, reason in enumerate(why) if reason}
     if "interrupted" in failed.values():
         warnings.warn("interrupted; what there is was kept", RuntimeWarning, stacklevel=2)

@@ -45,27 +45,6 @@ def digits(x: object) -> str:
     return repr(float(x))
 
 
-def _in_digits(work):
-    """Does work with as many digits of mpmath as the engine has, where mpmath is."""
-    try:
-        import mpmath
-    except ImportError:
-        return work()
-    with mpmath.workdps(60):
-        return work()
-
-
-def number_of(kind: str, x: object):
-    """x as a number of a scalar."""
-    if kind == "double":
-        return float(x)
-    if kind == "exact":
-        return Fraction(digits(x))
-    import mpmath
-
-    return _in_digits(lambda: mpmath.mpf(digits(x)))
-
-
 @dataclass(frozen=True)
 class Uniform:
     """T = {start + i*step}, i = 0 ... steps."""
@@ -76,11 +55,6 @@ class Uniform:
 
     def kind(self) -> str:
         return kind_of((self.start, self.step))
-
-    def numbers(self) -> list:
-        """Its points, in its scalar."""
-        a, h = (number_of(self.kind(), x) for x in (self.start, self.step))
-        return [_in_digits(lambda i=i: a + i * h) for i in range(self.steps + 1)]
 
 
 class TimeScale:
@@ -96,9 +70,9 @@ class TimeScale:
     def kind(self) -> str:
         return kind_of(self.points)
 
-    def numbers(self) -> list:
-        """Its points, in its scalar."""
-        return [number_of(self.kind(), x) for x in self.points]
+    @property
+    def steps(self) -> int:
+        return len(self.points) - 1
 
     def __repr__(self) -> str:
         return f"TimeScale({[str(x) for x in self.points]})"

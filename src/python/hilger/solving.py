@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation, Lagrangian
-from .scales import Uniform, digits
+from .scales import digits
 
 State = Union[float, Sequence[float], "np.ndarray"]
 
@@ -225,9 +225,7 @@ def solve(
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
     if name == "qN":
         q = column(_numbers(kind, motion.between(start[0], start[2])))
-        points = equation.scale.numbers()
-        t = np.array(points, dtype=None if kind == "double" else object)
-        return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, t, q, None, None)
+        return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, _numbers(kind, motion.times()), q, None, None)
     bar = _bar(progress, equation)
     try:
         t, q, p, stopped, interrupted = motion.walk(*start, bar)
@@ -267,5 +265,13 @@ def _bar(progress: object, equation: Equation):
         from tqdm.auto import tqdm
     except ImportError:
         return None
-    T = equation.scale
-    return _Bar(tqdm, T.steps if isinstance(T, Uniform) else len(T.points) - 1)
+    return _Bar(tqdm, equation.scale.steps)
+
+
+def machine_code(how: str = "on") -> None:
+    """Whether formulas become machine code: "on", as it is, once they have been evaluated a thousand times and the system's C compiler is
+    ready with them; "off"; or "at once", waiting for the compiler. Results are the same to the last bit.
+
+    What is compiled is kept in the folder hilger of $XDG_CACHE_HOME or ~/.cache. HILGER_MACHINE_CODE=off in the environment says "off".
+    """
+    _core.set_machine_code(how)

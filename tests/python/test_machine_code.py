@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Machine code of formulas: the same numbers, kept for the next time, and never in the way."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import hilger as h
+from hilger import _core
+
+epsilon = np.finfo(float).eps
+METHODS = (h.order_one, h.midpoint, h.gauss(4), h.verlet, h.theta(0.3))
+
+
+def problems():
+    q, v = h.variables("q v")
+    yield h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v), 1.0, 0.0
+    yield h.Lagrangian(v**2 / 2 - h.where(q > 0, 2, 1) * q**2, q, v), 1.0, 0.0
+    for d in (2, 3, 7):
+        x, u = h.variables("x u", d)
+        springs = sum((x[k + 1] - x[k]) ** 2 + h.cos(x[k]) for k in range(d - 1))
+        yield h.Lagrangian(h.dot(u, u) / 2 + u[0] * u[1] / 4 - springs, x, u), np.linspace(0, 1, d), np.zeros(d)
+
+
+class MachineCode(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        os.environ["XDG_CACHE_HOME"] = self.folder.name
+
+    def tearDown(self):
+        h.machine_code("on")
+        del os.environ["XDG_CACHE_HOME"]
+        self.folder.cleanup()
+
+    def test_every_bit_is_the_same(self):
+        for L, q0, v0 in problems():
+            for method in METHODS:
+                EL = h.variation(L, h.uniform(0, 0.05, 1200), method)
+                h.machine_code("off")
+                interpreted = h.solve(EL, q0=q0, v0=v0)
+                h.machine_code("at once")
+                before = _core.formulas_in_machine_code()
+                compiled = h.solve(EL, q0=q0, v0=v0)
+                with self.subTest(L=L, method=method):
+                    self.assertGreater(_core.formulas_in_machine_code(), before)
+                    self.assertTrue(np.array_equal(interpreted.q, compiled.q))
+                    self.assertTrue(np.array_equal(interpreted.p, compiled.p))
+
+    def test_small_states_take_the_steps_of_any_others(self):
+        """States of one to three numbers have an engine of their own under the mid-point embedding, and a scale that is not uniform has not."""
+        for L, q0, v0 in problems():
+            T = h.uniform(0, 0.0625, 200)
+            x = h.solve(h.variation(L, T, h.midpoint), q0=q0, v0=v0)
+            y = h.solve(h.variation(L, h.TimeScale([0.0625 * i for i in range(201)]), h.midpoint), q0=q0, v0=v0)
+            np.testing.assert_allclose(x.q, y.q, rtol=0, atol=64 * epsilon * 200)
+            self.assertLess(x.residual(), 2 / 0.0625**2 * 64 * epsilon)
+            for start in ({"p0": x.p[0]}, {"q1": x.q[1]}):
+                z = h.solve(h.variation(L, T, h.midpoint), q0=q0, **start)
+                np.testing.assert_allclose(x.q, z.q, rtol=0, atol=64 * epsilon * 200)
+
+    def test_in_the_middle_of_a_run(self):
+        L, q0, v0 = next(problems())
+        T = h.uniform(0, 0.01, 400_000)
+        h.machine_code("off")
+        interpreted = h.solve(h.variation(L, T, h.midpoint), q0=q0, v0=v0)
+        h.machine_code("on")
+        before = _core.formulas_in_machine_code()
+        for _ in range(100):  # until the compiler is ready
+            x = h.solve(h.variation(L, T, h.midpoint), q0=q0, v0=v0)
+            self.assertTrue(np.array_equal(interpreted.q, x.q))
+            if _core.formulas_in_machine_code() > before:
+                return
+        self.fail("the compiler was never ready")
+
+    def test_ensemble(self):
+        L = next(problems())[0]
+        EL = h.variation(L, h.uniform(0, 0.05, 500), h.midpoint)
+        h.machine_code("off")
+        interpreted = h.solve_many(EL, q0=np.linspace(0, 1, 30), v0=0.0, threads=2)
+        h.machine_code("at once")
+        compiled = h.solve_many(EL, q0=np.linspace(0, 1, 30), v0=0.0, threads=2)
+        self.assertTrue(np.array_equal(interpreted.q, compiled.q))
+
+    def test_where_nothing_can_be_kept_or_compiled(self):
+        program = (
+            "import hilger as h\n"
+            "x = h.solve(h.variation(h.Lagrangian('v^2/2 - q^4'), h.uniform(0, 0.01, 3000)), q0=1.0, v0=0.0)\n"
+            "print(repr(float(x.q[-1])), h._core.formulas_in_machine_code())"
+        )
+
+        def run(**variables):
+            environment = {**os.environ, **variables}
+            done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True)
+            return done.stdout.split(), done.stderr
+
+        (expected, none), said = run(HILGER_MACHINE_CODE="off")
+        self.assertEqual((none, said), ("0", ""))
+        self.assertEqual(run(XDG_CACHE_HOME="/dev/null/nowhere"), ([expected, "0"], ""))
+        (number, none), said = run(CC="/nowhere/cc")
+        self.assertEqual((number, none), (expected, "0"))
+        self.assertEqual(said.count("there is no C compiler"), 1)
+        leftovers = [file for file in pathlib.Path(self.folder.name).rglob("*") if file.suffix in (".c", ".so") and "." in file.stem]
+        self.assertEqual(leftovers, [])
+
+    def test_refused(self):
+        with self.assertRaisesRegex(h.InvalidParameter, '"on", "off" or "at once", and not "yes"'):
+            h.machine_code("yes")
+
+
+if __name__ == "__main__":
+    unittest.main()
