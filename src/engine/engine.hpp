@@ -101,7 +101,8 @@ struct accurate {
     std::string method;
     double error;
 };
-accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted);
+accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
+                          double longest_step);
 
 /// One step as C99 that stands alone (hilger/formula/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name);

@@ -209,11 +209,11 @@ void add_motions(py::module_& m) {
     m.def("formulas_in_machine_code", &engine::formulas_in_machine_code);
     m.attr("methods") = engine::method_names<double>();
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
-                                 crossing<double>::given const& v0, double wanted) {
+                                 crossing<double>::given const& v0, double wanted, double longest_step) {
         auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
         auto made = [&] {
             py::gil_scoped_release const others_run;
-            return engine::solve_accurately(what, a, b, x, y, wanted);
+            return engine::solve_accurately(what, a, b, x, y, wanted, longest_step);
         }();
         std::vector<double> q;
         for (auto const& at : made.q) q.insert(q.end(), at.data(), at.data() + at.size());

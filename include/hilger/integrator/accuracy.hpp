@@ -3,7 +3,8 @@
 //   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.steps, x.method, x.error
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
-// `hilger trade` measure. The number of steps is doubled until two solutions agree.
+// `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
+// should; where they do not, or L has branches, until four do whose points lie elsewhere.
 #pragma once
 
 #include "hilger/function/function.hpp"
@@ -14,6 +15,8 @@ namespace hilger {
 /// The largest error of a position at any point, in the unit of the position. At least 64 epsilon of the scalar; larger than zero.
 struct accuracy {
     double wanted;
+    /// No run has longer steps than this: a pulse that is shorter than all of them would be missed by all. Zero: eight steps to begin with.
+    double longest_step = 0;
 };
 
 /// A solution on the scale of its last run, and how good it is.
@@ -23,8 +26,8 @@ struct accurate_solution {
     state<S, V> end;            ///< at the end of the interval
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
-    S error;                    ///< its distance from the run with half as many steps: more than its own error where L is smooth, and an
-                                ///< accident where both runs miss what is narrow, or L has branches
+    S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth; elsewhere
+                                ///< twice the largest distance from three other runs
     index_type evaluated_steps; ///< of all runs together
 };
 
@@ -40,50 +43,103 @@ constexpr cheapest cheapest_for(double wanted) {
 
 namespace detail {
 
-/// Doubles the steps of one flow from `steps` on until two runs agree.
-template <class Flow, class S, class V>
-auto solve_by_doubling(Flow const& flow, char const* method, interval<S> const& I, V const& q0, V const& p0, accuracy const& goal) {
-    using solution_function = decltype(function_on(uniform(I, index_type{1}), std::vector<V>{}));
-    using result = accurate_solution<S, V, solution_function>;
-    constexpr index_type most = index_type{1} << 24;
-    S const wanted = S(goal.wanted);
-    std::vector<V> coarse, fine;
-    S error(-1);
-    index_type walked = 0;
-    for (index_type steps = 8; steps <= most; steps *= 2) {
-        fine.clear();
-        fine.reserve(static_cast<std::size_t>(steps) + 1);
-        auto const T = uniform(I, steps);
-        state<S, V> end{I.a, q0, p0};
-        try {
-            auto const path = flow.along(T, q0, p0);
-            for (auto const& x : path) {
-                fine.push_back(x.q);
-                end = x;
-            }
-        } catch (error::no_convergence const&) { // the steps are too long
-            walked += steps;
-            coarse.clear();
-            continue;
-        }
-        walked += steps;
-        if (not coarse.empty()) {
-            S const before = error;
-            error = S(0);
-            for (std::size_t i = 0; i < coarse.size(); ++i) error = std::max(error, S(magnitude(V(coarse[i] - fine[2 * i]))));
-            if (error <= wanted) return result{function_on(T, std::move(fine)), end, steps, method, error, walked};
-            // Rounding grows with the number of steps: from there on nothing gets better.
-            S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end.q));
-            if (before > S(0) and not(error < before) and error < floor)
-                error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
-                                                    " steps of ", method, " the solution is within ", error,
-                                                    ", and rounding keeps it there; a scalar with more digits gets further");
-        }
-        std::swap(coarse, fine);
-    }
-    error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method,
-                                        "; the solution is within ", error, " then");
+/// The number of steps to begin with. @throws error::invalid_parameter
+template <class S>
+index_type first_steps(interval<S> const& I, double longest, index_type most) {
+    index_type steps = 8;
+    if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
+    if (longest > 0)
+        while (steps <= most and static_cast<double>(S(I.b - I.a)) > longest * static_cast<double>(steps)) steps *= 2;
+    if (steps > most) error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", most, " on this interval");
+    return steps;
 }
+
+/// Runs of one flow with more and more steps.
+template <class Flow, class S, class V>
+class solving_by_doubling {
+    using solution_function = decltype(function_on(uniform(interval<S>{}, index_type{1}), std::vector<V>{}));
+    static constexpr index_type most = index_type{1} << 24;
+
+public:
+    using result = accurate_solution<S, V, solution_function>;
+    solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, state<S, V> start)
+        : flow_(std::move(flow)), method_(method), order_(order), I_(I), start_(std::move(start)), end_(start_) {}
+
+    result reach(accuracy const& goal) {
+        S const wanted = S(goal.wanted);
+        // Half the digits that a run should win over the one before: less is not the order of the method.
+        S const gain = S(std::ldexp(1.0, order_ / 2)) * S(1.25);
+        std::vector<V> coarse;
+        S before(-1), error(-1);
+        for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
+            branch_watch const watch;
+            std::vector<V> fine = run(steps);
+            if (not fine.empty() and not coarse.empty()) {
+                before = std::exchange(error, distance(coarse, 1, fine, 2));
+                bool const is_smooth = not watch.saw_any() and gain * error <= before;
+                S const told = is_smooth or not(error <= wanted) ? error : of_kinks(fine, error, wanted);
+                if (told <= wanted and before >= S(0)) {
+                    state<S, V> end = end_;
+                    return {function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
+                }
+                // Rounding grows with the number of steps: from there on nothing gets better.
+                S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end_.q));
+                if (wanted < error and before > S(0) and not(error < before) and error < floor)
+                    error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
+                                                        " steps of ", method_, " the solution is within ", error,
+                                                        ", and rounding keeps it there; a scalar with more digits gets further");
+            }
+            coarse = std::move(fine);
+        }
+        error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
+                                            "; the solution is within ", error, " then");
+    }
+
+private:
+    /// The positions, nothing where the steps are too long.
+    std::vector<V> run(index_type steps) {
+        std::vector<V> q;
+        q.reserve(static_cast<std::size_t>(steps) + 1);
+        walked_ += steps;
+        try {
+            auto const path = flow_.along(uniform(I_, steps), start_.q, start_.p);
+            for (auto const& x : path) {
+                q.push_back(x.q);
+                end_ = x;
+            }
+        } catch (error::no_convergence const&) {
+            q.clear();
+        }
+        return q;
+    }
+    /// Of every j-th position of x and every k-th of y.
+    static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
+        S most(0);
+        for (std::size_t i = 0; i * j < x.size(); ++i) most = std::max(most, S(magnitude(V(x[i * j] - y[i * k]))));
+        return most;
+    }
+    /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: two more runs, one of which shares
+    /// no point but the ends, and twice the largest distance of all.
+    S of_kinks(std::vector<V> const& fine, S error, S const& wanted) {
+        auto const end = end_;
+        auto const steps = static_cast<index_type>(fine.size()) - 1;
+        auto const compare = [&](index_type others, auto const& how) {
+            if (not(S(2) * error <= wanted)) return;
+            std::vector<V> const other = run(others);
+            error = other.empty() ? wanted : std::max(error, S(how(other)));
+        };
+        compare(steps / 4 * 3, [&](auto const& other) { return distance(other, 3, fine, 4); });
+        compare(steps / 8 * 5 + 1, [&](auto const& other) { return magnitude(V(other.back() - fine.back())); });
+        end_ = end;
+        return S(2) * error;
+    }
+    Flow flow_;
+    char const* method_;
+    int order_;
+    interval<S> I_;
+    state<S, V> start_, end_;
+    index_type walked_ = 0;
+};
 
 } // namespace detail
 
@@ -101,16 +157,19 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
     detail::require_same_dimension(q0, v0, "the initial position and velocity");
     V const p0 = embed(L, mid_point).momentum(I.a, q0, v0);
-    auto const run = [&](auto const& how, char const* method) { return detail::solve_by_doubling(embed(L, how), method, I, q0, p0, goal); };
+    auto const run = [&](auto const& how, char const* method, int order) {
+        auto const flow = embed(L, how);
+        return detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V>(flow, method, order, I, {I.a, q0, p0}).reach(goal);
+    };
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
     if constexpr (std::is_floating_point_v<S>) {
-        if (best == cheapest::mid_point) return run(mid_point, "mid-point");
-        if (best == cheapest::gauss_4) return run(galerkin<4, gauss>, "Galerkin, 4 Gauss nodes");
+        if (best == cheapest::mid_point) return run(mid_point, "mid-point", 2);
+        if (best == cheapest::gauss_4) return run(galerkin<4, gauss>, "Galerkin, 4 Gauss nodes", 8);
     } else {
-        if (best == cheapest::gauss_16) return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes");
+        if (best == cheapest::gauss_16) return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes", 32);
     }
-    return run(galerkin<8, gauss>, "Galerkin, 8 Gauss nodes");
+    return run(galerkin<8, gauss>, "Galerkin, 8 Gauss nodes", 16);
 }
 template <class F, class S>
 auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, accuracy const& goal) {

@@ -96,10 +96,16 @@ V newton(System const& system, V guess, V const& given, char const* what) {
     S const small = detail::square_root_of_epsilon<S>() / S(16);
     V x = std::move(guess);
     S previous(-1), size(0);
-    V residual = zero_like(x);
+    V residual = zero_like(x), last = residual;
     detail::unwatched const inside;
     for (int iteration = 0; iteration < most; ++iteration) {
         auto at = system(x);
+        // A correction may lead to where there are no numbers, as beyond the speed of light: half of it, then, and half of that.
+        for (int halved = 0; halved < 20 and iteration > 0 and not detail::all_finite(at.residual); ++halved) {
+            last = last * (S(1) / S(2));
+            x = x + last;
+            at = system(x);
+        }
         if (inside.before.saw_any()) return detail::newton_on_branches(system, std::move(x), given, small, what);
         if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
         residual = at.residual;
@@ -109,6 +115,7 @@ V newton(System const& system, V guess, V const& given, char const* what) {
         if (magnitude(residual) == S(0)) return x;
         S const before = magnitude(x);
         x = x - correction;
+        last = correction;
         size = magnitude(correction);
         if constexpr (not exact) {
             if (size <= small * magnitude(x)) return x;

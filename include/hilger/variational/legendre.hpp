@@ -49,9 +49,15 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
         }
     }
 }
+/// From v = 0; or, where there is no mass at rest, as in L = v^4, from v = p.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
-    return velocity_of(lagrangian, q, p, zero_like(q));
+    try {
+        return velocity_of(lagrangian, q, p, zero_like(q));
+    } catch (error::singular const&) {
+        if (magnitude(p) == scalar_of<V>(0)) throw;
+    }
+    return velocity_of(lagrangian, q, p, p);
 }
 
 /// H(p, q) = p.v - L(q, v) with v from the inverse Legendre map; also its derivatives dH/dp = v and dH/dq = -dL/dq.

@@ -147,7 +147,7 @@ class Solution:
 class AccurateSolution:
     """A solution to a wanted accuracy: t, q, the method that was chosen, and `error`, its distance from the run with half as many steps.
 
-    That is more than its own error where L is smooth, and says little where L has branches, or something narrow that both runs miss.
+    That is more than its own error where L is smooth; where L has branches it is twice the largest distance from three other runs.
     """
 
     def __init__(self, t, q, end_momentum, method: str, error: float) -> None:
@@ -186,13 +186,14 @@ def solve(
     history: str = "exponentials",
     progress: "bool | Callable[[int], None]" = False,
     accuracy: "Optional[float]" = None,
+    longest_step: float = 0.0,
 ) -> "Solution | AccurateSolution":
     """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN.
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of points. An interrupt (Ctrl-C) ends the walk, and what there is is returned with a warning.
     With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L, (0, 50), q0=1, v0=0,
-    accuracy=1e-10).
+    accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
 
     Raises StepFailure, whose `solution` has what was reached, and the errors of this module for input that has no meaning.
     """
@@ -204,7 +205,7 @@ def solve(
         a, b = interval
         scalar = equation.is_scalar
         made = _core.solve_accurately(
-            equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy)
+            equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy), float(longest_step)
         )
         t, q, p, method, error = made
         return AccurateSolution(t, q[:, 0] if scalar else q, p, method, error)

@@ -95,4 +95,52 @@ TEST_CASE("with a force in the plane") {
     CHECK(std::abs(x.end.q(1) - damped(10, 0, -1)) <= 1e-9);
 }
 
+namespace {
+/// q'' = -sign q from (1, 0): parabolas, of period 4 sqrt 2.
+double parabolas(double t) {
+    double const r = std::sqrt(2.0), s = std::fmod(t, 4 * r), x = s < r ? s : s < 3 * r ? s - 2 * r : s - 4 * r;
+    return s < r or s > 3 * r ? 1 - x * x / 2 : x * x / 2 - 1;
+}
+} // namespace
+
+TEST_CASE("where L has a kink, an agreement of two runs is no accuracy") {
+    auto const L = [](auto const& q, auto const& v) { return v * v / 2 - abs(q); };
+    for (double const end : {5.0, 7.3})
+        for (double const wanted : {1e-1, 1e-2, 3e-3}) {
+            CAPTURE(end);
+            CAPTURE(wanted);
+            interval const I{0.0, end};
+            auto const x = solve(L, I, initial_velocity<double>{1.0, 0.0}, accuracy{wanted});
+            auto const T = uniform(I, x.steps);
+            double worst = 0;
+            for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, std::abs(x.q[i] - parabolas(T.element(i))));
+            CHECK(worst <= wanted);
+            CHECK(worst <= 1.25 * x.error);
+        }
+}
+TEST_CASE("where the force jumps in time") {
+    // q'' = 1 until t = 1, and 0 from there on; a time that is not traced
+    auto const L = [](double t, auto const& q, auto const& v) { return v * v / 2 + (t < 1 ? 1.0 : 0.0) * q; };
+    for (double const wanted : {1e-1, 1e-2}) {
+        CAPTURE(wanted);
+        auto const x = solve(L, interval{0.0, 3.7}, initial_velocity<double>{0.0, 0.0}, accuracy{wanted});
+        CHECK(std::abs(x.end.q - 3.2) <= wanted);
+    }
+}
+TEST_CASE("steps that are not longer than a pulse") {
+    auto const pulse = [](auto const& t, auto const& q, auto const& v) {
+        auto const x = (t - 8.3) * 200;
+        return v * v / 2 + q * exp(-x * x);
+    };
+    interval const I{0.0, 25.0};
+    double const gained = std::sqrt(std::acos(-1.0)) / 200, at_end = gained * (25 - 8.3);
+    auto const x = solve(pulse, I, initial_velocity<double>{0.0, 0.0}, accuracy{.wanted = 1e-4, .longest_step = 0.02});
+    CHECK(std::abs(x.end.q - at_end) <= 1e-4);
+    CHECK(25.0 / static_cast<double>(x.steps) <= 0.02);
+    initial_velocity<double> const from{0.0, 0.0};
+    CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, -1.0}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, 1e-7}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, std::nan("")}), error::invalid_parameter);
+}
+
 } // namespace accuracy_tests
