@@ -37,12 +37,12 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
 }
 
 accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
-                          double longest_step) {
+                          double longest_step, std::stop_token const& stop) {
     if (not what.damping.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("an accuracy is for Lagrangians and forces, without fractional damping");
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},
-                                     hilger::accuracy{wanted, longest_step});
+                                     hilger::accuracy{wanted, longest_step, stop});
         accurate made{{}, {}, {x.end.t, x.end.q, x.end.p}, x.method, x.error};
         for (hilger::index_type i = x.q.first(); i <= x.q.last(); ++i) {
             made.t.push_back(x.q.root().element(i));

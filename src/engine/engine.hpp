@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -102,7 +103,7 @@ struct accurate {
     double error;
 };
 accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
-                          double longest_step);
+                          double longest_step, std::stop_token const& stop);
 
 /// One step as C99 that stands alone (hilger/formula/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name);

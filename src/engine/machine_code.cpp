@@ -19,6 +19,7 @@
 #include <optional>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -96,7 +97,7 @@ public:
     job& operator=(job const&) = delete;
     /// A compiler that nobody waits for any more ends, and leaves nothing behind.
     ~job() {
-        if (process_ <= 0) return;
+        if (process_ <= 0 or owner_ != ::getpid()) return;
         ::kill(process_, SIGTERM);
         ::waitpid(process_, nullptr, 0);
         forget_files();
@@ -153,17 +154,21 @@ private:
             spawn();
     }
     void spawn() {
-        std::string compiler = variable("CC").value_or("cc"), source = own_source_.string(), library = own_library_.string(), to = "-o",
-                    m = "-lm";
-        std::vector<char*> arguments{compiler.data()};
-        for (char const* option : options) arguments.push_back(const_cast<char*>(option));
-        for (std::string* word : {&source, &to, &library, &m}) arguments.push_back(word->data());
+        std::vector<std::string> words;
+        std::istringstream compiler(variable("CC").value_or("cc"));
+        for (std::string word; compiler >> word;) words.push_back(word);
+        if (words.empty()) words.emplace_back("cc");
+        words.insert(words.end(), options.begin(), options.end());
+        for (std::string const& word : {own_source_.string(), std::string("-o"), own_library_.string(), std::string("-lm")})
+            words.push_back(word);
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
         posix_spawn_file_actions_t quiet;
         ::posix_spawn_file_actions_init(&quiet);
         for (int const stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
             ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY, 0);
-        int const failure = ::posix_spawnp(&process_, compiler.c_str(), &quiet, nullptr, arguments.data(), environ);
+        int const failure = ::posix_spawnp(&process_, arguments.front(), &quiet, nullptr, arguments.data(), environ);
         ::posix_spawn_file_actions_destroy(&quiet);
         if (failure != 0) {
             process_ = -1;
@@ -199,6 +204,7 @@ private:
     std::string text_;
     files::path kept_, library_, source_, own_library_, own_source_;
     ::pid_t process_ = 0; ///< -1 when there is none any more
+    ::pid_t owner_ = ::getpid();
     status result_ = status::working;
     functions made_{};
 };

@@ -211,10 +211,22 @@ void add_motions(py::module_& m) {
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
                                  crossing<double>::given const& v0, double wanted, double longest_step) {
         auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
-        auto made = [&] {
+        std::stop_source stop;
+        auto running = std::async(std::launch::async,
+                                  [&] { return engine::solve_accurately(what, a, b, x, y, wanted, longest_step, stop.get_token()); });
+        for (;;) {
+            {
+                py::gil_scoped_release const others_run;
+                if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
+            }
+            if (PyErr_CheckSignals() == 0) continue;
+            stop.request_stop();
             py::gil_scoped_release const others_run;
-            return engine::solve_accurately(what, a, b, x, y, wanted, longest_step);
-        }();
+            running.wait();
+            break;
+        }
+        if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+        auto made = running.get();
         std::vector<double> q;
         for (auto const& at : made.q) q.insert(q.end(), at.data(), at.data() + at.size());
         int const d = static_cast<int>(x.size());

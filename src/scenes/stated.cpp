@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Systems in text, along the trajectories that all others have.
+#include "engine/machine_code.hpp"
 #include "from_file.hpp"
 #include "histories.hpp"
 #include "path_walk.hpp"
@@ -43,6 +44,7 @@ std::vector<std::string> embeddings_of(stated_problem const& what) {
 }
 
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
+    engine::prepare_machine_code();
     auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
     auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, c.steps);
     std::unique_ptr<walk> made;

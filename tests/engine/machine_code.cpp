@@ -207,6 +207,8 @@ TEST_CASE("what is compiled is kept, and used where it is the same text in a fol
     SUBCASE("no compiler") {
         ::setenv("CC", "/nowhere/cc", 1);
         check(1005, false);
+        ::setenv("CC", "cc -pipe", 1);
+        check(1006, true);
         ::unsetenv("CC");
     }
 }

@@ -191,6 +191,21 @@ class Endings(unittest.TestCase):
         self.assertEqual(x(x.t[-1]), x.q[-1])
         self.assertTrue(np.all(np.isfinite(x.q)))
 
+    def test_an_accuracy_is_given_up_on_an_interrupt(self):
+        kink = h.Lagrangian("v^2/2 - abs(q)")
+        timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            h.solve(kink, (0, 1000), q0=1.0, v0=0.0, accuracy=1e-12)
+        timer.join()
+
+    def test_the_start_alone(self):
+        runs_away = h.Lagrangian("v^2/2 + q^4/4")
+        with self.assertRaises(h.StepFailure) as failed:
+            h.solve(h.variation(runs_away, h.uniform(0, 2.0, 5)), q0=1.0, v0=1.0)
+        x = failed.exception.solution
+        self.assertEqual((len(x), x(0.0)), (1, 1.0))
+
     def test_an_interrupt_keeps_what_there_is(self):
         EL = h.variation(pendulum, h.uniform(0, 0.01, 50_000_000))
         timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))

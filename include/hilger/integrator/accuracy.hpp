@@ -7,6 +7,8 @@
 // should; where they do not, or L has branches, until four do whose points lie elsewhere.
 #pragma once
 
+#include <stop_token>
+
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/flow.hpp"
 
@@ -17,6 +19,8 @@ struct accuracy {
     double wanted;
     /// No run has longer steps than this: a pulse that is shorter than all of them would be missed by all. Zero: eight steps to begin with.
     double longest_step = 0;
+    /// Who asks it to stop gets an error::no_convergence.
+    std::stop_token stop = {};
 };
 
 /// A solution on the scale of its last run, and how good it is.
@@ -73,12 +77,16 @@ public:
         S before(-1), error(-1);
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
-            std::vector<V> fine = run(steps);
+            std::vector<V> fine = run(steps, goal);
+            if (goal.stop.stop_requested())
+                error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " was given up on request, after ", walked_,
+                                                    " steps of ", method_);
             if (not fine.empty() and not coarse.empty()) {
                 before = std::exchange(error, distance(coarse, 1, fine, 2));
                 bool const is_smooth = not watch.saw_any() and gain * error <= before;
-                S const told = is_smooth or not(error <= wanted) ? error : of_kinks(fine, error, wanted);
-                if (told <= wanted and before >= S(0)) {
+                bool const is_third = before >= S(0);
+                S const told = is_smooth or not is_third or not(error <= wanted) ? error : of_kinks(fine, error, goal);
+                if (told <= wanted and is_third) {
                     state<S, V> end = end_;
                     return {function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
                 }
@@ -97,7 +105,7 @@ public:
 
 private:
     /// The positions, nothing where the steps are too long.
-    std::vector<V> run(index_type steps) {
+    std::vector<V> run(index_type steps, accuracy const& goal) {
         std::vector<V> q;
         q.reserve(static_cast<std::size_t>(steps) + 1);
         walked_ += steps;
@@ -106,6 +114,7 @@ private:
             for (auto const& x : path) {
                 q.push_back(x.q);
                 end_ = x;
+                if (q.size() % 1024 == 0 and goal.stop.stop_requested()) return {};
             }
         } catch (error::no_convergence const&) {
             q.clear();
@@ -120,12 +129,13 @@ private:
     }
     /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: two more runs, one of which shares
     /// no point but the ends, and twice the largest distance of all.
-    S of_kinks(std::vector<V> const& fine, S error, S const& wanted) {
+    S of_kinks(std::vector<V> const& fine, S error, accuracy const& goal) {
+        S const wanted = S(goal.wanted);
         auto const end = end_;
         auto const steps = static_cast<index_type>(fine.size()) - 1;
         auto const compare = [&](index_type others, auto const& how) {
             if (not(S(2) * error <= wanted)) return;
-            std::vector<V> const other = run(others);
+            std::vector<V> const other = run(others, goal);
             error = other.empty() ? wanted : std::max(error, S(how(other)));
         };
         compare(steps / 4 * 3, [&](auto const& other) { return distance(other, 3, fine, 4); });
