@@ -138,7 +138,7 @@ TEST_CASE("steps that are not longer than a pulse") {
     double const gained = std::sqrt(std::acos(-1.0)) / 200, at_end = gained * (25 - 8.3);
     auto const x = solve(pulse, I, initial_velocity<double>{0.0, 0.0}, accuracy{.wanted = 1e-4, .longest_step = 0.02});
     CHECK(std::abs(x.end.q - at_end) <= 1e-4);
-    CHECK(25.0 / static_cast<double>(x.steps) <= 0.02);
+    CHECK(25.0 / (static_cast<double>(x.steps) / 4) <= 0.02); // it is the third run, at the earliest
     initial_velocity<double> const from{0.0, 0.0};
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, -1.0}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, 1e-7}), error::invalid_parameter);
