@@ -7,17 +7,15 @@ set(not_optimised ${CMAKE_CURRENT_SOURCE_DIR}/papers_cresson.cpp ${CMAKE_CURRENT
 list(FILTER sources EXCLUDE REGEX "/(demo|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
 add_executable(hilger ${sources} ${not_optimised} engine/c_of.cpp engine/machine_code.cpp)
-target_link_libraries(hilger PRIVATE ${CMAKE_DL_LIBS})
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set_source_files_properties(${not_optimised} extremes/smallest.cpp
     PROPERTIES COMPILE_OPTIONS -Og COMPILE_DEFINITIONS HILGER_DEBUG SKIP_PRECOMPILE_HEADERS ON)
 endif()
-target_link_libraries(hilger PRIVATE extremes)
 precompile_as(hilger extremes)
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
 target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
-target_link_libraries(hilger PRIVATE hilger_development CLI11::CLI11)
+target_link_libraries(hilger PRIVATE hilger_development extremes CLI11::CLI11 ${CMAKE_DL_LIBS})
 # One more peer for hilger trade, where it is installed (libgsl-dev).
 find_package(GSL QUIET)
 if(GSL_FOUND)

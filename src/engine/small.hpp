@@ -28,10 +28,7 @@ public:
         for (auto const& [block, to] : {std::pair{hilger::detail::block_qq, &qq_}, std::pair{hilger::detail::block_qv, &qv_},
                                         std::pair{hilger::detail::block_vv, &vv_}})
             for (auto const& e : at.entries[block]) (*to)[static_cast<std::size_t>(e.column * D + e.row)] = e.place;
-        auto const degree = [&](hilger::detail::block_number b) {
-            return at.entries[b].empty() ? 1 : at.constant[b] ? 2 : hilger::dependence::no_polynomial;
-        };
-        on_ = {degree(hilger::detail::block_qq), degree(hilger::detail::block_vv), not at.entries[hilger::detail::block_qv].empty()};
+        on_ = {at.degree(hilger::detail::block_qq), at.degree(hilger::detail::block_vv), not at.entries[hilger::detail::block_qv].empty()};
     }
     template <class Node>
     void read(Node const& node, hilger::expansion<V>& e) const {

@@ -4,6 +4,7 @@
 
 #include "engine/machine_code.hpp"
 #include "engine/motions.hpp"
+#include "scenes/measure.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -13,16 +14,10 @@ using namespace hilger;
 using vector = Eigen::VectorXd;
 constexpr double h = 0.01;
 
-/// Nanoseconds a step of the fastest of seven walks of n steps; `end` is the last position.
+/// Nanoseconds a step of walks of n steps.
 template <class Walk>
-double fastest_step(index_type n, Walk const& walk) {
-    double best = 1e300;
-    for (int round = 0; round < 7; ++round) {
-        auto const begin = std::chrono::steady_clock::now();
-        walk();
-        best = std::min(best, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
-    }
-    return best / static_cast<double>(n);
+double nanoseconds(index_type n, Walk const& walk) {
+    return program::fastest(walk) * 1e9 / static_cast<double>(n);
 }
 
 template <class Typed, class V>
@@ -36,14 +31,14 @@ void race(char const* name, char const* text, int size, Typed const& L, V const&
     auto const row = [&](auto const& how, char const* method) {
         auto const T = uniform(0.0, h, n);
         V typed_end = q0;
-        double const typed = fastest_step(n, [&] {
+        double const typed = nanoseconds(n, [&] {
             for (auto const& x : embed(L, how).along(T, initial_velocity<V>{q0, v0})) typed_end = x.q;
         });
         engine::problem const stated{text::lagrangian_in(text, words), {}, {}, "direct"};
         auto const of_formula = [&](engine::machine_code code, vector& end) {
             engine::set_machine_code(code);
             auto const motion = engine::embedded_in_one_step(stated, method, {0, h, n, {}});
-            return fastest_step(n, [&] {
+            return nanoseconds(n, [&] {
                 motion->walk({q, engine::second_datum::velocity, v}, [&](double, vector const& x, vector const&) {
                     end = x;
                     return true;

@@ -168,8 +168,7 @@ expansion<V> expand_traced(F const& f, V const& q, V const& v, std::uint8_t by) 
         return made;
     };
     expansion<V> e{std::move(there.by_q), std::move(there.by_v), block(block_qq, all), block(block_qv, all), block(block_vv, true), {}};
-    auto const degree = [&](block_number b) { return at.entries[b].empty() ? 1 : at.constant[b] ? 2 : dependence::no_polynomial; };
-    e.on = {all ? degree(block_qq) : dependence::no_polynomial, degree(block_vv), not all or not at.entries[block_vq].empty()};
+    e.on = {all ? at.degree(block_qq) : dependence::no_polynomial, at.degree(block_vv), not all or not at.entries[block_vq].empty()};
     return e;
 }
 

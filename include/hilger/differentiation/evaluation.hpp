@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,9 +40,7 @@ public:
             if (auto const function = translation_->of(which)) return function(values);
             translation_->count(*this);
         }
-        int const begin = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1], end = end_of_[static_cast<std::size_t>(which)];
-        for (int k = begin; k < end; ++k) {
-            auto const& r = rounds_[static_cast<std::size_t>(k)];
+        for (round const& r : rounds_of(which)) {
             int const *a = a_.data() + r.first, *b = b_.data() + r.first;
             if (r.in_a_row)
                 r.what->run_in_a_row(values + first_ + r.first, r.count, values + *a, r.all_a, values + *b, r.all_b);
@@ -61,10 +60,8 @@ public:
     /// Calls use(operations) in the order of one part.
     template <class Use>
     void for_each_round(part which, Use const& use) const {
-        for (int k = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1]; k < end_of_[static_cast<std::size_t>(which)]; ++k) {
-            auto const& r = rounds_[static_cast<std::size_t>(k)];
+        for (round const& r : rounds_of(which))
             use(operations{r.what, r.count, first_ + r.first, a_.data() + r.first, b_.data() + r.first, r.in_a_row});
-        }
     }
     /// Where results are that somebody reads, some of them more than once.
     [[nodiscard]] std::vector<int> const& results() const { return results_; }
@@ -84,6 +81,10 @@ private:
         int count, first;
         bool in_a_row = false, all_a = false, all_b = false;
     };
+    [[nodiscard]] std::span<round const> rounds_of(part which) const {
+        int const begin = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1], end = end_of_[static_cast<std::size_t>(which)];
+        return {rounds_.data() + begin, rounds_.data() + end};
+    }
     /// Operations whose operands stand one after the other, or are one for all of them.
     struct row {
         std::vector<int> nodes;

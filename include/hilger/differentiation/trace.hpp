@@ -23,6 +23,8 @@ struct derivative_places {
     std::vector<int> by_q, by_v; ///< with the force in by_q
     std::array<std::vector<second>, blocks> entries;
     std::array<bool, blocks> constant{}; ///< no value of the block ever changes
+    /// In the argument that a block is of twice.
+    [[nodiscard]] int degree(block_number b) const { return entries[b].empty() ? 1 : constant[b] ? 2 : dependence::no_polynomial; }
 };
 
 template <class S>
