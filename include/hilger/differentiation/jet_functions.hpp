@@ -36,10 +36,18 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> exp(jet<S, F, C, O> const& x) {
     S const e = exp(x.value);
     return chain_rule(x, e, e, e);
 }
+namespace detail {
+/// 1/x where log(x) is a number, and what log says where it is none: only derivatives enter a step, and 1/x alone would lead it on.
+template <class S>
+HILGER_ALWAYS_INLINE inline S slope_of_log(S const& x) {
+    using std::log;
+    return x < S(0) ? S(log(x)) : S(S(1) / x);
+}
+} // namespace detail
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log(jet<S, F, C, O> const& x) {
     using std::log;
-    S const i = S(1) / x.value;
+    S const i = detail::slope_of_log(x.value);
     return chain_rule(x, S(log(x.value)), i, S(-i * i));
 }
 template <class S, int F, int C, int O>
@@ -103,7 +111,7 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> expm1(jet<S, F, C, O> const& x) {
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log1p(jet<S, F, C, O> const& x) {
     using std::log1p;
-    S const i = S(1) / S(S(1) + x.value);
+    S const i = detail::slope_of_log(S(S(1) + x.value));
     return chain_rule(x, S(log1p(x.value)), i, S(-i * i));
 }
 namespace detail {

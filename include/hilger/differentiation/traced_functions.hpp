@@ -159,6 +159,19 @@ struct function_of_one {
     traced<S> function(traced<S> const& x) {                                                                                               \
         return detail::make_traced<detail::function##_traced>(x);                                                                          \
     }
+namespace detail {
+struct slope_of_log_traced : function_of_one {
+    static constexpr char const* name = "slope_of_log";
+    template <class S>
+    static S value(S const& x, S const&) {
+        return slope_of_log(x);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const&, T const& y, T const& adjoint) {
+        return {-(adjoint * (y * y)), T(0)};
+    }
+};
+} // namespace detail
 template <class S>
 traced<S> cos(traced<S> const& x);
 template <class S>
@@ -167,7 +180,7 @@ HILGER_TRACED_FUNCTION(sin, adjoint* cos(x))
 HILGER_TRACED_FUNCTION(cos, -(adjoint* sin(x)))
 HILGER_TRACED_FUNCTION(tan, adjoint*(T(1) + y * y))
 HILGER_TRACED_FUNCTION(exp, adjoint* y)
-HILGER_TRACED_FUNCTION(log, adjoint / x)
+HILGER_TRACED_FUNCTION(log, adjoint* make_traced<slope_of_log_traced>(x))
 HILGER_TRACED_FUNCTION(sqrt, adjoint / (T(2) * y))
 HILGER_TRACED_FUNCTION(sinh, adjoint* cosh(x))
 HILGER_TRACED_FUNCTION(cosh, adjoint* sinh(x))
@@ -177,7 +190,7 @@ HILGER_TRACED_FUNCTION(acos, -(adjoint / sqrt(T(1) - x * x)))
 HILGER_TRACED_FUNCTION(atan, adjoint / (T(1) + x * x))
 HILGER_TRACED_FUNCTION(cbrt, adjoint / (T(3) * (y * y)))
 HILGER_TRACED_FUNCTION(expm1, adjoint* exp(x))
-HILGER_TRACED_FUNCTION(log1p, adjoint / (T(1) + x))
+HILGER_TRACED_FUNCTION(log1p, adjoint* make_traced<slope_of_log_traced>(T(1) + x))
 HILGER_TRACED_FUNCTION(erf, adjoint*(T(two_over_root_of_pi<typename T::scalar_type>()) * exp(-(x * x))))
 #undef HILGER_TRACED_FUNCTION
 
