@@ -50,11 +50,21 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log(jet<S, F, C, O> const& x) {
     S const i = detail::slope_of_log(x.value);
     return chain_rule(x, S(log(x.value)), i, S(-i * i));
 }
+namespace detail {
+/// No derivative there, as at the bottom of a sum of squares.
+template <class S, int F, int C, int O, int... K>
+HILGER_ALWAYS_INLINE inline bool is_level(jet<S, F, C, O> const& x, std::integer_sequence<int, K...>) {
+    return ((x.template by<F + K>() == S(0)) and ...);
+}
+} // namespace detail
+/// At v = 0 the slope of |v| = sqrt(v v) is taken for 0, the middle of its slopes: then |v| v, a drag, has its derivatives from rest on.
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sqrt(jet<S, F, C, O> const& x) {
     using std::sqrt;
     S const root = sqrt(x.value);
-    S const i = S(1) / root;
+    S i = S(1) / root;
+    if (root == S(0)) [[unlikely]]
+        if (detail::is_level(x, std::make_integer_sequence<int, C>{})) i = S(0);
     return chain_rule(x, root, i, S(i * i * i), S(S(1) / S(2)), S(S(-1) / S(2)));
 }
 template <class S, int F, int C, int O>

@@ -33,15 +33,15 @@ HILGER_ALWAYS_INLINE constexpr Jet function_of_two(Jet const& x, Jet const& y, S
 
 } // namespace detail
 
-/// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar.
+/// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar. Its slopes at 0 are taken for 0, as those of sqrt(x x + y y).
 template <class X, class Y>
 HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const& y) {
     using std::hypot;
     using both = detail::pair_of_jets<X, Y>;
     using S = typename both::scalar_type;
     both const a(x), b(y);
-    S const r = hypot(a.value, b.value), c = a.value / r, s = b.value / r;
-    return detail::function_of_two(a, b, r, {c, s, S(s * s / r), S(-c * s / r), S(c * c / r)});
+    S const r = hypot(a.value, b.value), by = r == S(0) ? S(1) : r, c = a.value / by, s = b.value / by;
+    return detail::function_of_two(a, b, r, {c, s, S(s * s / by), S(-c * s / by), S(c * c / by)});
 }
 /// The angle of (x, y), continuous across the axes where atan(y / x) is not.
 template <class X, class Y>

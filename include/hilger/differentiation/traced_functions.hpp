@@ -2,6 +2,8 @@
 // Traced numbers beside constants, their comparisons and elementary functions, and what Eigen must know to make vectors of them.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "hilger/differentiation/jet_functions.hpp"
@@ -160,6 +162,48 @@ struct function_of_one {
         return detail::make_traced<detail::function##_traced>(x);                                                                          \
     }
 namespace detail {
+/// x/y, and 0 where y is: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of jets is.
+struct over_norm_traced {
+    static constexpr char const* name = "over_norm";
+    static constexpr bool commutes = false;
+    template <class S>
+    static S value(S const& x, S const& y) {
+        return y == S(0) ? S(0) : S(x / y);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {
+        T const by_x = make_traced<over_norm_traced>(adjoint, y);
+        return {by_x, -(by_x * result)};
+    }
+};
+/// What is never negative by its form has no slope where it is 0.
+template <class S>
+bool is_sum_of_squares(traced<S> const& x) {
+    if (x.is_constant()) return false;
+    auto const& g = *formula_graph<S>::of_this_thread();
+    std::vector<int> open{x.node};
+    while (not open.empty()) {
+        int const k = open.back();
+        open.pop_back();
+        auto const& n = g[k];
+        if (g.is_number(k)) {
+            if (g.number(k) < S(0)) return false;
+        } else if (n.what == &operation_object<times_traced, S> and (g.is_number(n.a) or g.is_number(n.b)) and n.a != n.b) {
+            open.push_back(n.a);
+            open.push_back(n.b);
+        } else if (n.what == &operation_object<plus_traced, S>) {
+            open.push_back(n.a);
+            open.push_back(n.b);
+        } else if (n.what != &operation_object<times_traced, S> or n.a != n.b)
+            return false;
+    }
+    return true;
+}
+template <class T>
+T slope_of_root(T const& x, T const& root, T const& adjoint) {
+    T const twice = T(2) * root;
+    return is_sum_of_squares(x) ? make_traced<over_norm_traced>(adjoint, twice) : adjoint / twice;
+}
 struct slope_of_log_traced : function_of_one {
     static constexpr char const* name = "slope_of_log";
     template <class S>
@@ -181,7 +225,7 @@ HILGER_TRACED_FUNCTION(cos, -(adjoint* sin(x)))
 HILGER_TRACED_FUNCTION(tan, adjoint*(T(1) + y * y))
 HILGER_TRACED_FUNCTION(exp, adjoint* y)
 HILGER_TRACED_FUNCTION(log, adjoint* make_traced<slope_of_log_traced>(x))
-HILGER_TRACED_FUNCTION(sqrt, adjoint / (T(2) * y))
+HILGER_TRACED_FUNCTION(sqrt, slope_of_root(x, y, adjoint))
 HILGER_TRACED_FUNCTION(sinh, adjoint* cosh(x))
 HILGER_TRACED_FUNCTION(cosh, adjoint* sinh(x))
 HILGER_TRACED_FUNCTION(tanh, adjoint*(T(1) - y * y))
@@ -205,7 +249,7 @@ struct hypot_traced {
     }
     template <class T>
     static std::pair<T, T> pull_back(T const& x, T const& y, T const& result, T const& adjoint) {
-        T const each = adjoint / result;
+        T const each = make_traced<over_norm_traced>(adjoint, result);
         return {each * x, each * y};
     }
 };
