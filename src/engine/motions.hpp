@@ -48,14 +48,14 @@ public:
     }
     [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
     [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const override {
-        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow> and not forced()) {
-            auto const x = solve(equation_of(flow_, T_), T_, hilger::boundary_values<vector<S>>{first, last});
+        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
+            auto const x = solve(equation_of(flow_, T_), T_, hilger::boundary_values<vector<S>>{first, last}, flow_.mechanics().force);
             std::vector<vector<S>> positions;
             hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
             for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
             return positions;
         } else
-            refuse("is solved from initial values: what joins two ends is found for embeddings, without forces and damping");
+            refuse("is solved from initial values: what joins two ends is found for embeddings, without fractional damping");
     }
     [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
@@ -109,7 +109,6 @@ private:
         else
             return flow_.mechanics().lagrangian;
     }
-    static constexpr bool forced() { return std::same_as<typename hilger::detail::mechanics_of<Flow>::force, hilger::text::stated_force>; }
     [[noreturn]] void refuse(char const* why) const {
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }

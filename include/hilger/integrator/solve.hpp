@@ -107,11 +107,13 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
-/// The first guess is the straight line. On given points in O(N).
+/// With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 0.0, .qN = 1.0}, f). The first guess is the straight line. On given
+/// points in O(N).
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
-template <class Action, class V>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends) {
+template <class Action, class V, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,
+           Force const& force = {}) {
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
@@ -132,37 +134,54 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     index_type const last = Base::last(T.steps());
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
     x.back() = qN;
-    if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, no_force{}, "the equation between the ends of T");
+    if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T");
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 0> const& ends) {
-    return solve(equation, T, ends.data());
+namespace detail {
+/// Without a force equations of other kinds have overloads of their own: boundary/of_variation.hpp.
+template <class Action, class V, class Force>
+auto between(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,
+             Force const& force) {
+    if constexpr (std::same_as<Force, no_force>)
+        return solve(equation, T, ends);
+    else
+        return solve(equation, T, ends, force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 2> const& ends) {
-    return solve(equation, T, ends.data());
+} // namespace detail
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 0> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 3> const& ends) {
-    return solve(equation, T, ends.data());
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 2> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 4> const& ends) {
-    return solve(equation, T, ends.data());
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 3> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 5> const& ends) {
-    return solve(equation, T, ends.data());
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 4> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 6> const& ends) {
-    return solve(equation, T, ends.data());
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 5> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,
-           detail::ends_on<Action, Eigen::Dynamic> const& ends) {
-    return solve(equation, T, ends.data());
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 6> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
+}
+template <class Action, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Eigen::Dynamic> const& ends,
+           Force const& force = {}) {
+    return detail::between(equation, T, ends.data(), force);
 }
 
 template <class Action, class Derived>
@@ -176,6 +195,15 @@ auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detai
 template <class Action, class Derived>
 auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_ends_in_braces const&) {
     return detail::not_initial_data<Derived>();
+}
+
+/// Of what steps by itself there is no equation here.
+template <class Method, class Derived>
+    requires std::derived_from<Method, stepping<Method>>
+int solve(Method const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
+    static_assert(not std::same_as<Method, Method>,
+                  "solve takes an equation, variation(S), and this is a method: method.along(T, {.q0 = ..., .v0 = ...}) steps it");
+    return 0;
 }
 
 } // namespace hilger

@@ -32,6 +32,12 @@ void holds_exactly(T const& scale, Action const& S) {
     CHECK(x.get(0) == Q(1, 2));
     CHECK(x.get(x.size() - 1) == Q(-2, 3));
     CHECK(largest(EL.residual(x)) == 0);
+
+    auto const force = [](auto const& t, auto const& z, auto const& v) { return t * z / 5 - v / 3 + 1; };
+    auto const with_force = solve(EL, scale, {.q0 = Q(1, 2), .qN = Q(-2, 3)}, force);
+    CHECK(with_force.get(x.size() - 1) == Q(-2, 3));
+    CHECK(largest(EL.residual(with_force, force)) == 0);
+    CHECK(largest(EL.residual(with_force)) > Q(1, 100));
 }
 template <class T>
 void holds_exactly_on(T const& scale) {
@@ -66,6 +72,18 @@ TEST_CASE("what initial values lead to is found again from its ends") {
     found_again(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.5, 0.4));
     found_again(Eigen::VectorXd(Eigen::Vector3d(0.3, -0.2, 1)), Eigen::VectorXd(Eigen::Vector3d(0.5, 0.4, -1)));
     CHECK(solve(in_plane, T, {.q0 = {0.3, -0.2}, .qN = {0.5, 0.4}})[40] == Eigen::Vector2d(0.5, 0.4));
+
+    // against a drag too
+    auto const drag = [](auto const&, auto const& v) { return -(v.norm() * v) / 5; };
+    auto const dragged = embed(with_force(in_space, drag), order_one);
+    auto const found_with_drag = [&](auto const& q0, auto const& v0) {
+        auto const path = record(dragged.along(T, initial_velocity{q0, v0}));
+        auto const back = solve(in_plane, T, boundary_values{path.states[0].q, path.states[40].q}, drag);
+        for (index_type i = 0; i < T.size(); ++i) CHECK((back[i] - path.states[i].q).norm() <= 4096 * epsilon<double>());
+    };
+    found_with_drag(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.5, 0.4));
+    found_with_drag(Eigen::VectorXd(Eigen::Vector3d(0.3, -0.2, 1)), Eigen::VectorXd(Eigen::Vector3d(0.5, 0.4, -1)));
+    CHECK(solve(in_plane, T, {.q0 = {0.3, -0.2}, .qN = {0.5, 0.4}}, drag)[40] == Eigen::Vector2d(0.5, 0.4));
 }
 
 TEST_CASE("the order between ends is that of the step") {
