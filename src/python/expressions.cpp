@@ -2,10 +2,13 @@
 // Formulas by the operators and functions of Python. Numbers keep all their digits: 0.1 is the digits that repr prints, Fraction(1, 3) is a
 // quotient, Decimal and mpf are their digits.
 #include <optional>
+#include <unordered_map>
 
 #include "bindings.hpp"
 #include "hilger/text/functions.hpp"
 #include "hilger/text/read.hpp"
+#include "hilger/text/write.hpp"
+#include "hilger/version.hpp"
 
 namespace bindings {
 
@@ -80,7 +83,52 @@ void add_operator(Type& type, char const* name, char const* reflected, kind what
 }
 expression required(py::handle x) {
     if (auto const e = as_expression(x)) return *e;
-    throw py::type_error("a formula or a number was expected, and here is a " + text_of(py::type::of(x).attr("__name__")));
+    std::string const type = text_of(py::type::of(x).attr("__name__"));
+    throw py::type_error("a formula or a number was expected, and here is a " + type +
+                         (type == "bool" ? ": conditions are made by <, <=, >, >=, &, | and ~, and == of formulas is none" : ""));
+}
+
+std::string text_for_people(expression const& x) {
+    constexpr std::size_t page = 2000;
+    return hilger::text::written(x, page).value_or("a formula of more than " + std::to_string(page) + " characters");
+}
+
+// What formulas share is shared when they come back. The numbers of kinds are those of one version.
+using kept_node = std::tuple<int, std::string, std::vector<std::size_t>>;
+using kept = std::tuple<int, int, std::vector<kept_node>>;
+kept kept_of(expression const& x) {
+    std::unordered_map<hilger::text::node const*, std::size_t> places;
+    std::vector<kept_node> nodes;
+    std::vector<hilger::text::node const*> open{&x.root()};
+    while (not open.empty()) {
+        auto const* const here = open.back();
+        bool ready = true;
+        for (auto const& part : here->parts)
+            if (not places.contains(part.get())) {
+                open.push_back(part.get());
+                ready = false;
+            }
+        if (not ready) continue;
+        open.pop_back();
+        if (not places.emplace(here, nodes.size()).second) continue;
+        std::vector<std::size_t> parts;
+        for (auto const& part : here->parts) parts.push_back(places.at(part.get()));
+        nodes.emplace_back(static_cast<int>(here->what), here->name, parts);
+    }
+    return {HILGER_VERSION_MAJOR, HILGER_VERSION_MINOR, nodes};
+}
+expression from_kept(kept const& x) {
+    auto const& [major, minor, nodes] = x;
+    if (major != HILGER_VERSION_MAJOR or minor != HILGER_VERSION_MINOR)
+        hilger::error::raise<hilger::error::invalid_parameter>("a formula was kept by hilger ", major, '.', minor,
+                                                               ", and this is another version");
+    std::vector<expression> made;
+    for (auto const& [what, name, parts] : nodes) {
+        std::vector<expression> of;
+        for (std::size_t const k : parts) of.push_back(made.at(k));
+        made.emplace_back(static_cast<kind>(what), name, of);
+    }
+    return made.back();
 }
 
 } // namespace
@@ -92,12 +140,18 @@ void add_expressions(py::module_& m) {
     add_operator(type, "__mul__", "__rmul__", kind::times);
     add_operator(type, "__truediv__", "__rtruediv__", kind::over);
     add_operator(type, "__pow__", "__rpow__", kind::power);
+    add_operator(type, "__and__", nullptr, kind::both);
+    add_operator(type, "__or__", nullptr, kind::either);
     add_operator(type, "__lt__", nullptr, kind::less);
     add_operator(type, "__le__", nullptr, kind::less_or_equal);
     add_operator(type, "__gt__", nullptr, kind::less, true);
     add_operator(type, "__ge__", nullptr, kind::less_or_equal, true);
     type.def(
         "__neg__", [](expression const& x) { return -x; }, py::is_operator());
+    type.def(
+        "__invert__", [](expression const& x) { return expression(kind::not_so, "", {x}); }, py::is_operator());
+    type.def("__repr__", &text_for_people);
+    type.def(py::pickle(&kept_of, &from_kept));
     type.def(
         "__pos__", [](expression const& x) { return x; }, py::is_operator());
     type.def("__abs__", [](expression const& x) { return expression::call("abs", {x}); });

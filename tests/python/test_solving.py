@@ -29,6 +29,14 @@ class Exact(unittest.TestCase):
         self.assertIsInstance(x.p[3], Fraction)
         self.assertEqual(x.t[20], 2)
 
+    def test_between_two_ends_against_a_force(self):
+        for T in (h.uniform(0, Fraction(1, 4), 6), h.TimeScale(["0", "1/3", "1", "7/5", "2"])):
+            for method in (h.order_one, h.midpoint):
+                EL = h.variation(oscillator, T, method) + h.force(1 - v / 3 + h.t * q)
+                x = h.solve(EL, q0=1, qN=Fraction(-1, 2))
+                self.assertEqual((x.q[0], x.q[-1], x.residual()), (1, Fraction(-1, 2), 0))
+                self.assertEqual(list(h.solve(EL, q0=1, q1=x.q[1]).q), list(x.q))
+
     def test_other_data(self):
         T = h.TimeScale(["0", "1/3", "1", "7/5", "2"])
         for method in (h.order_one, h.order_one_left, h.midpoint):
@@ -51,6 +59,60 @@ class Exact(unittest.TestCase):
             for identity in proved:
                 self.assertTrue(identity.holds, identity.name)
                 self.assertGreater(identity.equalities, 0)
+
+
+class Events(unittest.TestCase):
+    def test_order_four_between_the_points(self):
+        # q = cos t passes 1/2 at pi/3, here in the middle of a step; a method of order 16 is exact beside what lies between the points
+        def error(m):
+            step = np.pi / 3 / (m + 0.5)
+            x = h.solve(h.variation(oscillator, h.uniform(0, step, 2 * m), h.gauss(8)), q0=1.0, v0=0.0)
+            found = x.events(lambda t, q, p: q - 0.5)
+            self.assertEqual(found.t.shape, (1,))
+            return abs(found.t[0] - np.pi / 3)
+
+        self.assertAlmostEqual(np.log(error(8) / error(17)) / np.log(17.5 / 8.5), 4, delta=0.02)
+
+    def test_digits(self):
+        import mpmath
+
+        with mpmath.workdps(60):
+            x = h.solve(h.variation(oscillator, h.uniform(mpmath.mpf(0), mpmath.mpf(1) / 8, 64)), q0=1, v0=0)
+        found = x.events(lambda t, q, p: q * q - q / 3)  # in 50 digits, whatever mpmath computes with elsewhere
+        self.assertEqual(len(found.t), 6)
+        self.assertTrue(all(min(abs(y), abs(y - 1 / mpmath.mpf(3))) < 1e-15 for y in found.q))
+        with mpmath.workdps(60):
+            self.assertTrue(all(abs(y * y - y / 3) < mpmath.mpf(10) ** -48 for y in found.q))
+
+    def test_directions_ends_and_vectors(self):
+        x = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 200)), q0=1.0, v0=0.0)
+        both, rising, falling = (x.events(lambda t, q, p: q, crossing) for crossing in ("any", "rising", "falling"))
+        self.assertEqual(sorted([*rising.t, *falling.t]), both.t.tolist())
+        self.assertTrue((rising.p > 0).all() and (falling.p < 0).all() and len(both.t) == 6)
+        self.assertLess(np.abs(both.q).max(), 4 * 20 * epsilon)  # what t is rounded to, at a speed of 1
+        self.assertEqual(len(x.events(lambda t, q, p: p).t), 5)  # p = 0 at the start is none
+        self.assertLess(np.abs(x.events(lambda t, q, p: t - 3.05).t - 3.05).max(), 4 * 3.05 * epsilon)
+        none = x.events(lambda t, q, p: q - 2)
+        self.assertEqual((none.t.shape, none.q.shape, none.p.shape), ((0,), (0,), (0,)))
+        plane = h.Lagrangian("dot(v, v)/2 - dot(q, q)/2", "q[2]", "v[2]")
+        y = h.solve(h.variation(plane, h.uniform(0, 0.1, 100), h.gauss(4)), q0=[1.0, 0.0], v0=[0.0, 1.0])
+        found = y.events(lambda t, q, p: q[0] - q[1], "falling")
+        self.assertEqual(found.q.shape, (2, 2))
+        self.assertLess(np.abs(found.t - np.pi * np.array([0.25, 2.25])).max(), 1e-6)  # 0.1^4/384 and more of the dense output
+
+    def test_what_has_none(self):
+        x = h.solve(h.variation(oscillator, h.uniform(0, Fraction(1, 10), 40)), q0=1, v0=0)
+        with self.assertRaisesRegex(h.InvalidParameter, "root finding, which rationals have not"):
+            x.events(lambda t, q, p: q)
+        y = h.solve(h.variation(oscillator, h.uniform(0, 0.1, 40)), q0=1, v0=0)
+        with self.assertRaisesRegex(h.InvalidParameter, 'is "any", "rising" or "falling"'):
+            y.events(lambda t, q, p: q, "up")
+        with self.assertRaisesRegex(h.NotFinite, "is nan at t = 0.0"):
+            y.events(lambda t, q, p: float("nan"))
+        with self.assertRaisesRegex(ZeroDivisionError, "division"):
+            y.events(lambda t, q, p: q + 1 // int(t < 2))
+        with self.assertRaisesRegex(TypeError, "positional argument"):
+            y.events(lambda q: q)
 
 
 class Double(unittest.TestCase):

@@ -75,6 +75,6 @@ from .formulas import (
     variables,
 )
 from .scales import Identity, TimeScale, Uniform, identities, uniform
-from .solving import AccurateSolution, Solution, StepFailure, blocks, direct, exponentials, machine_code, solve
+from .solving import AccurateSolution, Events, Solution, StepFailure, blocks, direct, exponentials, machine_code, solve
 
 __version__ = _core.version

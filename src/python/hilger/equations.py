@@ -30,7 +30,7 @@ class Lagrangian:
     q and v are variables, lists of them, or their names; `time` is the name of the time. Coordinates are numbered as they are given.
     """
 
-    def __init__(self, L: "Formula | str", q: Variables = "q", v: Variables = "v", *, time: str = "t", **parameters: object) -> None:
+    def __init__(self, L: "Formula | str", /, q: Variables = "q", v: Variables = "v", *, time: str = "t", **parameters: object) -> None:
         qs, vs = _all(q), _all(v)
         if [_size(x) for x in qs] != [_size(x) for x in vs]:
             raise _core.Mismatch("each coordinate has its velocity, of the same size")
@@ -43,7 +43,15 @@ class Lagrangian:
         given = {}
         for name, x in parameters.items():
             given[name] = [digits(y) for y in x] if hasattr(x, "__len__") and not isinstance(x, str) else digits(x)
+        self._formula, self._parameters = formula, given
         self._problem = _core.Problem(formula, self.coordinates, time, given)
+
+    def __getstate__(self) -> dict:
+        return {name: x for name, x in self.__dict__.items() if name != "_problem"}
+
+    def __setstate__(self, kept: dict) -> None:
+        self.__dict__.update(kept)
+        self._problem = _core.Problem(self._formula, self.coordinates, self.time, self._parameters)
 
     @property
     def dimension(self) -> int:
@@ -181,7 +189,7 @@ class Equation:
         return undamped._motion().equation(latex)
 
     def __repr__(self) -> str:
-        more = "".join(f"forces: {', '.join('a formula' for _ in f.components)}\n" for f in self.forces)
+        more = "".join(f"beside ∂L/∂q: {', '.join(map(repr, f.components))}\n" for f in self.forces)
         more += "".join(f"beside ∂L/∂q: −{d.rho} D^{d.alpha} q\n" for d in self.dampings)
         return f"{self.lagrangian!r}\n{self._written(False)}{more}"
 

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import warnings
 from fractions import Fraction
-from typing import Callable, Optional, Sequence, Union
+from typing import Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
@@ -39,6 +40,15 @@ def exponentials(tolerance: float = 0.0) -> str:
     return f"exponentials:{tolerance}" if tolerance else "exponentials"
 
 
+def _digits_of(kind: str):
+    """What a scalar computes with where Python computes with it."""
+    if kind != "50 digits":
+        return contextlib.nullcontext()
+    import mpmath
+
+    return mpmath.workdps(60)
+
+
 def _numbers(kind: str, made: object) -> np.ndarray:
     """What came from the engine, as an array: of Fraction or mpf for scalars that numpy does not have."""
     if kind == "double":
@@ -49,23 +59,35 @@ def _numbers(kind: str, made: object) -> np.ndarray:
     else:
         import mpmath
 
-        with mpmath.workdps(60):
+        with _digits_of(kind):
             all_of_them = [mpmath.mpf(x) for x in words]
     array = np.array(all_of_them, dtype=object)
     return array.reshape(-1, columns) if columns else array
 
 
+class Events(NamedTuple):
+    """Where a function of the state passes zero: times t, positions q and momenta p, one row for each event."""
+
+    t: np.ndarray
+    q: np.ndarray
+    p: np.ndarray
+
+
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
-    `x(t)` is q between the points, of order 4 in the step; `x.residual()` what the positions leave of their equation; `x.energy()` H at
-    the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends has positions alone, and p is None.
+    `x(t)` is q between the points, of order 4 in the step; `x.events(g)` where a function passes zero; `x.residual()` what the positions
+    leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends
+    has positions alone, and p is None. It can be pickled; it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
         self.equation, self._start, self._history = equation, start, history
         self.t, self.q, self.p, self.stopped = t, q, p, stopped
         self._made = None
+
+    def __getstate__(self) -> dict:
+        return {**self.__dict__, "_made": None}
 
     @property
     def _motion(self):
@@ -107,6 +129,39 @@ class Solution:
         kind = self.equation.scale.kind()
         q = _numbers(kind, q)
         return q[0] if self.q.ndim == 1 else q
+
+    def events(self, g: Callable, crossing: str = "any") -> Events:
+        """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
+
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, and two within one step are not seen.
+        """
+        if crossing not in ("any", "rising", "falling"):
+            raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
+        p, kind, row, scalar = self._momenta(), self.equation.scale.kind(), self._row, self.q.ndim == 1
+
+        def value(t, q, p):
+            with _digits_of(kind):
+                y = g(t, q, p)
+            if not y - y == 0:
+                raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
+            return y
+
+        def state(made):
+            t, q, p = made
+            q, p = _numbers(kind, q), _numbers(kind, p)
+            return (_one(kind, t), q[0], p[0]) if scalar else (_one(kind, t), q, p)
+
+        found = []
+        was = value(self.t[0], self.q[0], p[0])
+        for i in range(1, len(self)):
+            now = value(self.t[i], self.q[i], p[i])
+            if (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising"):
+                ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
+                found.append(state(self._motion.zero_between(*ends, lambda *made: self._time(value(*state(made))))))
+            was = now
+        t, q, momenta = zip(*found) if found else ((), (), ())
+        empty = self.q[:0]
+        return Events(np.array(t, dtype=self.t.dtype), np.array(q) if found else empty, np.array(momenta) if found else empty)
 
     def residual(self):
         """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding."""
