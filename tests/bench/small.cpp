@@ -61,7 +61,11 @@ struct kepler {
 template <class P>
 using vector = std::array<double, static_cast<std::size_t>(P::d)>;
 
-template <class P>
+/// A friction of so many thousandths of v.
+template <int Thousandths>
+inline constexpr double friction = Thousandths / 1000.0;
+
+template <class P, int Thousandths = 0>
 double order_one_by_hand(long n) {
     auto q = P::q0, p = P::p0;
     double s = 0;
@@ -69,7 +73,7 @@ double order_one_by_hand(long n) {
         s += q[0];
         vector<P> g;
         P::force(q, g);
-        for (std::size_t k = 0; k < P::d; ++k) p[k] += P::h * g[k];
+        for (std::size_t k = 0; k < P::d; ++k) p[k] = (p[k] + P::h * g[k]) * (1 / (1 + P::h * friction<Thousandths>));
         for (std::size_t k = 0; k < P::d; ++k) q[k] += P::h * p[k];
     }
     return s + q[0];
@@ -92,9 +96,9 @@ double verlet_by_hand(long n) {
 }
 /// Newton to 1e-8 with the last correction applied to the gradient; no further gradient for p. Guess: the polynomial through the last Past
 /// velocities, 2 being the usual linear one.
-template <class P, int Past>
+template <class P, int Past, int Thousandths = 0>
 double midpoint_by_hand(long n) {
-    constexpr double h = P::h;
+    constexpr double h = P::h, r = friction<Thousandths>;
     auto q = P::q0, p = P::p0;
     std::array<vector<P>, Past> past;
     past.fill(p);
@@ -112,16 +116,19 @@ double midpoint_by_hand(long n) {
             std::array<double, 3> H{};
             for (std::size_t k = 0; k < P::d; ++k) A[k] = q[k] + h / 2 * v[k];
             P::both(A, g, H);
-            for (std::size_t k = 0; k < P::d; ++k) d[k] = v[k] - h / 2 * g[k] - p[k];
-            constexpr double c = h * h / 4;
+            for (std::size_t k = 0; k < P::d; ++k) {
+                g[k] -= r * v[k];
+                d[k] = v[k] - h / 2 * g[k] - p[k];
+            }
+            constexpr double c = h * h / 4, one = 1 + h / 2 * r;
             if constexpr (P::d == 1) {
-                d[0] /= 1 - c * H[0];
-                g[0] -= h / 2 * H[0] * d[0];
+                d[0] /= one - c * H[0];
+                g[0] -= (h / 2 * H[0] - r) * d[0];
             } else {
-                double const a = 1 - c * H[0], b = -c * H[1], e = 1 - c * H[2], i1 = 1 / (a * e - b * b);
+                double const a = one - c * H[0], b = -c * H[1], e = one - c * H[2], i1 = 1 / (a * e - b * b);
                 d = {(e * d[0] - b * d[1]) * i1, (a * d[1] - b * d[0]) * i1};
-                g[0] -= h / 2 * (H[0] * d[0] + H[1] * d[1]);
-                g[1] -= h / 2 * (H[1] * d[0] + H[2] * d[1]);
+                g[0] -= h / 2 * (H[0] * d[0] + H[1] * d[1]) - r * d[0];
+                g[1] -= h / 2 * (H[1] * d[0] + H[2] * d[1]) - r * d[1];
             }
             double size = 0, reach = 0;
             for (std::size_t k = 0; k < P::d; ++k) {
@@ -184,6 +191,14 @@ void race_all(std::string const& name) {
          {{"hand: symplectic Euler", order_one_by_hand<P>, true},
           {"hilger: embed(L, order_one)", [](long m) { return by_hilger<P>(embed(P::L, hilger::order_one), m); }},
           {"odeint: symplectic_euler", by_odeint<P, odeint::symplectic_euler<vector<P>>>}});
+    auto const rubbing = with_force(hilger::lagrangian{P::L}, [](auto const&, auto const& v) { return -friction<1> * v; });
+    race(name + " with friction, mid-point", n, rounds,
+         {{"hand: Newton, linear guess", midpoint_by_hand<P, 2, 1>, true},
+          {"hand: Newton, guess through 7 velocities", midpoint_by_hand<P, 7, 1>, true},
+          {"hilger: embed(with_force(L, f), mid_point)", [&](long m) { return by_hilger<P>(embed(rubbing, hilger::mid_point), m); }}});
+    race(name + " with friction, order one", n, rounds,
+         {{"hand: symplectic Euler, the friction solved for", order_one_by_hand<P, 1>, true},
+          {"hilger: embed(with_force(L, f), order_one)", [&](long m) { return by_hilger<P>(embed(rubbing, hilger::order_one), m); }}});
 }
 
 } // namespace

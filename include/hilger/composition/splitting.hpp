@@ -9,6 +9,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/step/separable.hpp"
+#include "hilger/step/small_node.hpp"
 
 namespace hilger {
 

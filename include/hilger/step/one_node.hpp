@@ -10,10 +10,10 @@
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
+#include "hilger/step/small_node.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/step/tableau.hpp"
-#include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
 
@@ -155,7 +155,7 @@ private:
             bool done;
             if constexpr (at_start) {
                 done = quadratic or at_the_floor(d, v);
-                if (not quadratic) (add_row<K>(g, D, d), ...);
+                if (not quadratic or has_force<Problem>) (add_row<K>(g, D, d), ...); // at no velocity there is another force
             } else if constexpr (at_end) {
                 done = quadratic or at_the_floor(d, v);
                 if (done) {

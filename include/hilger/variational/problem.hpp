@@ -136,40 +136,7 @@ struct jets_for<V> {
     using of_force = position;
 };
 
-/// Derivatives at one node: by_q<J>, by_v<J>, and qq<J, K> = second derivative by component J of q, then K of q. A force f adds itself to
-/// by_q, df/dq to qq and df/dv to qv, so that qv is the transpose of vq without forces only.
-template <int N, class Jet>
-struct node_jet {
-    Jet z;
-    using told = tally<typename Jet::scalar_type>;
-    HILGER_ALWAYS_INLINE dependence on() const { return z.on; }
-    template <int J>
-    HILGER_ALWAYS_INLINE auto by_q() const {
-        if constexpr (J == 0) told::add(work::force);
-        return z.template by<J>();
-    }
-    template <int J>
-    HILGER_ALWAYS_INLINE auto by_v() const {
-        return z.template by<N + J>();
-    }
-    template <int J, int K>
-    HILGER_ALWAYS_INLINE auto qq() const {
-        return told::second(z.template by<std::max(J, K), std::min(J, K)>());
-    }
-    template <int J, int K>
-    HILGER_ALWAYS_INLINE auto qv() const {
-        return told::second(z.template by<N + K, J>());
-    }
-    template <int J, int K>
-    HILGER_ALWAYS_INLINE auto vq() const {
-        return told::second(z.template by<N + J, K>());
-    }
-    template <int J, int K>
-    HILGER_ALWAYS_INLINE auto vv() const {
-        return told::second(z.template by<N + std::max(J, K), N + std::min(J, K)>());
-    }
-};
-/// The same from an expansion and forces.
+/// Derivatives at one node, with forces, as node_jet has them (step/small_node.hpp).
 template <class V>
 struct node_table {
     expansion<V> e;
@@ -242,35 +209,6 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
         for (int k = 0; k < d; ++k)
             for (auto const* block : {&e.qq, &e.qv, &e.vv}) tally<scalar_of<V>>::second(s::entry(*block, j, k));
     return {std::move(e), std::move(vq)};
-}
-
-/// Small states: straight from the jet where there is nothing else. What is called from where it seldom matters is not flat: a compiler
-/// that sees a second call no longer takes the first one apart.
-template <bool Scalar, bool Flat = true, class F, class Force, class S, std::size_t Size, int... K>
-HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
-                                          std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
-    constexpr int N = static_cast<int>(Size);
-    using V = std::conditional_t<Scalar, S, Eigen::Matrix<S, N, 1>>;
-    if constexpr (std::same_as<Force, no_force> and not requires(V const& x) { at_time{what.lagrangian, t}.expand(x, x); }) {
-        using X = std::conditional_t<Scalar, q_jet<S, N>, Eigen::Matrix<q_jet<S, N>, N, 1>>;
-        using Y = std::conditional_t<Scalar, v_jet<S, N>, Eigen::Matrix<v_jet<S, N>, N, 1>>;
-        constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
-        require_callable<timed or std::invocable<F const&, X const&, Y const&>>();
-        using node = node_jet<N, qv_jet<S, N>>;
-        if constexpr (timed and Flat)
-            return node{jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
-        else if constexpr (Flat)
-            return node{jets_of<2, Scalar>(what.lagrangian, q, v, all)};
-        else if constexpr (timed)
-            return node{plain_jets_of<2, Scalar>(what.lagrangian, q, v, all, t)};
-        else
-            return node{plain_jets_of<2, Scalar>(what.lagrangian, q, v, all)};
-    } else {
-        using s = shape<V>;
-        V x, y;
-        ((s::component(x, K) = q[K], s::component(y, K) = v[K]), ...);
-        return expand_at(what, t, x, y);
-    }
 }
 
 } // namespace detail

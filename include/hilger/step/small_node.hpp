@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSL-1.0
+// What a step of up to four degrees of freedom evaluates at a node: jets of the Lagrangian, and of a force beside dL/dq, that an optimiser
+// takes apart into registers. Where there are no jets (a Lagrangian with derivatives of its own) it is a table.
+#pragma once
+
+#include "hilger/variational/problem.hpp"
+
+namespace hilger::detail {
+
+/// Derivatives at one node: by_q<J>, by_v<J>, and qq<J, K> = second derivative by component J of q, then K of q. A force f adds itself to
+/// by_q, df/dq to qq and df/dv to qv, so that qv is the transpose of vq without forces only.
+template <int N, class Jet>
+struct node_jet {
+    Jet z;
+    using told = tally<typename Jet::scalar_type>;
+    HILGER_ALWAYS_INLINE dependence on() const { return z.on; }
+    template <int J>
+    HILGER_ALWAYS_INLINE auto by_q() const {
+        if constexpr (J == 0) told::add(work::force);
+        return z.template by<J>();
+    }
+    template <int J>
+    HILGER_ALWAYS_INLINE auto by_v() const {
+        return z.template by<N + J>();
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto qq() const {
+        return told::second(z.template by<std::max(J, K), std::min(J, K)>());
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto qv() const {
+        return told::second(z.template by<N + K, J>());
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto vq() const {
+        return told::second(z.template by<N + J, K>());
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto vv() const {
+        return told::second(z.template by<N + std::max(J, K), N + std::min(J, K)>());
+    }
+};
+/// The same from jets of L and of a force's components, by all of q and v.
+template <int N, class Jet, class ForceJet>
+struct forced_node_jet : node_jet<N, Jet> {
+    using base = node_jet<N, Jet>;
+    using base::z;
+    using typename base::told;
+    std::array<ForceJet, static_cast<std::size_t>(N)> force;
+
+    template <class... F>
+    HILGER_ALWAYS_INLINE explicit forced_node_jet(Jet const& of_lagrangian, F const&... of_force)
+        : base{of_lagrangian}, force{of_force...} {}
+    /// A force is a derivative by q of something whose degree is higher by one.
+    HILGER_ALWAYS_INLINE dependence on() const {
+        dependence all = z.on;
+        for (ForceJet const& f : force) all = {std::max(all.q, f.on.q + 1), std::max(all.v, f.on.v + 1), all.coupled or f.on.coupled};
+        return all;
+    }
+    template <int J>
+    HILGER_ALWAYS_INLINE auto by_q() const {
+        return plus(base::template by_q<J>(), force[J].value);
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto qq() const {
+        return told::second(plus(z.template by<std::max(J, K), std::min(J, K)>(), force[J].template by<K>()));
+    }
+    template <int J, int K>
+    HILGER_ALWAYS_INLINE auto qv() const {
+        return told::second(plus(z.template by<N + K, J>(), force[J].template by<N + K>()));
+    }
+};
+
+/// Small states: straight from the jets. What is called from where it seldom matters is not flat: a compiler that sees a second call no
+/// longer takes the first one apart.
+template <bool Scalar, bool Flat, class F, class S, std::size_t Size, int... K>
+HILGER_ALWAYS_INLINE inline auto lagrangian_jets(F const& L, S const& t, std::array<S, Size> const& q, std::array<S, Size> const& v,
+                                                 std::integer_sequence<int, K...> all) {
+    constexpr int N = static_cast<int>(Size);
+    using X = std::conditional_t<Scalar, q_jet<S, N>, Eigen::Matrix<q_jet<S, N>, N, 1>>;
+    using Y = std::conditional_t<Scalar, v_jet<S, N>, Eigen::Matrix<v_jet<S, N>, N, 1>>;
+    constexpr bool timed = std::invocable<F const&, S const&, X const&, Y const&>;
+    require_callable<timed or std::invocable<F const&, X const&, Y const&>>();
+    if constexpr (timed and Flat)
+        return jets_of<2, Scalar>(L, q, v, all, t);
+    else if constexpr (Flat)
+        return jets_of<2, Scalar>(L, q, v, all);
+    else if constexpr (timed)
+        return plain_jets_of<2, Scalar>(L, q, v, all, t);
+    else
+        return plain_jets_of<2, Scalar>(L, q, v, all);
+}
+template <bool Scalar, class J, class Jet, class Force, class S, std::size_t Size, int... K>
+HILGER_ALWAYS_INLINE inline auto with_force_jets(Jet const& z, Force const& force, S const& t, std::array<S, Size> const& q,
+                                                 std::array<S, Size> const& v, std::integer_sequence<int, K...>) {
+    constexpr int N = static_cast<int>(Size);
+    using node = forced_node_jet<N, Jet, J>;
+    if constexpr (Scalar) {
+        auto const f = at_time{force, t}(J::variable(q[0], 0, {1, 0}), J::variable(v[0], 1, {0, 1}));
+        static_assert(not has_components<decltype(f)>, "a force is a state like q: a number for a number, a vector for a vector");
+        return node(z, J(f));
+    } else {
+        Eigen::Matrix<J, N, 1> x, y;
+        ((x(K) = J::variable(q[K], K, {1, 0}), y(K) = J::variable(v[K], N + K, {0, 1})), ...);
+        auto const f = at_time{force, t}(x, y);
+        static_assert(has_components<decltype(f)>, "a force is a state like q: a number for a number, a vector for a vector");
+        return node(z, J(f(K))...);
+    }
+}
+template <bool Scalar, bool Flat = true, class F, class Force, class S, std::size_t Size, int... K>
+HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const& t, std::array<S, Size> const& q,
+                                          std::array<S, Size> const& v, std::integer_sequence<int, K...> all) {
+    constexpr int N = static_cast<int>(Size);
+    using V = std::conditional_t<Scalar, S, Eigen::Matrix<S, N, 1>>;
+    if constexpr (requires(V const& x) { at_time{what.lagrangian, t}.expand(x, x); }) {
+        using s = shape<V>;
+        V x, y;
+        ((s::component(x, K) = q[K], s::component(y, K) = v[K]), ...);
+        return expand_at(what, t, x, y);
+    } else {
+        if constexpr (std::same_as<Force, no_force>)
+            return node_jet<N, qv_jet<S, N>>{lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all)};
+        else
+            return with_force_jets<Scalar, jet<S, 0, 2 * N, 1>>(lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all), what.force, t,
+                                                                q, v, all);
+    }
+}
+
+} // namespace hilger::detail
