@@ -17,7 +17,7 @@ std::string in_loop(int place, bool moves) { return "x[" + std::to_string(place)
 std::string written(std::string const& name, std::string const& a, std::string const& b, bool of_one) {
     if (name == "-x") return "-" + a;
     if (name == "slope_of_log") return '(' + a + " < 0 ? log(" + a + ") : 1 / " + a + ')';
-    if (name == "over_norm") return '(' + b + " == 0 ? 0 : " + a + " / " + b + ')';
+    if (name == "over_norm") return '(' + b + " == 0 ? " + a + " * " + b + " : " + a + " / " + b + ')';
     if (name.size() == 1) return a + ' ' + name + ' ' + b;
     return name + '(' + a + (of_one ? ")" : ", " + b + ')');
 }

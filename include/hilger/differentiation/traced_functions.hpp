@@ -162,13 +162,14 @@ struct function_of_one {
         return detail::make_traced<detail::function##_traced>(x);                                                                          \
     }
 namespace detail {
-/// x/y, and 0 where y is: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of jets is.
+/// x/y, and 0 where y is, but for an x without bounds: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of
+/// jets is.
 struct over_norm_traced {
     static constexpr char const* name = "over_norm";
     static constexpr bool commutes = false;
     template <class S>
     static S value(S const& x, S const& y) {
-        return y == S(0) ? S(0) : S(x / y);
+        return y == S(0) ? S(x * y) : S(x / y);
     }
     template <class T>
     static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {

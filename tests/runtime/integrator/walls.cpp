@@ -81,6 +81,11 @@ TEST_CASE("a root that has an infinite slope at 0 has it") {
     CHECK_THROWS_AS((void)last_of(embed(lagrangian{of_six}, order_one).along(T, origin, origin)), error::not_finite);
     Eigen::VectorXd const beside = Eigen::VectorXd::Unit(6, 0); // the second root alone
     CHECK_THROWS_AS((void)last_of(embed(lagrangian{of_six}, order_one).along(T, beside, origin)), error::not_finite);
+    // and the pole of 1/|q| is none the flatter for it
+    auto const pole = [](auto const& x, auto const& v) { return v.squaredNorm() / 2 + 1 / x.norm(); };
+    CHECK_THROWS_AS((void)last_of(embed(lagrangian{pole}, order_one).along(T, origin, origin)), error::not_finite);
+    Eigen::Vector2d const here(0, 0);
+    CHECK_THROWS_AS((void)last_of(embed(lagrangian{pole}, order_one).along(T, here, here)), error::not_finite);
 }
 
 } // namespace walls_tests
