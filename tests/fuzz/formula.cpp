@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-// No text makes the reader of formulas do anything but accept it or throw an error of hilger's. By hand, from the root of the project:
+// No text makes the reader of formulas do anything but accept it or throw an error of hilger's; and what it accepts is written as a text
+// that it accepts, and is written the same again. By hand, from the root of the project:
 //   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address,undefined -DHILGER_HAS_FLOAT128=0 -Iinclude -isystem /usr/include/eigen3
 //     tests/fuzz/formula.cpp -o build/fuzz_formula
 //   build/fuzz_formula -max_len=400 -max_total_time=600 -timeout=20 build/corpus tests/fuzz/formulas
 #include <cstdint>
 
 #include "hilger/text/lagrangian.hpp"
+#include "hilger/text/write.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
     namespace text = hilger::text;
@@ -16,7 +18,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         return made;
     }();
     try {
-        text::stated const f(text::read({reinterpret_cast<char const*>(data), size}), words, "f");
+        auto const read = text::read({reinterpret_cast<char const*>(data), size});
+        auto const written = text::written(read, 100'000);
+        if (written and text::written(text::read(*written), 200'000) != written) __builtin_trap();
+        text::stated const f(read, words, "f");
         auto const half = [](int) { return 0.5; };
         f.value(0.5, half, half);
     } catch (hilger::error::exception const&) {}

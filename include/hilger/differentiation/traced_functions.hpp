@@ -2,6 +2,7 @@
 // Traced numbers beside constants, their comparisons and elementary functions, and what Eigen must know to make vectors of them.
 #pragma once
 
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -183,9 +184,11 @@ bool is_sum_of_squares(traced<S> const& x) {
     if (x.is_constant()) return false;
     auto const& g = *formula_graph<S>::of_this_thread();
     std::vector<int> open{x.node};
+    std::unordered_set<int> seen; // what is shared is looked at once
     while (not open.empty()) {
         int const k = open.back();
         open.pop_back();
+        if (not seen.insert(k).second) continue;
         auto const& n = g[k];
         if (g.is_number(k)) {
             if (g.number(k) < S(0)) return false;

@@ -117,13 +117,11 @@ HILGER_ALWAYS_INLINE inline auto evaluate(problem<F, Force> const& what, S const
         V x, y;
         ((s::component(x, K) = q[K], s::component(y, K) = v[K]), ...);
         return expand_at(what, t, x, y);
-    } else {
-        if constexpr (std::same_as<Force, no_force>)
-            return node_jet<N, qv_jet<S, N>>{lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all)};
-        else
-            return with_force_jets<Scalar, jet<S, 0, 2 * N, 1>>(lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all), what.force, t,
-                                                                q, v, all);
-    }
+    } else if constexpr (std::same_as<Force, no_force>)
+        return node_jet<N, qv_jet<S, N>>{lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all)};
+    else
+        return with_force_jets<Scalar, jet<S, 0, 2 * N, 1>>(lagrangian_jets<Scalar, Flat>(what.lagrangian, t, q, v, all), what.force, t, q,
+                                                            v, all);
 }
 
 } // namespace hilger::detail

@@ -95,7 +95,8 @@ private:
             next();
             return {kind::number, token, {}, at};
         }
-        if (not is_letter(token)) refuse("a number, a name or a bracket was expected, and there is " + seen());
+        if (not is_letter(token) or token == "and" or token == "or" or token == "not")
+            refuse("a number, a name or a bracket was expected, and there is " + seen());
         next();
         if (token_ == "[") {
             next();

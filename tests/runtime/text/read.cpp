@@ -101,6 +101,8 @@ TEST_CASE("what means nothing is said, and where") {
     says("", "the formula, line 1, column 1: a formula was expected, and there is none");
     says("1 +", "the formula, line 1, column 4: a number, a name or a bracket was expected, and there is the end");
     says("x +\n (1 - u", "the formula, line 2, column 8: ')' was expected, and there is the end");
+    says("1 + not", "the formula, line 1, column 5: a number, a name or a bracket was expected, and there is 'not'");
+    says("if(x < 1 and or u < 2, x, u)", "the formula, line 1, column 14: a number, a name or a bracket was expected, and there is 'or'");
     says("x u", "the formula, line 1, column 3: an operator or the end was expected, and there is 'u'");
     says("2x", "the formula, line 1, column 2: a number ends before 'x': a product is written with *, as 2*q");
     says("2−x", "the formula, line 1, column 2: a number ends before '−': a product is written with *, as 2*q");
