@@ -117,7 +117,7 @@ double midpoint_by_hand(long n) {
             for (std::size_t k = 0; k < P::d; ++k) A[k] = q[k] + h / 2 * v[k];
             P::both(A, g, H);
             for (std::size_t k = 0; k < P::d; ++k) {
-                g[k] -= r * v[k];
+                if constexpr (Thousandths > 0) g[k] -= r * v[k]; // no compiler drops 0 * v
                 d[k] = v[k] - h / 2 * g[k] - p[k];
             }
             constexpr double c = h * h / 4, one = 1 + h / 2 * r;
@@ -127,8 +127,10 @@ double midpoint_by_hand(long n) {
             } else {
                 double const a = one - c * H[0], b = -c * H[1], e = one - c * H[2], i1 = 1 / (a * e - b * b);
                 d = {(e * d[0] - b * d[1]) * i1, (a * d[1] - b * d[0]) * i1};
-                g[0] -= h / 2 * (H[0] * d[0] + H[1] * d[1]) - r * d[0];
-                g[1] -= h / 2 * (H[1] * d[0] + H[2] * d[1]) - r * d[1];
+                g[0] -= h / 2 * (H[0] * d[0] + H[1] * d[1]);
+                g[1] -= h / 2 * (H[1] * d[0] + H[2] * d[1]);
+                if constexpr (Thousandths > 0)
+                    for (std::size_t k = 0; k < P::d; ++k) g[k] += r * d[k];
             }
             double size = 0, reach = 0;
             for (std::size_t k = 0; k < P::d; ++k) {
