@@ -4,12 +4,11 @@
 #include <chrono>
 #include <future>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include "bindings.hpp"
 #include "engine/engine.hpp"
 #include "engine/ensemble.hpp"
 #include "engine/machine_code.hpp"
+#include "hilger/trajectory/events.hpp"
 
 namespace bindings {
 
@@ -106,21 +105,16 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
                           stopped, interrupted);
 }
 
-/// The first state at or behind the zero of g between two neighbouring ones, where g has different signs: see hilger/trajectory/events.hpp.
+/// The first state at or behind the zero of g between two neighbouring ones, where g was and is: see hilger/trajectory/events.hpp.
 template <class S>
-engine::state<S> zero_between(engine::motion<S> const& path, engine::state<S> const& x, engine::state<S> const& y,
-                              std::function<S(engine::state<S> const&)> const& g) {
+engine::state<S> zero_between(engine::motion<S> const& path, engine::state<S> const& x, engine::state<S> const& y, S const& was,
+                              S const& now, std::function<S(engine::state<S> const&)> const& g) {
     if constexpr (std::numeric_limits<S>::is_exact)
         hilger::error::raise<hilger::error::invalid_parameter>("events are located by root finding, which rationals have not");
     else {
-        auto const at = [&](S const& fraction) -> engine::state<S> {
-            if (fraction == S(0)) return x;
-            if (fraction == S(1)) return y;
-            return path.between_states(x, y, S(x.t + fraction * (y.t - x.t)));
-        };
-        auto const near_enough = [](S const& left, S const& right) { return right - left <= hilger::epsilon<S>(); };
-        std::uintmax_t most = 1000; // bisection alone would need one for each binary digit
-        return at(boost::math::tools::toms748_solve([&](S const& s) { return g(at(s)); }, S(0), S(1), near_enough, most).second);
+        auto const at = [&](S const& fraction) { return path.between_states(x, y, S(x.t + fraction * (y.t - x.t))); };
+        S const fraction = hilger::detail::fraction_at_zero([&](S const& s) { return g(at(s)); }, was, now);
+        return fraction == S(1) ? y : at(fraction);
     }
 }
 
@@ -169,13 +163,14 @@ void add_motion(py::module_& m, char const* name) {
                                   given const& p) { return with::word(path.energy(state_of(t, q, p))); })
         .def("zero_between",
              [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1, given const& q1,
-                        given const& p1, py::function const& g) {
+                        given const& p1, number const& was, number const& now, py::function const& g) {
                  auto const tuple_of = [](engine::state<S> const& x) {
                      return py::make_tuple(with::word(x.t), with::array({x.q.data(), x.q.data() + x.q.size()}, 0),
                                            with::array({x.p.data(), x.p.data() + x.p.size()}, 0));
                  };
                  auto const value = [&](engine::state<S> const& x) { return with::number(g(*tuple_of(x)).template cast<number>()); };
-                 return tuple_of(zero_between<S>(path, state_of(t0, q0, p0), state_of(t1, q1, p1), value));
+                 return tuple_of(
+                     zero_between<S>(path, state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(was), with::number(now), value));
              })
         .def("between_states", [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1,
                                           given const& q1, given const& p1, number const& t) {

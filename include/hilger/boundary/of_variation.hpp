@@ -44,7 +44,7 @@ auto solve_boundary(euler_lagrange<action<F, identity_on<nodes, delta_weight>, f
 template <class F, class Order, class Root, class V>
 auto solve(euler_lagrange<action<F, identity_on<nodes, delta_weight>, fractional_difference<grunwald_letnikov, Order, side::minus>,
                                  nabla_weight, Root>> const& equation,
-           Root const& T, boundary_values<V> const& ends) {
+           Root const& T, boundary_values<V> const& ends, no_force = {}) {
     return solve_boundary(fractional_problem(equation.action().function, equation.action().velocity.order), T, ends.q0, ends.qN).q;
 }
 

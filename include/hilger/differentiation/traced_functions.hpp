@@ -190,15 +190,14 @@ bool is_sum_of_squares(traced<S> const& x) {
         open.pop_back();
         if (not seen.insert(k).second) continue;
         auto const& n = g[k];
+        bool const is_product = n.what == &operation_object<times_traced, S>, is_square = is_product and n.a == n.b;
+        bool const is_multiple = is_product and (g.is_number(n.a) or g.is_number(n.b));
         if (g.is_number(k)) {
             if (g.number(k) < S(0)) return false;
-        } else if (n.what == &operation_object<times_traced, S> and (g.is_number(n.a) or g.is_number(n.b)) and n.a != n.b) {
+        } else if (n.what == &operation_object<plus_traced, S> or (is_multiple and not is_square)) {
             open.push_back(n.a);
             open.push_back(n.b);
-        } else if (n.what == &operation_object<plus_traced, S>) {
-            open.push_back(n.a);
-            open.push_back(n.b);
-        } else if (n.what != &operation_object<times_traced, S> or n.a != n.b)
+        } else if (not is_square)
             return false;
     }
     return true;

@@ -137,51 +137,40 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T");
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
-namespace detail {
-/// Without a force equations of other kinds have overloads of their own: boundary/of_variation.hpp.
-template <class Action, class V, class Force>
-auto between(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,
-             Force const& force) {
-    if constexpr (std::same_as<Force, no_force>)
-        return solve(equation, T, ends);
-    else
-        return solve(equation, T, ends, force);
-}
-} // namespace detail
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 0> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 2> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 3> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 4> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 5> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 6> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 template <class Action, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Eigen::Dynamic> const& ends,
            Force const& force = {}) {
-    return detail::between(equation, T, ends.data(), force);
+    return solve(equation, T, ends.data(), force);
 }
 
 template <class Action, class Derived>

@@ -17,6 +17,14 @@ enum class crossing { any, rising, falling };
 
 namespace detail {
 
+/// The first fraction of a step at or behind the zero of g, whose values at its ends have different signs.
+template <class S, class G>
+S fraction_at_zero(G const& g, S const& was, S const& now) {
+    auto const near_enough = [](S const& left, S const& right) { return right - left <= epsilon<S>(); };
+    std::uintmax_t most = 1000; // bisection alone would need one iteration for each binary digit
+    return boost::math::tools::toms748_solve(g, S(0), S(1), was, now, near_enough, most).second;
+}
+
 /// Walks a trajectory and notices sign changes of g.
 template <class Path, class G>
 class crossing_search {
@@ -46,11 +54,7 @@ public:
     [[nodiscard]] state_type located() const {
         auto const& method = path_->method();
         auto const inside = dense_step(before_, slopes_on(walk_, method, before_, true), *walk_, slopes_on(walk_, method, *walk_, false));
-        auto const g = [&](S const& x) { return value(inside.at_fraction(x)); };
-        auto const near_enough = [](S const& left, S const& right) { return right - left <= epsilon<S>(); };
-        std::uintmax_t most = 1000; // bisection alone would need one iteration for each binary digit
-        auto const root = boost::math::tools::toms748_solve(g, S(0), S(1), was_, now_, near_enough, most);
-        return inside.at_fraction(root.second);
+        return inside.at_fraction(fraction_at_zero([&](S const& x) { return value(inside.at_fraction(x)); }, was_, now_));
     }
 
 private:
