@@ -75,6 +75,7 @@ from .formulas import (
     variables,
 )
 from .scales import Identity, TimeScale, Uniform, identities, uniform
-from .solving import AccurateSolution, Events, Solution, StepFailure, blocks, direct, exponentials, machine_code, solve
+from .solutions import AccurateSolution, Events, Solution, StepFailure
+from .solving import blocks, direct, exponentials, machine_code, solve
 
 __version__ = _core.version

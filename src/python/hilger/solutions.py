@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: BSL-1.0
+"""What solving gives: positions and momenta at the points of a scale, and what can be asked of them."""
+
+from __future__ import annotations
+
+import contextlib
+from fractions import Fraction
+from typing import Callable, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from . import _core
+from .equations import Equation
+from .scales import digits
+
+
+class StepFailure(_core.Error):
+    """A step failed. What was reached before is in `solution`; None where the first step could not begin."""
+
+    def __init__(self, message: str, solution: "Solution") -> None:
+        super().__init__(message)
+        self.solution = solution
+
+
+def _digits_of(kind: str):
+    """What a scalar computes with where Python computes with it."""
+    if kind != "50 digits":
+        return contextlib.nullcontext()
+    import mpmath
+
+    return mpmath.workdps(60)
+
+
+def numbers_from(kind: str, made: object) -> np.ndarray:
+    """What came from the engine, as an array: of Fraction or mpf for scalars that numpy does not have."""
+    if kind == "double":
+        return made
+    words, columns = made
+    if kind == "exact":
+        all_of_them = [Fraction(x) for x in words]
+    else:
+        import mpmath
+
+        with _digits_of(kind):
+            all_of_them = [mpmath.mpf(x) for x in words]
+    array = np.array(all_of_them, dtype=object)
+    return array.reshape(-1, columns) if columns else array
+
+
+def number_from(kind: str, made: object):
+    return made if kind == "double" else numbers_from(kind, ([made], 0))[0]
+
+
+class Events(NamedTuple):
+    """Where a function of the state passes zero: times t, positions q and momenta p, one row for each event."""
+
+    t: np.ndarray
+    q: np.ndarray
+    p: np.ndarray
+
+
+class Solution:
+    """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
+
+    `x(t)` is q between the points, of order 4 in the step; `x.events(g)` where a function passes zero; `x.residual()` what the positions
+    leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends
+    has positions alone, and p is None. It can be pickled; it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+    """
+
+    def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
+        self.equation, self._start, self._history = equation, start, history
+        self.t, self.q, self.p, self.stopped = t, q, p, stopped
+        self._made = None
+
+    def __getstate__(self) -> dict:
+        return {**self.__dict__, "_made": None}
+
+    @property
+    def _motion(self):
+        if self._made is None:
+            self._made = self.equation._motion(self._history)
+        return self._made
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        end = f", stopped: {self.stopped}" if self.stopped else ""
+        return f"<{self.equation.method.name}, {len(self)} points from t = {self.t[0]} to {self.t[-1]}{end}>"
+
+    def _momenta(self):
+        if self.p is None:
+            raise _core.InvalidParameter("what joins two ends has positions alone; solve again from q0 and q1 for momenta")
+        return self.p
+
+    def _row(self, x: np.ndarray, i: int):
+        return np.atleast_1d(x[i]) if self.t.dtype != object else [digits(y) for y in np.atleast_1d(x[i])]
+
+    def _time(self, t: object):
+        return float(t) if self.t.dtype != object else digits(t)
+
+    def __call__(self, t: "float | Sequence[float]"):
+        """q at t, a number or an array of them. @raises OutsideDomain"""
+        if np.ndim(t) > 0:
+            return np.array([self(s) for s in t])
+        p = self._momenta()
+        if not self.t[0] <= t <= self.t[-1]:
+            raise _core.OutsideDomain(f"t = {t} is outside of the solution, which goes from {self.t[0]} to {self.t[-1]}")
+        if len(self) == 1:
+            return self.q[0]
+        i = min(max(int(np.searchsorted(self.t, t, side="right")) - 1, 0), len(self) - 2)
+        row, time = self._row, self._time
+        ends = (z for j in (i, i + 1) for z in (time(self.t[j]), row(self.q, j), row(p, j)))
+        q, _ = self._motion.between_states(*ends, time(t))
+        kind = self.equation.scale.kind()
+        q = numbers_from(kind, q)
+        return q[0] if self.q.ndim == 1 else q
+
+    def events(self, g: Callable, crossing: str = "any") -> Events:
+        """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
+
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, and two within one step are not seen.
+        """
+        if crossing not in ("any", "rising", "falling"):
+            raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
+        p, kind, row, scalar = self._momenta(), self.equation.scale.kind(), self._row, self.q.ndim == 1
+
+        def value(t, q, p):
+            with _digits_of(kind):
+                y = g(t, q, p)
+            if not y - y == 0:
+                raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
+            return y
+
+        def state(made):
+            t, q, p = made
+            q, p = numbers_from(kind, q), numbers_from(kind, p)
+            return (number_from(kind, t), q[0], p[0]) if scalar else (number_from(kind, t), q, p)
+
+        found = []
+        was = value(self.t[0], self.q[0], p[0])
+        for i in range(1, len(self)):
+            now = value(self.t[i], self.q[i], p[i])
+            if (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising"):
+                ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
+                found.append(state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made))))))
+            was = now
+        t, q, momenta = zip(*found) if found else ((), (), ())
+        empty = self.q[:0]
+        return Events(np.array(t, dtype=self.t.dtype), np.array(q) if found else empty, np.array(momenta) if found else empty)
+
+    def residual(self):
+        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding."""
+        if self.stopped:
+            raise _core.InvalidParameter(f"the residual is that of a whole solution, and this one stopped: {self.stopped}")
+        positions = [self._row(self.q, i) for i in range(len(self))]
+        return number_from(self.equation.scale.kind(), self._motion.residual(*self._start, positions))
+
+    def energy(self) -> np.ndarray:
+        """H = p v - L at each point."""
+        row, kind, p = self._row, self.equation.scale.kind(), self._momenta()
+        return np.array([number_from(kind, self._motion.energy(self._time(t), row(self.q, i), row(p, i))) for i, t in enumerate(self.t)])
+
+    def plot(self, ax=None, **style):
+        """Positions over time, by matplotlib. Returns the axes."""
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            _, ax = plt.subplots()
+        ax.plot(self.t, self.q, **style)
+        ax.set_xlabel("t")
+        ax.set_ylabel("q")
+        return ax
+
+    def plot_energy_error(self, ax=None, **style):
+        """H(t) - H(0), by matplotlib. Returns the axes."""
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            _, ax = plt.subplots()
+        H = self.energy()
+        ax.plot(self.t, H - H[0], **style)
+        ax.set_xlabel("t")
+        ax.set_ylabel("H − H(0)")
+        return ax
+
+
+class AccurateSolution:
+    """A solution to a wanted accuracy: t, q, the method that was chosen, and `error`, its distance from the run with half as many steps.
+
+    That is more than its own error where L is smooth; where L has branches it is twice the largest distance from three other runs.
+    """
+
+    def __init__(self, t, q, end_momentum, method: str, error: float) -> None:
+        self.t, self.q, self.end_momentum, self.method, self.error = t, q, end_momentum, method, error
+
+    def __repr__(self) -> str:
+        return f"<{self.method}, {len(self.t) - 1} steps, {self.error:.1e} from half as many>"
