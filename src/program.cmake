@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
-file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp)
 # Counting takes no time, nor do scales of one step and proofs in rationals, and optimising them takes minutes. Last: of what is in several
 # files the linker takes the first.
 set(not_optimised ${CMAKE_CURRENT_SOURCE_DIR}/papers_cresson.cpp ${CMAKE_CURRENT_SOURCE_DIR}/scenes/cost.cpp)
 list(FILTER sources EXCLUDE REGEX "/(demo|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
-add_executable(hilger ${sources} ${not_optimised} engine/c_of.cpp engine/machine_code.cpp)
+add_executable(hilger ${sources} ${not_optimised})
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set_source_files_properties(${not_optimised} extremes/smallest.cpp
     PROPERTIES COMPILE_OPTIONS -Og COMPILE_DEFINITIONS HILGER_DEBUG SKIP_PRECOMPILE_HEADERS ON)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "engine/machine_code.hpp"
+#include "engine/machine_code/machine_code.hpp"
 #include "engine/motions.hpp"
 
 namespace engine {

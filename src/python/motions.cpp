@@ -6,8 +6,8 @@
 
 #include "bindings.hpp"
 #include "engine/engine.hpp"
-#include "engine/ensemble.hpp"
-#include "engine/machine_code.hpp"
+#include "engine/ensemble/ensemble.hpp"
+#include "engine/machine_code/machine_code.hpp"
 #include "hilger/trajectory/events.hpp"
 
 namespace bindings {
@@ -55,14 +55,15 @@ struct crossing<double> {
     static py::object word(double x) { return py::float_(x); }
 };
 
+using matrix = py::array_t<double, py::array::c_style>;
+
+engine::second_datum datum_named(std::string const& what) {
+    using engine::second_datum;
+    return what == "v0" ? second_datum::velocity : what == "p0" ? second_datum::momentum : second_datum::next_position;
+}
 template <class S>
 engine::initial<S> initial_of(typename crossing<S>::given const& q0, std::string const& what, typename crossing<S>::given const& other) {
-    using engine::second_datum;
-    return {crossing<S>::vector_of(q0),
-            what == "v0"   ? second_datum::velocity
-            : what == "p0" ? second_datum::momentum
-                           : second_datum::next_position,
-            crossing<S>::vector_of(other)};
+    return {crossing<S>::vector_of(q0), datum_named(what), crossing<S>::vector_of(other)};
 }
 
 /// (t, q, p, why it stopped, whether it was interrupted)
@@ -180,17 +181,26 @@ void add_motion(py::module_& m, char const* name) {
         });
 }
 
-/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension.
-py::tuple walk_all(engine::motion<double> const& path, py::array_t<double, py::array::c_style> const& q0, std::string const& what,
-                   py::array_t<double, py::array::c_style> const& other, hilger::index_type stride, int threads,
-                   py::object const& progress) {
-    std::vector<engine::initial<double>> from;
-    auto const d = q0.shape(1);
-    for (py::ssize_t k = 0; k < q0.shape(0); ++k)
-        from.push_back(initial_of<double>(py::array_t<double>(d, q0.data(k, 0)), what, py::array_t<double>(d, other.data(k, 0))));
+engine::cast cast_of(engine::problem const& what, std::string const& method, bool in_lanes, engine::points<double> const& T) {
+    py::gil_scoped_release const others_run;
+    return engine::make_cast(what, method, T, in_lanes,
+                             [method, T](engine::problem const& one) { return engine::make_motion<double>(one, method, T); });
+}
+
+/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension. `parameters` has a row for each
+/// member of those that states bring.
+py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const& what, matrix const& other, matrix const& parameters,
+                   hilger::index_type stride, int threads, py::object const& progress) {
+    std::vector<engine::member> from;
+    using row = Eigen::Map<engine::vector<double> const>;
+    for (py::ssize_t k = 0; k < q0.shape(0); ++k) {
+        double const* const own = parameters.data() + k * parameters.shape(1);
+        from.push_back(
+            {{row(q0.data(k, 0), q0.shape(1)), datum_named(what), row(other.data(k, 0), q0.shape(1))}, {own, own + parameters.shape(1)}});
+    }
     std::atomic<bool> stop = false;
     std::atomic<hilger::index_type> done = 0;
-    auto running = std::async(std::launch::async, [&] { return engine::walk_all(path, from, stride, threads, stop, done); });
+    auto running = std::async(std::launch::async, [&] { return engine::walk_all(all, from, stride, threads, stop, done); });
     bool raised = false;
     for (;;) {
         {
@@ -224,6 +234,15 @@ void add_motions(py::module_& m) {
     add_motion<double>(m, "Motion");
     add_motion<hilger::Q>(m, "ExactMotion");
     add_motion<hilger::float50>(m, "MotionIn50Digits");
+    py::class_<engine::cast>(m, "Cast")
+        .def(py::init(
+            [](engine::problem const& what, std::string const& method, bool in_lanes, double start, double step, hilger::index_type steps) {
+                return cast_of(what, method, in_lanes, {start, step, steps, {}});
+            }))
+        .def(py::init([](engine::problem const& what, std::string const& method, bool in_lanes, std::vector<double> const& points) {
+            return cast_of(what, method, in_lanes, {0, 0, static_cast<hilger::index_type>(points.size()) - 1, points});
+        }))
+        .def_property_readonly("lanes", [](engine::cast const& all) { return all.together ? all.together->width() : 1; });
     m.def("walk_all", &walk_all);
     m.def("set_machine_code", [](std::string const& how) {
         using engine::machine_code;

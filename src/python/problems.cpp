@@ -57,6 +57,13 @@ void add_problems(py::module_& m) {
              [](engine::problem& p, double rho, double alpha) {
                  p.damping.push_back({rho, alpha});
              })
+        // The same with parameters that the members of an ensemble bring with them, in this order.
+        .def("brought_by_members",
+             [](engine::problem const& p, std::vector<std::string> const& names) {
+                 text::vocabulary words = p.lagrangian.formula().words();
+                 for (std::string const& name : names) words.bring_with_states(name);
+                 return engine::with_words(p, words);
+             })
         .def_readwrite("history", &engine::problem::history)
         .def("dimension", [](engine::problem const& p) { return p.lagrangian.formula().words().dimension(); })
         .def("written", &written)

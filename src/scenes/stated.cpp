@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Systems in text, along the trajectories that all others have.
-#include "engine/machine_code.hpp"
+#include "engine/machine_code/machine_code.hpp"
 #include "from_file.hpp"
 #include "histories.hpp"
 #include "path_walk.hpp"

@@ -2,7 +2,7 @@
 // Formulas that are known at run time, interpreted and as machine code, against the same formula in C++: mid-point and order one.
 #include <iomanip>
 
-#include "engine/machine_code.hpp"
+#include "engine/machine_code/machine_code.hpp"
 #include "engine/motions.hpp"
 #include "scenes/measure.hpp"
 #include "timing.hpp"

@@ -7,6 +7,7 @@
 //   hilger_bench history        what the memory of a fractional difference costs
 //   hilger_bench fractional     steps with fractional damping, and their errors
 //   hilger_bench formulas       formulas known at run time
+//   hilger_bench ensemble       many members, in lanes and alone
 //   hilger_bench boundary       two-sided fractional problems
 #include "timing.hpp"
 
@@ -22,6 +23,8 @@ int main(int count, char** arguments) {
         bench::plain_lambdas();
     else if (what == "formulas")
         bench::formulas();
+    else if (what == "ensemble")
+        bench::ensembles();
     else if (what == "boundary")
         bench::boundary();
     else if (what == "fractional")

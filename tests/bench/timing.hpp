@@ -46,6 +46,7 @@ void large_systems();
 void plain_lambdas();
 void boundary();
 void formulas();
+void ensembles();
 void rounding(double log10_of_steps);
 void drift(double log10_of_steps);
 void histories();

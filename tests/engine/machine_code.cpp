@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "engine/machine_code.hpp"
+#include "engine/machine_code/machine_code.hpp"
 #include "support/random_lagrangian.hpp"
 
 namespace machine_code_tests {

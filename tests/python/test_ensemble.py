@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSL-1.0
 """Many at once: each member as if it were alone."""
 
+import importlib.util
+import shutil
 import signal
+import subprocess
+import sys
 import threading
 import unittest
 import warnings
@@ -10,6 +14,7 @@ import numpy as np
 
 import hilger as h
 
+epsilon = np.finfo(float).eps
 q, v = h.variables("q v")
 pendulum = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
 x, u = h.variables("x u", 2)
@@ -21,7 +26,7 @@ class Ensemble(unittest.TestCase):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 300), h.midpoint)
         rng = np.random.default_rng(1)
         q0, v0 = rng.uniform(-0.3, 0.3, (2, 40, 2))
-        many = [h.solve_many(EL, q0=q0, v0=v0, every=7, threads=n) for n in (1, 2, 5)]
+        many = [h.solve_many(EL, q0=q0, v0=v0, every=7, threads=n, lanes=False) for n in (1, 2, 5)]
         for other in many[1:]:
             self.assertEqual(many[0].q.tobytes(), other.q.tobytes())
             self.assertEqual(many[0].p.tobytes(), other.p.tobytes())
@@ -34,14 +39,93 @@ class Ensemble(unittest.TestCase):
 
     def test_ends_alone_and_one_start_for_all(self):
         EL = h.variation(pendulum, h.uniform(0, 0.1, 50))
-        many = h.solve_many(EL, q0=1.0, v0=np.linspace(-1, 1, 11))
-        self.assertEqual(many.q.shape, (11, 2))
-        self.assertTrue(np.all(many.q[:, 0] == 1))
-        self.assertEqual(many.q[3, 1], h.solve(EL, q0=1.0, v0=np.linspace(-1, 1, 11)[3]).q[-1])
+        for lanes, rounding in ((False, 0), (True, 50 * epsilon)):
+            many = h.solve_many(EL, q0=1.0, v0=np.linspace(-1, 1, 11), lanes=lanes)
+            self.assertEqual(many.q.shape, (11, 2))
+            self.assertTrue(np.all(many.q[:, 0] == 1))
+            self.assertAlmostEqual(many.q[3, 1], h.solve(EL, q0=1.0, v0=np.linspace(-1, 1, 11)[3]).q[-1], delta=rounding)
+
+    def test_lanes_agree_with_those_alone_and_do_not_know_of_each_other(self):
+        rng = np.random.default_rng(2)
+        q0, v0 = rng.uniform(-0.3, 0.3, (2, 21, 2))
+        for T in (h.uniform(0, 0.125, 200), h.TimeScale(list(np.cumsum(0.125 + 0.0625 * np.sin(np.arange(200)))))):
+            for method in (h.midpoint, h.order_one, h.order_one_left, h.verlet, h.kahan_li_8, h.theta(0.5)):
+                EL = h.variation(henon_heiles, T, method)
+                alone = h.solve_many(EL, q0=q0, v0=v0, every=1, lanes=False)
+                many = h.solve_many(EL, q0=q0, v0=v0, every=1, threads=1)
+                for other in (h.solve_many(EL, q0=q0, v0=v0, every=1, threads=3), h.solve_many(EL, q0=q0, v0=v0, every=1)):
+                    self.assertEqual(many.q.tobytes(), other.q.tobytes())
+                    self.assertEqual(many.p.tobytes(), other.p.tobytes())
+                part = h.solve_many(EL, q0=q0[5:8], v0=v0[5:8], every=200)
+                self.assertEqual(many.q[5:8, -1].tobytes(), part.q[:, -1].tobytes())
+                np.testing.assert_allclose(many.q, alone.q, rtol=0, atol=200 * 16 * epsilon)
+                np.testing.assert_allclose(many.p, alone.p, rtol=0, atol=200 * 16 * epsilon)
+                if method in (h.midpoint, h.order_one):
+                    for start in ({"p0": many.p[:, 0]}, {"q1": many.q[:, 1]}):
+                        again = h.solve_many(EL, q0=q0, every=1, **start)
+                        np.testing.assert_allclose(again.q, many.q, rtol=0, atol=200 * 64 * epsilon)
+
+    def test_parameters_of_members(self):
+        L = h.Lagrangian("m*v^2/2 - k[0]*q^2/2 - k[1]*q^4/4 - g*q", m=1, k=[1, 2], g=0)
+        m, g = np.linspace(1, 2, 11), np.linspace(-0.25, 0.25, 11)
+        k = np.column_stack([np.linspace(0.5, 1.5, 11), np.linspace(2, 3, 11)])
+        for method in (h.midpoint, h.order_one, h.verlet):
+            EL = h.variation(L, h.uniform(0, 0.125, 64), method) + h.force(-v * h.variables("g") / 8)
+            for start in ({"v0": 0.5}, {"p0": 0.5}):
+                many = h.solve_many(EL, q0=0.5, parameters={"m": m, "k": k, "g": g}, **start)
+                by_one = h.solve_many(EL, q0=0.5, parameters={"m": m, "k": k, "g": g}, lanes=False, **start)
+                self.assertEqual((many.failed, by_one.failed), ({}, {}))
+                for n in (0, 4, 10):
+                    own = h.Lagrangian("m*v^2/2 - k[0]*q^2/2 - k[1]*q^4/4 - g*q", m=m[n], k=list(k[n]), g=g[n])
+                    alone = h.solve(h.variation(own, EL.scale, method) + h.force(-v * h.variables("g") / 8), q0=0.5, **start)
+                    self.assertEqual(by_one.q[n, -1], alone.q[-1])
+                    self.assertAlmostEqual(many.q[n, -1], alone.q[-1], delta=64 * 16 * epsilon)
+                    self.assertAlmostEqual(many.p[n, -1], alone.p[-1], delta=64 * 16 * epsilon)
+        same = h.solve_many(EL, q0=[0.5, 0.25], v0=0.5, parameters={"k": [1.0, 2.0]})
+        usual = h.solve_many(EL, q0=[0.5, 0.25], v0=0.5)
+        np.testing.assert_allclose(same.q, usual.q, rtol=0, atol=64 * 16 * epsilon)
+        with self.assertRaisesRegex(h.InvalidParameter, "there is no parameter 'kappa': there are g, k, m"):
+            h.solve_many(EL, q0=0.5, v0=0.5, parameters={"kappa": k})
+        with self.assertRaisesRegex(h.Mismatch, "k has 2 numbers for each member, and here is an array of shape .11, 3."):
+            h.solve_many(EL, q0=0.5, v0=0.5, parameters={"k": np.ones((11, 3))})
+        with self.assertRaisesRegex(h.Mismatch, "here are 1 of q0, 1 of v0, 11 of m, 5 of g"):
+            h.solve_many(EL, q0=0.5, v0=0.5, parameters={"m": m, "g": g[:5]})
+
+    @unittest.skipUnless(shutil.which("mpirun") and importlib.util.find_spec("mpi4py"), "there is no MPI here")
+    def test_ranks(self):
+        program = (
+            "import hashlib, sys\n"
+            "import numpy as np, hilger as h\n"
+            "from mpi4py import MPI\n"
+            "EL = h.variation(h.Lagrangian('v^2/2 + q^4', 'q', 'v'), h.uniform(0, 0.1, 20))\n"
+            "many = h.solve_many(EL, q0=np.linspace(0.01, 3, 13), v0=0.0, every=1, comm=MPI.COMM_WORLD)\n"
+            "few = h.solve_many(EL, q0=[0.01, 0.02], v0=0.0, comm=MPI.COMM_WORLD)\n"
+            "assert few.q.shape == (2, 2) and not few.failed\n"
+            "print(hashlib.sha256(many.q.tobytes() + many.p.tobytes()).hexdigest(), sorted(many.failed), many.q.shape, flush=True)\n"
+        )
+        said = set()
+        for ranks in (1, 4):
+            command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), sys.executable, "-c", program]
+            done = subprocess.run(command, capture_output=True, text=True, check=True)
+            lines = done.stdout.splitlines()
+            self.assertEqual(len(lines), ranks)
+            said.update(lines)
+        self.assertEqual(len(said), 1, said)
+        self.assertRegex(said.pop(), r"\[.*12\] \(13, 21\)")
+
+    def test_lanes_are_used(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.125, 100))
+        starts = {"q0": np.linspace(0, 2, 9), "v0": 0.5, "threads": 1}
+        self.assertFalse(np.array_equal(h.solve_many(EL, **starts).q, h.solve_many(EL, lanes=False, **starts).q))
+        h.machine_code("off")
+        try:
+            self.assertTrue(np.array_equal(h.solve_many(EL, **starts).q, h.solve_many(EL, lanes=False, **starts).q))
+        finally:
+            h.machine_code("on")
 
     def test_damped(self):
         EL = h.variation(pendulum, h.uniform(0, 0.1, 100)) + h.damping(0.2, 0.5)
-        many = h.solve_many(EL, q0=[1.0, 2.0], v0=0.0, threads=2)
+        many = h.solve_many(EL, q0=[1.0, 2.0], v0=0.0, threads=2)  # no lanes with a memory
         self.assertEqual(many.q[1, -1], h.solve(EL, q0=2.0, v0=0.0).q[-1])
 
     def test_who_fails_loses_nobody_else(self):
@@ -51,6 +135,9 @@ class Ensemble(unittest.TestCase):
         self.assertIn("the step from t = ", many.failed[1])
         self.assertTrue(np.isnan(many.q[1, -1]))
         self.assertTrue(np.all(np.isfinite(many.q[[0, 2]])))
+        alone = h.solve_many(EL, q0=[0.01, 3.0, 0.02], v0=0.0, every=1, lanes=False)
+        self.assertEqual(many.failed, alone.failed)
+        self.assertEqual(many.q[1].tobytes(), alone.q[1].tobytes())
 
     def test_an_interrupt_keeps_what_there_is(self):
         EL = h.variation(pendulum, h.uniform(0, 0.001, 1_000_000))
@@ -76,7 +163,7 @@ class Ensemble(unittest.TestCase):
 
     def test_times_where_the_first_member_fails(self):
         runs_away = h.Lagrangian("v^2/2 + q^4/4")
-        many = h.solve_many(h.variation(runs_away, h.uniform(0, 0.5, 10)), q0=np.array([4.0, 0.0]), v0=0.0, every=4)
+        many = h.solve_many(h.variation(runs_away, h.uniform(0, 0.5, 10)), q0=np.array([4.0, 0.0]), v0=0.0, every=4, lanes=False)
         self.assertEqual(list(many.failed), [0])
         self.assertEqual(list(many.t), [0, 2, 4, 5])
 
@@ -84,7 +171,7 @@ class Ensemble(unittest.TestCase):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 10))
         with self.assertRaisesRegex(h.Mismatch, "q0 has a row of 2 numbers for each member, and here is an array of shape .4, 3."):
             h.solve_many(EL, q0=np.zeros((4, 3)), v0=np.zeros(2))
-        with self.assertRaisesRegex(h.Mismatch, "here are 4 and 3"):
+        with self.assertRaisesRegex(h.Mismatch, "here are 4 of q0, 3 of v0"):
             h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros((3, 2)))
         with self.assertRaisesRegex(h.InvalidParameter, "positive"):
             h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros(2), every=0)

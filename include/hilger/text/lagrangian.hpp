@@ -55,6 +55,7 @@ public:
     [[nodiscard]] bool reads_time() const {
         return std::any_of(of_.begin(), of_.end(), [](stated const& f) { return f.reads(meaning::role::time); });
     }
+    [[nodiscard]] std::vector<stated> const& formulas() const { return of_; }
 
 private:
     std::vector<stated> of_;

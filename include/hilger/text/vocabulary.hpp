@@ -102,6 +102,32 @@ public:
         add_parameter(name, digits, static_cast<int>(digits.size()));
     }
 
+    /// Makes a parameter one that each state brings with it, behind the coordinates of its position: components dimension(), dimension() +
+    /// 1,
+    /// ... What differs between the members of an ensemble. @throws error::invalid_parameter when there is no such parameter
+    void bring_with_states(std::string const& name) {
+        auto const at = meanings_.find(name);
+        if (at == meanings_.end() or at->second.is != meaning::role::parameter)
+            error::raise<error::invalid_parameter>("there is no parameter '", name, "': there are ", known());
+        at->second = {meaning::role::position, dimension_ + brought_, at->second.size};
+        brought_ += at->second.size == 0 ? 1 : at->second.size;
+    }
+    /// How many numbers that is.
+    [[nodiscard]] int brought() const { return brought_; }
+    /// The same words with these numbers in the place of those.
+    [[nodiscard]] vocabulary with(std::vector<double> const& numbers) const {
+        vocabulary fixed = *this;
+        for (auto& [name, means] : fixed.meanings_)
+            if (means.is == meaning::role::position and dimension_ <= means.first)
+                means = {meaning::role::parameter, static_cast<int>(digits_.size()) + means.first - dimension_, means.size};
+        for (double const x : numbers) {
+            char text[32];
+            fixed.digits_.emplace_back(text, std::to_chars(text, text + sizeof text, x).ptr);
+        }
+        fixed.brought_ = 0;
+        return fixed;
+    }
+
     [[nodiscard]] int dimension() const { return dimension_; }
     [[nodiscard]] meaning const* find(std::string const& name) const {
         auto const at = meanings_.find(name);
@@ -137,7 +163,7 @@ private:
         add(name, {meaning::role::parameter, static_cast<int>(digits_.size()), size});
         digits_.insert(digits_.end(), digits.begin(), digits.end());
     }
-    int dimension_ = 0;
+    int dimension_ = 0, brought_ = 0;
     std::map<std::string, meaning> meanings_;
     std::vector<std::string> digits_;
 };

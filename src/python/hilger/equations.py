@@ -178,11 +178,13 @@ class Equation:
         return self._stated().c_code(self.method.name, name)
 
     def _motion(self, history: str = "direct"):
-        T, kind = self.scale, self.scale.kind()
-        made = {"double": _core.Motion, "exact": _core.ExactMotion, "50 digits": _core.MotionIn50Digits}[kind]
-        number = float if kind == "double" else digits
-        given = (number(T.start), number(T.step), T.steps) if isinstance(T, Uniform) else ([number(x) for x in T.points],)
-        return made(self._stated(history), self.method.name, *given)
+        made = {"double": _core.Motion, "exact": _core.ExactMotion, "50 digits": _core.MotionIn50Digits}[self.scale.kind()]
+        return made(self._stated(history), self.method.name, *self._points())
+
+    def _points(self) -> tuple:
+        T = self.scale
+        number = float if T.kind() == "double" else digits
+        return (number(T.start), number(T.step), T.steps) if isinstance(T, Uniform) else ([number(x) for x in T.points],)
 
     def _written(self, latex: bool) -> str:
         undamped = replace(self, dampings=(), forces=())

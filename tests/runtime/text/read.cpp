@@ -146,6 +146,27 @@ TEST_CASE("long sums are no deep ones") {
     CHECK(value_of("x^(" + one + ")") == 2);
     CHECK(text::stated(text::read(text), words(), "f").operations() > 100'000);
 }
+TEST_CASE("parameters that states bring with them") {
+    text::vocabulary made({{"q", "v", 0}, {"x", "u", 2}});
+    made.set("m", "3");
+    made.set("k", std::vector<std::string>{"1", "2"});
+    made.set("g", "5");
+    made.bring_with_states("k");
+    made.bring_with_states("m");
+    CHECK(made.dimension() == 3);
+    CHECK(made.brought() == 3);
+    auto const value = [](text::vocabulary const& words) {
+        auto const number = [](int k) { return Q(10 + k); }; // 3 and 4 are k, 5 is m
+        return text::stated(text::read("1000*m + 100*k[0] + 10*k[1] + g + x[1]"), std::make_shared<text::vocabulary>(words), "f")
+            .value(Q(0), number, number);
+    };
+    CHECK(value(made) == 15'000 + 1'300 + 140 + 5 + 12);
+    auto const fixed = made.with({0.5, 7, 9});
+    CHECK(fixed.brought() == 0);
+    CHECK(value(fixed) == 9'000 + 50 + 70 + 5 + 12);
+    CHECK_THROWS_WITH_AS(made.bring_with_states("q"), "there is no parameter 'q': there are g, k[], m, q, t, u[], v, x[]",
+                         error::invalid_parameter);
+}
 TEST_CASE("a name has one meaning") {
     CHECK_THROWS_WITH_AS(text::vocabulary({{"q", "q", 0}}), "each name has one meaning, and 'q' was given two", error::invalid_parameter);
     text::vocabulary made({{"q", "v", 0}});

@@ -3,7 +3,7 @@
 // round otherwise than the library of functions does.
 #include <algorithm>
 
-#include "engine/machine_code.hpp"
+#include "engine/machine_code/machine_code.hpp"
 
 namespace engine {
 

@@ -19,6 +19,9 @@ enum class machine_code { off, on, at_once };
 void set_machine_code(machine_code how);
 /// As the environment says, unless it was set.
 void prepare_machine_code();
+[[nodiscard]] machine_code wanted_machine_code();
+/// On stderr, once.
+void say_there_is_no_compiler();
 /// How many formulas were translated so far in this process, from the compiler or from what was kept.
 int formulas_in_machine_code();
 

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSL-1.0
+// One part of a step, of one node, in lanes. Its equation is that of hilger/formula/c_step.hpp, with y the velocity at the node:
+//   x = q + c y,   r = p + f g(x, y) - dL/dv(x, y) = 0,   c = w a_1,   f = w a_0,
+// and so is its solution, with masks in the place of branches: a lane that is done keeps what it has while others go on.
+#pragma once
+
+#include <algorithm>
+
+#include "hilger/formula/c_step.hpp"
+
+namespace engine {
+
+using hilger::symbol;
+using hilger::detail::element;
+using hilger::detail::symbol_list;
+
+/// Statements whose values are lanes, those of no variable too.
+class lane_statements {
+public:
+    explicit lane_statements(std::string indent, std::string letter = "u") : statements_(std::move(indent), std::move(letter)) {}
+    void add(std::string before, symbol const& value) { statements_.add(before + (is_constant(value) ? " (lanes){0} +" : ""), value); }
+    [[nodiscard]] std::string text() {
+        std::string all = statements_.text();
+        for (std::size_t at = 0; (at = all.find("const double ", at)) != std::string::npos;) all.replace(at, 13, "const lanes ");
+        return all;
+    }
+    [[nodiscard]] std::set<std::string> const& read() const { return statements_.read(); }
+
+private:
+    static bool is_constant(symbol const& f) {
+        if (f.op() == hilger::operation::number) return true;
+        if (f.op() == hilger::operation::variable) return false;
+        return is_constant(f.first()) and (not f.get().b or is_constant(f.second()));
+    }
+    hilger::c_statements statements_;
+};
+
+inline std::string largest_of(std::string const& array, int n) {
+    std::string text = "size_of(" + element(array, 0) + ")";
+    for (int k = 1; k < n; ++k) text = "larger(" + text + ", size_of(" + element(array, k) + "))";
+    return text;
+}
+
+/// d becomes K^-1 d, with the rows of the largest pivots; `regular` says of which lanes.
+inline std::string elimination(int n, std::string const& in) {
+    std::string text;
+    auto const K = [](int j, int k) { return element("K", j, k); };
+    auto const line = [&](std::string const& what) { text += in + what + ";\n"; };
+    line("lanes least = size_of(K[0][0]), most = least");
+    for (int k = 0; k < n; ++k) {
+        for (int j = k + 1; j < n; ++j) {
+            text += in + "{\n" + in + "    const mask swap = size_of(" + K(j, k) + ") > size_of(" + K(k, k) + ");\n" + in +
+                    "    lanes above;\n";
+            auto const exchange = [&](std::string const& a, std::string const& b) {
+                text +=
+                    in + "    above = " + a + ", " + a + " = either(swap, " + b + ", above), " + b + " = either(swap, above, " + b + ");\n";
+            };
+            for (int m = k; m < n; ++m) exchange(K(k, m), K(j, m));
+            exchange(element("d", k), element("d", j));
+            text += in + "}\n";
+        }
+        line("least = " + (k == 0 ? "size_of(" + K(0, 0) + ")" : "smaller(least, size_of(" + K(k, k) + "))"));
+        line("most = " + (k == 0 ? std::string("least") : "larger(most, size_of(" + K(k, k) + "))"));
+        line("const lanes over" + std::to_string(k) + " = 1.0 / " + K(k, k)); // divisions are what takes the time
+        for (int j = k + 1; j < n; ++j) {
+            line(K(j, k) + " *= over" + std::to_string(k));
+            for (int m = k + 1; m < n; ++m) line(K(j, m) + " -= " + K(j, k) + " * " + K(k, m));
+            line(element("d", j) + " -= " + K(j, k) + " * " + element("d", k));
+        }
+    }
+    for (int k = n - 1; k >= 0; --k) {
+        for (int j = k + 1; j < n; ++j) line(element("d", k) + " -= " + K(k, j) + " * " + element("d", j));
+        line(element("d", k) + " *= over" + std::to_string(k));
+    }
+    line("const mask regular = least > " + hilger::detail::c_spelling::number(n * hilger::epsilon<double>()) + " * most");
+    return text;
+}
+
+class lane_part {
+public:
+    lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name)
+        : N(what.dimension), name_(std::move(name)), w_(constant("w", b.w(0))), c_(constant("c", b.w(0) * b.a(0, 1))),
+          f_(constant("f", b.w(0) * b.a(0, 0))), time_(symbol::variable("t") + b.a(0, 1) * symbol::variable("h")),
+          x_(hilger::detail::c_locals("x", N)), y_(hilger::detail::c_array("y", N)), node_(what.at(symbol::variable("t_node"), x_, y_)) {
+        for (std::size_t k = 0; k < node_.gq.size(); ++k) D_.push_back(f_.is(0) ? symbol(0) : c_ * node_.gq[k] + node_.gv[k]);
+        for (std::size_t k = 0; k < D_.size(); ++k) K_.push_back(node_.pv[k] + c_ * node_.pq[k] - f_ * D_[k]);
+        auto slopes = D_;
+        slopes.insert(slopes.end(), K_.begin(), K_.end());
+        linear_ = not hilger::detail::depends(slopes, y_) and (c_.is(0) or not hilger::detail::depends(slopes, x_));
+    }
+    /// In y: nothing is guessed.
+    [[nodiscard]] bool is_linear() const { return linear_; }
+    /// What is there in one place or two is part of the walk.
+    [[nodiscard]] std::string text(bool is_inlined) const {
+        std::string const array = "[" + std::to_string(N) + "]";
+        std::string all =
+            std::string("static ") + (is_inlined ? "inline __attribute__((always_inline))" : "__attribute__((noinline))") + " void " +
+            name_ +
+            "(lanes t, lanes h, const lanes *m, lanes *q, lanes *p, lanes *v, mask *lost)\n{\n    (void)t;\n    (void)m;\n    (void)v;\n";
+        lane_statements constants("    ", "of");
+        for (auto const& [name, value] : constants_) constants.add("const lanes " + name + " =", value);
+        all += constants.text() + "    lanes y" + array + ", g" + array + " = {{0}}, d" + array +
+               ";\n    mask done = *lost, settled = {0};\n    (void)settled;\n";
+        for (int k = 0; k < N; ++k) all += "    " + element("y", k) + " = " + (linear_ ? std::string("all(0.0)") : element("v", k)) + ";\n";
+        all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
+        all += iteration("        ") + "    }\n";
+        if (f_.is(0)) all += force_at_the_end();
+        std::string finite;
+        for (int k = 0; k < N; ++k) finite += (k > 0 ? " + " : "") + element("g", k) + " + " + element("y", k);
+        all += "    const lanes sum = " + finite + ";\n    *lost |= ~(sum - sum == 0.0);\n";
+        lane_statements update("    ", "by");
+        for (int k = 0; k < N; ++k) {
+            update.add(element("q", k) + " +=", w_ * y_[static_cast<std::size_t>(k)]);
+            update.add(element("p", k) + " +=", w_ * symbol::variable(element("g", k)));
+        }
+        all += update.text();
+        for (int k = 0; k < N; ++k) all += "    " + element("v", k) + " = " + element("y", k) + ";\n";
+        return all + "}\n";
+    }
+
+private:
+    /// A formula in h under a name; a number or h itself needs none.
+    symbol constant(std::string const& name, symbol const& value) {
+        if (value.get().is_leaf()) return value;
+        for (auto const& [known, same] : constants_)
+            if (same.same_as(value)) return symbol::variable(known);
+        constants_.emplace_back(name, value);
+        return symbol::variable(name);
+    }
+    /// The time and the position at the node, as far as they are used.
+    [[nodiscard]] std::string position(std::string const& in, std::set<std::string> const& used) const {
+        lane_statements lines(in, "at");
+        if (used.contains("t_node")) lines.add("const lanes t_node =", time_);
+        for (int k = 0; k < N; ++k)
+            if (std::string const& name = x_[static_cast<std::size_t>(k)].get().name; used.contains(name))
+                lines.add("const lanes " + name + " =", symbol::variable(element("q", k)) + c_ * y_[static_cast<std::size_t>(k)]);
+        return lines.text();
+    }
+    /// One iteration of Newton's method for y, with g carried along to first order.
+    [[nodiscard]] std::string iteration(std::string const& in) const {
+        std::string const array = "[" + std::to_string(N) + "]";
+        lane_statements body(in);
+        auto const at = [this](int j, int k) { return static_cast<std::size_t>(j * N + k); };
+        std::string declared = in + "lanes K" + array + array + ";\n";
+        for (int k = 0; k < N; ++k) {
+            auto const n = static_cast<std::size_t>(k);
+            if (not f_.is(0)) body.add("const lanes g" + std::to_string(k) + " =", node_.g[n]);
+            symbol const force = f_.is(0) ? symbol(0) : symbol::variable("g" + std::to_string(k));
+            body.add("const lanes r" + std::to_string(k) + " =", symbol::variable(element("p", k)) + f_ * force - node_.p[n]);
+        }
+        for (int j = 0; j < N; ++j)
+            for (int k = 0; k < N; ++k)
+                if (is_there(at(j, k))) body.add("const lanes " + slope(j, k) + " =", D_[at(j, k)]);
+        for (int j = 0; j < N; ++j)
+            for (int k = 0; k < N; ++k) {
+                symbol const D = is_there(at(j, k)) ? symbol::variable(slope(j, k)) : symbol(0);
+                body.add(element("K", j, k) + " =", node_.pv[at(j, k)] + c_ * node_.pq[at(j, k)] - f_ * D);
+            }
+        std::string const formulas = body.text();
+        std::string text = declared + position(in, body.read()) + formulas;
+        std::string sum = "r0", rest = "size_of(r0)";
+        for (int k = 1; k < N; ++k) {
+            sum += " + r" + std::to_string(k);
+            rest = "larger(" + rest + ", size_of(r" + std::to_string(k) + "))";
+        }
+        for (int k = 0; k < N; ++k) text += in + element("d", k) + " = r" + std::to_string(k) + ";\n";
+        text += elimination(N, in);
+        text += in + "const lanes rest = " + sum + ";\n" + in + "*lost |= ~done & ~(regular & (rest - rest == 0.0));\n";
+        for (int k = 0; k < N; ++k) {
+            std::string const dk = element("d", k), gk = element("g", k), yk = element("y", k);
+            if (not f_.is(0)) {
+                std::string const change = "change" + std::to_string(k);
+                text += in + "const lanes " + change + " = all(0.0)";
+                for (int m = 0; m < N; ++m)
+                    if (is_there(at(k, m))) text += " + " + slope(k, m) + " * " + element("d", m);
+                text += ";\n" + in + gk + " = " + kept(gk, "g" + std::to_string(k) + " + " + change) + ";\n";
+            }
+            text += in + yk + " = " + kept(yk, yk + " + " + dk) + ";\n";
+        }
+        return linear_ ? text : text + stop(in, rest, body.read());
+    }
+    /// When a lane is done: after a small correction the error is of the size of the rounding, and so it is where r is no more than that;
+    /// in each component, or two rounds after it is so in all of them together.
+    [[nodiscard]] std::string stop(std::string const& in, std::string const& rest, std::set<std::string> const& used) const {
+        using hilger::detail::filled;
+        std::string const f = f_.is(0) ? "" : " + size_of(" + f_.get().name + ") * ";
+        auto const both = [](std::string const& a, std::string const& b) { return a.empty() ? b : a + " & " + b; };
+        std::string small, rounded;
+        for (int k = 0; k < N; ++k) {
+            std::string const n = std::to_string(k), g = f_.is(0) ? "" : f + "size_of(" + element("g", k) + ")";
+            small = both(small, "(size_of(d[" + n + "]) <= $floor * size_of(y[" + n + "]))");
+            rounded = both(rounded, "(size_of(r" + n + ") <= $rounding * (size_of(p[" + n + "])" + g + "))");
+        }
+        std::string text = R"($inmask each = $small;
+$inmask together = $d <= $floor * $y;
+$negligible$inif (iteration > 0) {
+$in    each |= $rounded;
+$in    together |= $r <= $rounding * ($all);
+$in}
+$insettled -= together | each;
+$indone |= each | (settled > 2) | *lost;
+$inif (iteration == $most) *lost |= ~done, done |= *lost;
+)";
+        return filled(text, {{"$small", small},
+                             {"$rounded", rounded},
+                             {"$negligible", has_constant_mass() and not f_.is(0) ? negligible(in, used) : ""},
+                             {"$in", in},
+                             {"$d", largest_of("d", N)},
+                             {"$floor", hilger::detail::c_spelling::number(hilger::detail::square_root_of_epsilon<double>() / 2)},
+                             {"$y", largest_of("y", N)},
+                             {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
+                             {"$r", rest},
+                             {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
+                             {"$most", std::to_string(hilger::detail::most_iterations<double>)}});
+    }
+    /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
+    /// (is_negligible of hilger/step/one_node.hpp).
+    [[nodiscard]] std::string negligible(std::string const& in, std::set<std::string> const& used) const {
+        std::string const c = c_.get().name, w = w_.get().name;
+        std::string text = in + "lanes relative = all(0.0);\n", each;
+        for (int k = 0; k < N; ++k)
+            if (std::string const& x = x_[static_cast<std::size_t>(k)].get().name; used.contains(x)) {
+                std::string const n = "[" + std::to_string(k) + "]";
+                text += in + "relative = larger(size_of(" + c + " * d" + n + ") / (size_of(" + x + ") + size_of(" + c + " * y" + n +
+                        ")), relative);\n";
+            }
+        for (int k = 0; k < N; ++k) {
+            std::string const n = std::to_string(k);
+            each += (k > 0 ? " & " : "") +
+                    ("(size_of(" + w + ") * relative * (size_of(g[" + n + "]) * relative + size_of(change" + n + ")) <= ") +
+                    hilger::detail::c_spelling::number(hilger::epsilon<double>() / 2) + " * (size_of(p[" + n + "]) + size_of(" + w +
+                    ") * size_of(g[" + n + "])))";
+        }
+        return text + in + "each |= " + each + ";\n";
+    }
+    [[nodiscard]] bool has_constant_mass() const {
+        auto const is_number = [](symbol const& f) { return f.op() == hilger::operation::number; };
+        return std::all_of(node_.pv.begin(), node_.pv.end(), is_number) and std::all_of(node_.gv.begin(), node_.gv.end(), is_number) and
+               std::all_of(node_.pq.begin(), node_.pq.end(), is_number);
+    }
+    [[nodiscard]] bool is_there(std::size_t k) const { return not D_[k].is(0); }
+    [[nodiscard]] static std::string slope(int j, int k) { return "D" + std::to_string(j) + "_" + std::to_string(k); }
+    /// What a lane that is done keeps.
+    [[nodiscard]] std::string kept(std::string const& old, std::string const& made) const {
+        return linear_ ? made : "either(done, " + old + ", " + made + ")";
+    }
+    /// Where the position is that at the end, g was not needed until now.
+    [[nodiscard]] std::string force_at_the_end() const {
+        lane_statements body("        ");
+        for (int k = 0; k < N; ++k) body.add(element("g", k) + " =", node_.g[static_cast<std::size_t>(k)]);
+        std::string const formulas = body.text();
+        return "    {\n" + position("        ", body.read()) + formulas + "    }\n";
+    }
+
+    int N;
+    std::string name_;
+    std::vector<std::pair<std::string, symbol>> constants_;
+    symbol w_, c_, f_, time_;
+    symbol_list x_, y_;
+    hilger::detail::node_formulas node_;
+    symbol_list D_, K_;
+    bool linear_ = false;
+};
+
+} // namespace engine

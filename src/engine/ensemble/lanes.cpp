@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/ensemble/lanes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "engine/ensemble/lanes_of.hpp"
+#include "engine/machine_code/c_library.hpp"
+#include "engine/machine_code/machine_code.hpp"
+#include "engine/motions.hpp"
+
+namespace engine {
+
+namespace {
+
+using hilger::symbol;
+
+/// How many doubles a register has, and what the compiler is told of the processor.
+struct registers {
+    int width;
+    std::vector<std::string> options;
+};
+registers registers_here() {
+    std::vector<std::string> options{"-O3", "-w"};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512dq")) {
+        options.insert(options.end(), {"-mavx512f", "-mavx512dq"});
+        return {8, options};
+    }
+    if (__builtin_cpu_supports("avx2")) {
+        options.emplace_back("-mavx2");
+        return {4, options};
+    }
+#endif
+    return {2, options};
+}
+
+/// The Lagrangian or a force in symbols, with those that states bring as m[0], m[1], ...
+class of_members {
+public:
+    explicit of_members(std::vector<hilger::text::stated> const& formulas) : formulas_(formulas) {}
+    template <class V>
+    symbol value(std::size_t component, symbol const& t, V const& q, V const& v) const {
+        int const d = formulas_[component].words().dimension();
+        auto const position = [&](int k) { return k < d ? symbol(q(k)) : symbol::variable("m", k - d); };
+        return formulas_[component].value(t, position, v);
+    }
+    [[nodiscard]] std::size_t size() const { return formulas_.size(); }
+    [[nodiscard]] bool reads_time() const {
+        return std::any_of(formulas_.begin(), formulas_.end(), [](auto const& f) { return f.reads(hilger::text::meaning::role::time); });
+    }
+
+private:
+    std::vector<hilger::text::stated> formulas_;
+};
+struct member_lagrangian : of_members {
+    using of_members::of_members;
+    symbol operator()(symbol const& t, vector<symbol> const& q, vector<symbol> const& v) const { return value(0, t, q, v); }
+};
+struct member_force : of_members {
+    using of_members::of_members;
+    vector<symbol> operator()(symbol const& t, vector<symbol> const& q, vector<symbol> const& v) const {
+        vector<symbol> f(static_cast<Eigen::Index>(size()));
+        for (std::size_t k = 0; k < size(); ++k) f(static_cast<Eigen::Index>(k)) = value(k, t, q, v);
+        return f;
+    }
+};
+/// Calls use(mechanics) with what of_members makes of it.
+template <class Use>
+auto with_members(problem const& what, Use const& use) {
+    member_lagrangian const L({what.lagrangian.formula()});
+    if (what.force) return use(hilger::problem<member_lagrangian, member_force>{L, member_force(what.force->formulas())});
+    return use(hilger::problem<member_lagrangian, hilger::no_force>{L, {}});
+}
+
+template <class Mechanics>
+std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string const& method) {
+    symbol const h = symbol::variable("h");
+    auto const one = [&](auto const& flow) { return tableau_of(flow.embedding(), h); };
+    if (method == "order-one") return one_node_parts{{one(embed(mechanics, hilger::order_one))}, {{0, 1}}};
+    if (method == "order-one-left") return one_node_parts{{one(embed(mechanics, hilger::order_one_left))}, {{0, 1}}};
+    if (method == "mid-point") return one_node_parts{{one(embed(mechanics, hilger::mid_point))}, {{0, 1}}};
+    if (method == "verlet") {
+        auto const first = embed(mechanics, hilger::order_one);
+        return one_node_parts{{one(first), one(adjoint(first))}, {{0, 0.5}, {1, 0.5}}};
+    }
+    if (method == "kahan-li-8") {
+        one_node_parts made{{one(embed(mechanics, hilger::mid_point))}, {}};
+        for (double const share : hilger::kahan_li<8>.template values<double>()) made.parts.push_back({0, share});
+        return made;
+    }
+    return {};
+}
+
+/// Libraries by their texts, for the length of the process.
+std::shared_ptr<c_library const> compiled(std::string const& text, std::vector<std::string> const& options) {
+    static std::mutex one_at_a_time;
+    static std::map<std::string, std::shared_ptr<c_library>> all;
+    std::lock_guard const lock(one_at_a_time);
+    auto& library = all[text];
+    if (not library) library = std::make_shared<c_library>(text, options);
+    switch (library->look(true)) {
+    case c_library::status::done:
+        return library;
+    case c_library::status::no_compiler:
+        say_there_is_no_compiler();
+        return nullptr;
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace
+
+std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T) {
+    int const d = what.lagrangian.formula().words().dimension();
+    if (not what.damping.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
+    auto const here = registers_here();
+    std::size_t size = 0;
+    int const brought = what.lagrangian.formula().words().brought();
+    std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
+        auto const parts = parts_of(mechanics, method);
+        if (not parts) return {};
+        size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
+        try {
+            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width);
+        } catch (hilger::error::no_formula const&) { // it compares
+            return {};
+        }
+    });
+    if (text.empty()) return nullptr;
+    auto const library = compiled(text, here.options);
+    if (not library) return nullptr;
+    std::unique_ptr<lanes> made(new lanes);
+    made->begin_ = reinterpret_cast<decltype(made->begin_)>(library->find("begin"));
+    made->walk_ = reinterpret_cast<decltype(made->walk_)>(library->find("walk"));
+    if (made->begin_ == nullptr or made->walk_ == nullptr) return nullptr;
+    made->width_ = here.width;
+    made->dimension_ = d;
+    made->brought_ = brought;
+    made->size_ = size;
+    made->step_ = T.is_uniform() ? T.step : 0;
+    made->times_ = T.given;
+    for (hilger::index_type k = 0; T.is_uniform() and k <= T.steps; ++k) made->times_.push_back(T.start + static_cast<double>(k) * T.step);
+    return made;
+}
+
+lanes::group::group(lanes const& code, std::vector<start> const& from)
+    : code_(code), x_(code.size_ * static_cast<std::size_t>(code.width_)), lost_(static_cast<std::size_t>(code.width_)) {
+    auto const d = code.dimension_, width = code.width_;
+    auto const put = [&](int lane, int first, auto const& numbers) {
+        for (double const x : numbers) x_[static_cast<std::size_t>(first++ * width + lane)] = x;
+    };
+    int const brought = static_cast<int>(code.size_) - code.brought_; // behind all else
+    for (int lane = 0; lane < width; ++lane) {
+        auto const& at = from[static_cast<std::size_t>(lane)];
+        put(lane, 0, at.q);
+        for (int first = 2 * d; first < brought; first += d) put(lane, first, at.v);
+        put(lane, brought, at.parameters);
+    }
+    code.begin_(code.times_.front(), x_.data());
+    for (int lane = 0; lane < width; ++lane)
+        if (auto const& p = from[static_cast<std::size_t>(lane)].p; p.size() > 0) put(lane, d, p);
+}
+
+void lanes::group::walk(hilger::index_type steps) {
+    code_.walk_(done_, steps, code_.times_.data(), code_.step_, x_.data(), lost_.data());
+    done_ += steps;
+}
+
+} // namespace engine

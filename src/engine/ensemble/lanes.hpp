@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSL-1.0
+// Members of an ensemble that step together, in the lanes of the processor's registers: what lanes_of.hpp writes, compiled and loaded.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+
+namespace engine {
+
+class lanes {
+public:
+    static constexpr int most_coordinates = 6; ///< more are not kept in registers
+    /// Compiles and waits for it. Nothing where the method has more than one node in a part of its step, the problem a memory, a formula
+    /// branches or more than a few coordinates, or where machine code is off or there is no compiler.
+    static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T);
+
+    [[nodiscard]] int width() const { return width_; }
+
+    /// Where a member begins: without p, from p = dL/dv. Without that, v is what its velocity is guessed to be.
+    struct start {
+        vector<double> q, v, p;
+        std::vector<double> parameters; ///< those that states bring
+    };
+    /// As many members as there are lanes.
+    class group {
+    public:
+        group(lanes const& code, std::vector<start> const& from);
+        /// Goes on by so many steps.
+        void walk(hilger::index_type steps);
+        /// Whether the member's steps have succeeded until here.
+        [[nodiscard]] bool is_well(int lane) const { return lost_[static_cast<std::size_t>(lane)] == 0; }
+        [[nodiscard]] double q(int lane, int k) const { return at(lane, k); }
+        [[nodiscard]] double p(int lane, int k) const { return at(lane, code_.dimension_ + k); }
+
+    private:
+        [[nodiscard]] double at(int lane, int number) const { return x_[static_cast<std::size_t>(number * code_.width_ + lane)]; }
+        lanes const& code_;
+        std::vector<double> x_;
+        std::vector<long long> lost_;
+        hilger::index_type done_ = 0;
+    };
+
+private:
+    lanes() = default;
+    int width_ = 0, dimension_ = 0, brought_ = 0;
+    std::size_t size_ = 0; ///< of a member's state, in numbers
+    std::vector<double> times_;
+    double step_ = 0; ///< 0 where the steps are not equal
+    void (*begin_)(double, double*) = nullptr;
+    void (*walk_)(long, long, double const*, double, double*, long long*) = nullptr;
+};
+
+} // namespace engine

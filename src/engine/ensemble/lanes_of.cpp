@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/ensemble/lanes_of.hpp"
+
+#include "engine/ensemble/lane_part.hpp"
+
+namespace engine {
+
+namespace {
+
+/// The guess of a velocity is the polynomial through those of so many equal steps before, as far as there are; of other steps, through two.
+constexpr int guesses = 7;
+
+bool is_everywhere_smooth(symbol_list const& formulas) {
+    using enum hilger::operation;
+    std::set<hilger::formula const*> seen;
+    std::function<bool(symbol const&)> const good = [&](symbol const& f) {
+        if (f.get().is_leaf() or not seen.insert(&f.get()).second) return true;
+        switch (f.op()) {
+        case log:
+        case log1p:
+        case asin:
+        case acos:
+        case atan2:
+        case maximum:
+        case minimum:
+        case abs:
+        case sign:
+            return false;
+        default:
+            return good(f.first()) and (not f.get().b or good(f.second()));
+        }
+    };
+    return std::all_of(formulas.begin(), formulas.end(), good);
+}
+
+constexpr char const* prelude = R"(#include <math.h>
+#include <string.h>
+
+enum { width = $width };
+typedef double lanes __attribute__((vector_size(8 * width)));
+typedef long long mask __attribute__((vector_size(8 * width)));
+
+static inline lanes all(double x) { return x - (lanes){0}; }
+static inline lanes either(mask m, lanes a, lanes b) { return (lanes)((m & (mask)a) | (~m & (mask)b)); }
+static inline lanes size_of(lanes x) { return (lanes)((mask)x & 0x7fffffffffffffffLL); }
+static inline lanes larger(lanes a, lanes b) { return either(a > b, a, b); }
+static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
+static inline int are_all(mask m)
+{
+    long long all_of_them = -1;
+    for (int k = 0; k < width; ++k) all_of_them &= m[k];
+    return all_of_them != 0;
+}
+#define EACH(f)                                        \
+    static inline lanes lanes_##f(lanes x)             \
+    {                                                  \
+        double in[width], out[width];                  \
+        memcpy(in, &x, sizeof x);                      \
+        for (int k = 0; k < width; ++k) out[k] = f(in[k]); \
+        memcpy(&x, out, sizeof x);                     \
+        return x;                                      \
+    }
+EACH(sqrt)
+EACH(tan)
+EACH(sinh)
+EACH(cosh)
+EACH(tanh)
+EACH(atan)
+EACH(cbrt)
+EACH(expm1)
+EACH(erf)
+#if defined(__x86_64__) && defined(__GLIBC__)
+extern lanes _ZGV$isa_sin(lanes), _ZGV$isa_cos(lanes), _ZGV$isa_exp(lanes);
+static inline lanes lanes_sin(lanes x) { return _ZGV$isa_sin(x); }
+static inline lanes lanes_cos(lanes x) { return _ZGV$isa_cos(x); }
+static inline lanes lanes_exp(lanes x) { return _ZGV$isa_exp(x); }
+#else
+EACH(sin)
+EACH(cos)
+EACH(exp)
+#endif
+static inline lanes lanes_pow(lanes x, double n)
+{
+    double in[width], out[width];
+    memcpy(in, &x, sizeof x);
+    for (int k = 0; k < width; ++k) out[k] = pow(in[k], n);
+    memcpy(&x, out, sizeof x);
+    return x;
+}
+#define sqrt lanes_sqrt
+#define tan lanes_tan
+#define sinh lanes_sinh
+#define cosh lanes_cosh
+#define tanh lanes_tanh
+#define atan lanes_atan
+#define cbrt lanes_cbrt
+#define expm1 lanes_expm1
+#define erf lanes_erf
+#define sin lanes_sin
+#define cos lanes_cos
+#define exp lanes_exp
+#define pow lanes_pow
+)";
+
+// The numbers of a state in their order; m is behind all else.
+constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][guesses][$n], m[brought + 1];
+    (void)v;
+    memcpy(q, x, sizeof q);
+    memcpy(p, x + width * $n, sizeof p);
+    memcpy(v, x + width * 2 * $n, sizeof v);
+    memcpy(m, x + width * (2 + parts * guesses) * $n, sizeof(lanes) * brought);
+)";
+constexpr char const* beginning = R"(
+void begin(double time, double *x)
+{
+$state    const lanes t = all(time), *y = v[0][0];
+    (void)t;
+    (void)y;
+$momenta    memcpy(x + width * $n, p, sizeof p);
+}
+)";
+constexpr char const* walking = R"(
+void walk(long begin, long n, const double *times, double step, double *x, long long *lost_lanes)
+{
+$state    const long most = step > 0.0 ? guesses : 2;
+    mask lost;
+    memcpy(&lost, lost_lanes, sizeof lost);
+    for (long i = begin; i < begin + n && !are_all(lost); ++i) {
+        const double h = step > 0.0 ? step : times[i + 1] - times[i];
+        const double *of = through[i + 1 < most ? i : most - 1];
+        const long now = i % guesses;
+        double t = times[i];
+        (void)of;
+$parts    }
+    memcpy(x, q, sizeof q);
+    memcpy(x + width * $n, p, sizeof p);
+    memcpy(x + width * 2 * $n, v, sizeof v);
+    memcpy(lost_lanes, &lost, sizeof lost);
+}
+)";
+constexpr char const* one_part = R"(        {
+            const double share = $share * h;
+            lanes y[$n] = {{0}};
+$guess            part_$kind(all(t), all(share), m, q, p, y, &lost);
+            memcpy(v[$part][now], y, sizeof y);
+            t += share;
+        }
+)";
+constexpr char const* guess = R"(            for (int j = 0; j < most; ++j)
+                for (int k = 0; k < $n; ++k) y[k] += of[j] * v[$part][(now + guesses - 1 - j) % guesses][k];
+)";
+
+/// The numbers of the polynomials that guesses are made with.
+std::string polynomials() {
+    std::string text = "static const double through[guesses][guesses] = {";
+    for (int k = 1; k <= guesses; ++k) {
+        text += k == 1 ? "{" : ", {";
+        for (int j = 0; j < k; ++j) text += (j == 0 ? "" : ", ") + std::to_string(hilger::detail::extrapolation(k, j));
+        text += "}";
+    }
+    return text + "};\n";
+}
+
+} // namespace
+
+std::size_t size_in_lanes(int dimension, one_node_parts const& of) {
+    return static_cast<std::size_t>(dimension) * (2 + guesses * of.parts.size());
+}
+
+std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width) {
+    using hilger::detail::filled;
+    int const N = what.dimension;
+    auto const here = what.at(symbol::variable("t"), hilger::detail::c_array("q", N), hilger::detail::c_array("y", N));
+    for (auto const& formulas : {symbol_list{here.L}, here.g, here.p, here.gq, here.gv, here.pq, here.pv})
+        if (not is_everywhere_smooth(formulas)) return {};
+    std::string const n = std::to_string(N);
+    std::string text = filled(prelude, {{"$width", std::to_string(width)}, {"$isa", width == 8 ? "eN8v" : width == 4 ? "dN4v" : "bN2v"}});
+    std::vector<bool> is_linear;
+    for (std::size_t k = 0; k < of.kinds.size(); ++k) {
+        lane_part const part(what, of.kinds[k], "part_" + std::to_string(k));
+        text += '\n' + part.text(of.parts.size() <= 2);
+        is_linear.push_back(part.is_linear());
+    }
+    text += "\nenum { parts = " + std::to_string(of.parts.size()) + ", guesses = " + std::to_string(guesses) +
+            ", brought = " + std::to_string(brought) + " };\n" + polynomials();
+    lane_statements momenta("    ");
+    for (int k = 0; k < N; ++k) momenta.add(element("p", k) + " =", here.p[static_cast<std::size_t>(k)]);
+    text += filled(beginning, {{"$state", state_in}, {"$momenta", momenta.text()}, {"$n", n}});
+    std::string parts;
+    for (std::size_t k = 0; k < of.parts.size(); ++k)
+        parts += filled(one_part, {{"$guess", is_linear[of.parts[k].kind] ? "" : guess},
+                                   {"$share", hilger::detail::c_spelling::number(of.parts[k].share)},
+                                   {"$part", std::to_string(k)},
+                                   {"$kind", std::to_string(of.parts[k].kind)}});
+    return text + filled(walking, {{"$state", state_in}, {"$parts", parts}, {"$n", n}});
+}
+
+} // namespace engine

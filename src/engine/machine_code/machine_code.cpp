@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/machine_code/machine_code.hpp"
+
+#include <array>
+#include <atomic>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "engine/machine_code/c_library.hpp"
+
+namespace engine {
+
+namespace {
+
+using evaluation = hilger::detail::evaluation<double>;
+using translation = hilger::detail::translation<double>;
+using functions = std::array<translation::function, translation::functions>;
+
+/// Nothing is folded and no two functions are joined to a third one: it would round differently.
+std::vector<std::string> const options{"-O2", "-ftree-vectorize", "-fno-builtin-sin", "-fno-builtin-cos"};
+
+class compiler final : public hilger::detail::translator<double> {
+public:
+    void translate(evaluation const& what, translation& to) override {
+        auto const how = how_.load();
+        if (how == machine_code::off) return;
+        std::unique_lock lock(busy_, std::defer_lock);
+        if (how == machine_code::at_once)
+            lock.lock();
+        else if (not lock.try_lock())
+            return;
+        std::string text = c_of(what);
+        if (text.empty()) return;
+        auto const [found, is_new] = jobs_.try_emplace(text, nullptr);
+        if (is_new) found->second = std::make_unique<c_library>(std::move(text), options);
+        switch (found->second->look(how == machine_code::at_once)) {
+        case c_library::status::working:
+        case c_library::status::failed:
+            return;
+        case c_library::status::no_compiler:
+            say_once();
+            return;
+        case c_library::status::done:
+            use(*found->second, to);
+        }
+    }
+    /// Forgets what it has looked at.
+    void set(machine_code how) {
+        std::lock_guard const lock(busy_);
+        jobs_.clear();
+        how_ = how;
+    }
+    [[nodiscard]] int translated() const { return translated_; }
+    [[nodiscard]] machine_code wanted() const { return how_; }
+    void say_once() {
+        if (has_said_.exchange(true)) return;
+        std::cerr << "hilger: there is no C compiler (cc, or what CC names), and formulas go on interpreted; HILGER_MACHINE_CODE=off says "
+                     "nothing\n";
+    }
+
+private:
+    void use(c_library const& library, translation& to) {
+        functions made;
+        for (std::size_t k = 0; k < made.size(); ++k) {
+            made[k] = reinterpret_cast<translation::function>(library.find("part_" + std::to_string(k)));
+            if (made[k] == nullptr) return;
+        }
+        to.set(made);
+        ++translated_;
+    }
+    std::atomic<machine_code> how_ = machine_code::off;
+    std::atomic<int> translated_ = 0;
+    std::mutex busy_;
+    std::map<std::string, std::unique_ptr<c_library>> jobs_;
+    std::atomic<bool> has_said_ = false;
+};
+
+compiler& the_compiler() {
+    static compiler one;
+    return one;
+}
+
+} // namespace
+
+void set_machine_code(machine_code how) {
+    auto& one = the_compiler();
+    one.set(how);
+    hilger::detail::translator<double>::installed() = &one;
+}
+void prepare_machine_code() {
+    static bool const once = [] {
+        if (hilger::detail::translator<double>::installed().load() == nullptr)
+            set_machine_code(environment_variable("HILGER_MACHINE_CODE") == "off" ? machine_code::off : machine_code::on);
+        return true;
+    }();
+    (void)once;
+}
+machine_code wanted_machine_code() {
+    prepare_machine_code();
+    return the_compiler().wanted();
+}
+void say_there_is_no_compiler() { the_compiler().say_once(); }
+int formulas_in_machine_code() { return the_compiler().translated(); }
+
+} // namespace engine

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSL-1.0
+// Members of an ensemble in the lanes of the processor's registers: they solve their equation, agree with the flow that takes them alone,
+// and do not know of each other to the last bit.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <unistd.h>
+
+#include "engine/ensemble/lanes.hpp"
+#include "engine/machine_code/machine_code.hpp"
+#include "engine/motions.hpp"
+
+namespace lanes_tests {
+
+using namespace hilger;
+using engine::lanes;
+using vector = Eigen::VectorXd;
+
+namespace {
+
+/// While it lives, what is compiled is kept in a folder of its own.
+class kept_here {
+public:
+    kept_here() : path_(std::filesystem::temp_directory_path() / ("hilger_lanes_" + std::to_string(::getpid()))) {
+        std::filesystem::create_directory(path_);
+        ::setenv("XDG_CACHE_HOME", path_.c_str(), 1);
+        engine::set_machine_code(engine::machine_code::on);
+    }
+    ~kept_here() {
+        engine::set_machine_code(engine::machine_code::off);
+        std::filesystem::remove_all(path_);
+    }
+    kept_here(kept_here const&) = delete;
+    kept_here& operator=(kept_here const&) = delete;
+
+private:
+    std::filesystem::path path_;
+};
+
+engine::problem stated(std::string const& L, int d, std::vector<std::string> const& force = {}) {
+    auto const words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", d}});
+    engine::problem made{text::lagrangian_in(L, words), {}, {}, "direct"};
+    std::vector<text::stated> components;
+    for (auto const& f : force) components.emplace_back(text::read(f, "the force"), words, "the force");
+    if (not force.empty()) made.force.emplace(components);
+    return made;
+}
+/// Small numbers that are not each other's: member m, component k.
+vector some(int d, int m, double size) {
+    return vector::NullaryExpr(d, [&](Eigen::Index k) { return size * std::sin(1.0 + 2.0 * static_cast<double>(k) + 0.7 * m); });
+}
+std::vector<lanes::start> starts(lanes const& code, int d, double size) {
+    std::vector<lanes::start> all;
+    for (int m = 0; m < code.width(); ++m) all.push_back({some(d, m, size), some(d, m + 10, size), {}, {}});
+    return all;
+}
+/// The states of one lane, at all points.
+struct seen {
+    std::vector<vector> q, p;
+};
+std::vector<seen> walked(lanes const& code, std::vector<lanes::start> const& from, index_type steps) {
+    int const d = static_cast<int>(from[0].q.size());
+    lanes::group group(code, from);
+    std::vector<seen> all(from.size());
+    for (index_type i = 0;; ++i) {
+        for (int m = 0; m < code.width(); ++m) {
+            vector q(d), p(d);
+            for (int k = 0; k < d; ++k) q(k) = group.q(m, k), p(k) = group.p(m, k);
+            all[static_cast<std::size_t>(m)].q.push_back(q);
+            all[static_cast<std::size_t>(m)].p.push_back(p);
+        }
+        if (i == steps) return all;
+        group.walk(1);
+    }
+}
+constexpr index_type steps = 60;
+engine::points<double> const equal{0.25, 0.0625, steps, {}};
+engine::points<double> uneven() {
+    engine::points<double> T{0, 0, steps, {}};
+    for (index_type i = 0; i <= steps; ++i)
+        T.given.push_back(0.25 + 0.0625 * (static_cast<double>(i) + 0.25 * std::sin(static_cast<double>(i))));
+    return T;
+}
+
+/// Each lane against the same problem alone: positions and momenta to the rounding of the steps between, and the equation of it.
+void check_lanes(engine::problem const& what, std::string const& method, engine::points<double> const& T, double size, double growth = 16) {
+    CAPTURE(method);
+    int const d = what.lagrangian.formula().words().dimension();
+    CAPTURE(d);
+    auto const code = lanes::of(what, method, T);
+    REQUIRE(bool(code != nullptr));
+    auto const from = starts(*code, d, size);
+    auto const together = walked(*code, from, steps);
+    auto alone = engine::embedded_in_one_step(what, method, T);
+    if (not alone) alone = engine::composed(what, method, T);
+    double const bound = growth * static_cast<double>(steps) * epsilon<double>();
+    for (std::size_t m = 0; m < from.size(); ++m) {
+        engine::initial<double> const start{from[m].q, engine::second_datum::velocity, from[m].v};
+        std::size_t i = 0;
+        double worst = 0, largest = 0, momentum = 0;
+        alone->walk(start, [&](double, vector const& q, vector const& p) {
+            worst = std::max({worst, (q - together[m].q[i]).cwiseAbs().maxCoeff(), (p - together[m].p[i]).cwiseAbs().maxCoeff()});
+            largest = std::max({largest, q.cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
+            momentum = std::max(momentum, p.cwiseAbs().maxCoeff());
+            ++i;
+            return true;
+        });
+        CHECK(i == static_cast<std::size_t>(steps) + 1);
+        CHECK(worst <= bound * largest);
+        CHECK(largest > size / 4);
+        if (method != "verlet" and method != "kahan-li-8")
+            CHECK(alone->residual(start, together[m].q) <= 64 * epsilon<double>() * (momentum + largest / 0.046) / 0.046);
+    }
+}
+
+std::string const all_methods[] = {"order-one", "order-one-left", "mid-point", "verlet", "kahan-li-8"};
+
+} // namespace
+
+TEST_CASE("every method, from one coordinate to six, on equal and other steps") {
+    kept_here const cache;
+    for (auto const& method : all_methods) {
+        auto const pendulum = stated("v[0]^2/2 - (1 - cos(q[0]))", 1);
+        if (method != "kahan-li-8") check_lanes(pendulum, method, equal, 1);
+        if (method != "kahan-li-8") check_lanes(pendulum, method, uneven(), 1);
+        check_lanes(stated("dot(v, v)/2 - dot(q, q)/2 - q[0]^2*q[1] + q[1]^3/3", 2), method, equal, 0.25);
+    }
+    for (int d = 3; d <= lanes::most_coordinates; ++d)
+        check_lanes(stated("dot(v, v)*(3 + cos(q[0]))/2 + v[0]*v[" + std::to_string(d - 1) + "]*q[1]/4 - sum(i, 0, " +
+                               std::to_string(d - 1) + ", q[i]^2/(1 + i) + exp(-q[i])/8)",
+                           d),
+                    "mid-point", equal, 0.5, 64);
+}
+
+TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all kinds") {
+    kept_here const cache;
+    for (auto const& method : {"mid-point", "order-one", "order-one-left"}) {
+        check_lanes(stated("v[0]*v[1] + v[2]*v[1]/2 + v[2]^2/8 - q[0]^2/2 - q[1]^2/2 - q[2]^2", 3), method, equal, 0.5, 64);
+        check_lanes(stated("dot(v, v)/2 - dot(q, q)/2", 2, {"-v[0]/8 - v[1]^3/16", "-v[1]*(1 + q[0]^2)/8 + cos(t)/4"}), method, equal, 0.5);
+        check_lanes(
+            stated("v[0]^2/2 - q[0]^2 - sqrt(1 + q[0]^2) - tanh(q[0])/8 - cosh(q[0])/16 + sinh(q[0])/32 - atan(q[0])/8 - tan(q[0]/4) - "
+                   "(2 + q[0])^2.5/64 - expm1(q[0]/8) - cbrt(2 + q[0])/16 - erf(q[0])/64",
+                   1),
+            method, equal, 0.5);
+        check_lanes(stated("v[0]^2/2 - 9.81*q[0]", 1), method, equal, 0.5);
+    }
+    auto const in_time = stated("v[0]^2/2 - q[0]^2/2*(1 + t/4) + q[0]*sin(t)", 1, {"-v[0]*t/8"});
+    for (auto const& method : all_methods) check_lanes(in_time, method, uneven(), 0.5);
+}
+
+TEST_CASE("small components beside large ones keep their digits") {
+    kept_here const cache;
+    auto const what = stated("v[0]^2/2 + v[1]^2*(1 + q[1]^2*1e16)/2 - q[0]^4/4 - q[1]^2/2 - q[1]^4*1e16/4", 2);
+    auto const code = lanes::of(what, "mid-point", equal);
+    REQUIRE(bool(code != nullptr));
+    auto from = starts(*code, 2, 1);
+    for (auto& x : from) x.q(1) *= 1e-8, x.v(1) *= 1e-8;
+    auto const together = walked(*code, from, steps);
+    auto const alone = engine::embedded_in_one_step(what, "mid-point", equal);
+    for (std::size_t m = 0; m < from.size(); ++m) {
+        std::size_t i = 0;
+        double worst = 0;
+        alone->walk({from[m].q, engine::second_datum::velocity, from[m].v}, [&](double, vector const& q, vector const&) {
+            worst = std::max(worst, std::abs(q(1) - together[m].q[i++](1)));
+            return true;
+        });
+        CHECK(worst <= 16 * static_cast<double>(steps) * epsilon<double>() * 1e-8);
+    }
+}
+
+TEST_CASE("lanes do not know of each other, and who fails loses nobody else") {
+    kept_here const cache;
+    auto const what = stated("v[0]^2/2 + 10*q[0]^3/3 - cos(q[0])", 1);
+    engine::points<double> const T{0, 1, 5, {}};
+    auto const code = lanes::of(what, "mid-point", T);
+    REQUIRE(bool(code != nullptr));
+    lanes::start const well{vector::Constant(1, -0.125), vector::Constant(1, 0.0625), {}, {}},
+        lost{vector::Constant(1, 40), vector::Constant(1, 0), {}, {}};
+    std::vector<lanes::start> const same(static_cast<std::size_t>(code->width()), well);
+    lanes::group among_the_same(*code, same);
+    among_the_same.walk(4);
+    REQUIRE(among_the_same.is_well(0));
+    for (int place = 0; place < code->width(); ++place) {
+        auto others = std::vector<lanes::start>(static_cast<std::size_t>(code->width()), lost);
+        others[static_cast<std::size_t>(place)] = well;
+        lanes::group group(*code, others);
+        group.walk(1);
+        group.walk(3);
+        for (int m = 0; m < code->width(); ++m) CHECK(group.is_well(m) == (m == place));
+        CHECK(group.q(place, 0) == among_the_same.q(0, 0));
+        CHECK(group.p(place, 0) == among_the_same.p(0, 0));
+    }
+    auto momenta = same;
+    momenta[0].p = vector::Constant(1, 0.0625);
+    lanes::group other_start(*code, momenta);
+    other_start.walk(4);
+    CHECK(other_start.q(0, 0) == among_the_same.q(0, 0));
+}
+
+TEST_CASE("a mass that vanishes on the way is lost there") {
+    kept_here const cache;
+    auto const code = lanes::of(stated("v[0]^2*q[0]/2", 1), "order-one", {0, 1, 3, {}});
+    REQUIRE(bool(code != nullptr));
+    std::vector<lanes::start> from(static_cast<std::size_t>(code->width()), {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
+    from[1].q(0) = 0;
+    lanes::group group(*code, from);
+    group.walk(1);
+    CHECK(group.is_well(0));
+    CHECK(not group.is_well(1));
+
+    auto const flat = lanes::of(stated("(v[0]/10 + 3*v[1]/10)^2/2 - q[0]", 2), "mid-point", {0, 1, 3, {}});
+    REQUIRE(bool(flat != nullptr));
+    lanes::group nowhere(*flat, starts(*flat, 2, 1));
+    nowhere.walk(1);
+    for (int m = 0; m < flat->width(); ++m) CHECK(not nowhere.is_well(m));
+}
+
+TEST_CASE("what lanes are not for") {
+    kept_here const cache;
+    auto const none = [](engine::problem const& what, std::string const& method) { return lanes::of(what, method, equal) == nullptr; };
+    auto const oscillator = stated("v[0]^2/2 - q[0]^2/2", 1);
+    CHECK(not none(oscillator, "mid-point"));
+    CHECK(none(oscillator, "gauss-2"));
+    auto damped = oscillator;
+    damped.damping.push_back({0.5, 0.5});
+    CHECK(none(damped, "mid-point"));
+    for (std::string const branch :
+         {"abs(q[0])", "max(q[0], 0)", "if(q[0] < 0, q[0]^2, q[0]^4)", "log(2 - q[0])", "log1p(q[0])", "acos(q[0])"})
+        CHECK_MESSAGE(none(stated("v[0]^2/2 - " + branch, 1), "mid-point"), branch);
+    CHECK(none(stated("dot(v, v)/2 - dot(q, q)/2", lanes::most_coordinates + 1), "mid-point"));
+    engine::set_machine_code(engine::machine_code::off);
+    CHECK(none(oscillator, "mid-point"));
+}
+
+} // namespace lanes_tests
