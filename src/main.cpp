@@ -10,6 +10,7 @@
 #include "papers.hpp"
 #include "prove.hpp"
 #include "scenes/cost.hpp"
+#include "scenes/ensemble.hpp"
 #include "scenes/run.hpp"
 #include "scenes/trade.hpp"
 
@@ -30,6 +31,9 @@ int main(int argc, char** argv) {
     run_command->add_option("--steps", run.choice.steps, "number of steps");
     run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct, window:LENGTH");
     run_command->add_option("--every", run.every, "write a row at every so many points");
+    run_command->add_option("--ensemble", run.ensemble,
+                            "a table, members.csv: my.toml from each of its rows, whose columns are coordinates, velocities, parameters");
+    run_command->add_option("--threads", run.threads, "threads of an ensemble");
     run_command->add_option("--out", run.out, "directory for what is written")->capture_default_str();
     run_command->add_option("--stop-after", run.stop_after, "stop after so many rows; the same command goes on from there");
     run_command->add_flag("--anew", run.anew, "do not continue an interrupted run");
@@ -52,7 +56,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         if (*scenes) (cost ? program::list_costs : program::list_scenes)(std::cout);
-        if (*run_command) return program::run_scene(run);
+        if (*run_command) return run.ensemble.empty() ? program::run_scene(run) : program::run_ensemble(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);
         if (*extremes) return program::report_extremes(std::cout, quick) ? 0 : 1;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
-file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp)
 # Counting takes no time, nor do scales of one step and proofs in rationals, and optimising them takes minutes. Last: of what is in several
 # files the linker takes the first.
 set(not_optimised ${CMAKE_CURRENT_SOURCE_DIR}/papers_cresson.cpp ${CMAKE_CURRENT_SOURCE_DIR}/scenes/cost.cpp)

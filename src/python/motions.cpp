@@ -183,8 +183,9 @@ void add_motion(py::module_& m, char const* name) {
 
 engine::cast cast_of(engine::problem const& what, std::string const& method, bool in_lanes, engine::points<double> const& T) {
     py::gil_scoped_release const others_run;
-    return engine::make_cast(what, method, T, in_lanes,
-                             [method, T](engine::problem const& one) { return engine::make_motion<double>(one, method, T); });
+    return engine::make_cast(what, method, T, in_lanes, [method, T](engine::problem const& one) {
+        return engine::walker_of(engine::make_motion<double>(one, method, T));
+    });
 }
 
 /// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension. `parameters` has a row for each

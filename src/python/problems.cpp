@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "bindings.hpp"
-#include "engine/engine.hpp"
+#include "engine/ensemble/ensemble.hpp"
 #include "hilger/formula/print.hpp"
 
 namespace bindings {

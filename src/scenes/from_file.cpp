@@ -88,6 +88,7 @@ public:
             s.usual.history = chosen(*h, "history", s.histories);
         }
         describe(s, what);
+        s.stated = std::make_shared<stated_problem const>(what);
         s.begin = [what](configuration const& c) { return begin_stated(what, c); };
         s.reference = s.usual;
         s.reference.embedding = s.embeddings.back();

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/engine.hpp"
+#include "engine/ensemble/ensemble.hpp"
 #include "scene.hpp"
 
 namespace program {
@@ -28,5 +28,9 @@ scene scene_from_text(std::string_view content, std::string const& path);
 /// The methods that a stated problem can be run with, and its way along T.
 std::vector<std::string> embeddings_of(stated_problem const& what);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
+/// T with so many steps.
+engine::points<double> points_of(stated_problem const& what, hilger::index_type steps);
+/// How a member of an ensemble is walked alone, from velocities.
+engine::walker walker_of_member(engine::problem const& one, configuration const& c, engine::points<double> const& T);
 
 } // namespace program

@@ -13,6 +13,8 @@ struct run_options {
     hilger::index_type every = 0; ///< rows are written at every so many points; 0 for about 2000 rows
     std::string out = "out";
     bool anew = false;                 ///< an interrupted run is not continued
+    std::string ensemble;              ///< a table of members, where there are many
+    int threads = 0;                   ///< for an ensemble; 0 for all processors, or one where there are other ranks
     hilger::index_type stop_after = 0; ///< stops after so many rows, as a signal does; 0 for never
 };
 

@@ -39,6 +39,8 @@ public:
     virtual void load(std::istream&, std::string const& source) { (void)source; }
 };
 
+struct stated_problem;
+
 struct scene {
     std::string name, title;
     std::string units; ///< of the interval, "" where there are none
@@ -54,6 +56,7 @@ struct scene {
     std::string exact_source;
     double exact_error = 1e-95;
     configuration reference;
+    std::shared_ptr<stated_problem const> stated; ///< of what a file states
 };
 
 /// All scenes, in the order in which they are listed.

@@ -54,7 +54,7 @@ void race_ensemble(std::string const& name, std::string const& L, std::string co
     engine::set_machine_code(engine::machine_code::at_once);
     auto const make = [&](engine::problem const& one) {
         auto made = engine::embedded_in_one_step(one, method, T);
-        return made ? std::move(made) : engine::composed(one, method, T);
+        return engine::walker_of(made ? std::move(made) : engine::composed(one, method, T));
     };
     auto const together = engine::make_cast(what, method, T, true, make), alone = engine::make_cast(what, method, T, false, make);
     starts<P> const members_by_hand;

@@ -3,50 +3,19 @@
 // and do not know of each other to the last bit.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-
-#include <unistd.h>
-
 #include "engine/ensemble/lanes.hpp"
-#include "engine/machine_code/machine_code.hpp"
-#include "engine/motions.hpp"
+#include "stated.hpp"
 
 namespace lanes_tests {
 
 using namespace hilger;
 using engine::lanes;
+using testing::kept_here;
+using testing::stated;
 using vector = Eigen::VectorXd;
 
 namespace {
 
-/// While it lives, what is compiled is kept in a folder of its own.
-class kept_here {
-public:
-    kept_here() : path_(std::filesystem::temp_directory_path() / ("hilger_lanes_" + std::to_string(::getpid()))) {
-        std::filesystem::create_directory(path_);
-        ::setenv("XDG_CACHE_HOME", path_.c_str(), 1);
-        engine::set_machine_code(engine::machine_code::on);
-    }
-    ~kept_here() {
-        engine::set_machine_code(engine::machine_code::off);
-        std::filesystem::remove_all(path_);
-    }
-    kept_here(kept_here const&) = delete;
-    kept_here& operator=(kept_here const&) = delete;
-
-private:
-    std::filesystem::path path_;
-};
-
-engine::problem stated(std::string const& L, int d, std::vector<std::string> const& force = {}) {
-    auto const words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", d}});
-    engine::problem made{text::lagrangian_in(L, words), {}, {}, "direct"};
-    std::vector<text::stated> components;
-    for (auto const& f : force) components.emplace_back(text::read(f, "the force"), words, "the force");
-    if (not force.empty()) made.force.emplace(components);
-    return made;
-}
 /// Small numbers that are not each other's: member m, component k.
 vector some(int d, int m, double size) {
     return vector::NullaryExpr(d, [&](Eigen::Index k) { return size * std::sin(1.0 + 2.0 * static_cast<double>(k) + 0.7 * m); });
@@ -199,7 +168,7 @@ TEST_CASE("lanes do not know of each other, and who fails loses nobody else") {
     CHECK(other_start.q(0, 0) == among_the_same.q(0, 0));
 }
 
-TEST_CASE("a mass that vanishes on the way is lost there") {
+TEST_CASE("a mass that vanishes on the way is lost there, and so is what is beyond all numbers") {
     kept_here const cache;
     auto const code = lanes::of(stated("v[0]^2*q[0]/2", 1), "order-one", {0, 1, 3, {}});
     REQUIRE(bool(code != nullptr));
@@ -209,6 +178,15 @@ TEST_CASE("a mass that vanishes on the way is lost there") {
     group.walk(1);
     CHECK(group.is_well(0));
     CHECK(not group.is_well(1));
+
+    auto const free = lanes::of(stated("v[0]^2/2", 1), "order-one", {0, 1, 3, {}});
+    REQUIRE(bool(free != nullptr));
+    from.assign(from.size(), {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
+    from[1].q(0) = from[1].v(0) = 1e308;
+    lanes::group beyond(*free, from);
+    beyond.walk(1);
+    CHECK(beyond.is_well(0));
+    CHECK(not beyond.is_well(1));
 
     auto const flat = lanes::of(stated("(v[0]/10 + 3*v[1]/10)^2/2 - q[0]", 2), "mid-point", {0, 1, 3, {}});
     REQUIRE(bool(flat != nullptr));

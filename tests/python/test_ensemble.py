@@ -56,6 +56,7 @@ class Ensemble(unittest.TestCase):
                 for other in (h.solve_many(EL, q0=q0, v0=v0, every=1, threads=3), h.solve_many(EL, q0=q0, v0=v0, every=1)):
                     self.assertEqual(many.q.tobytes(), other.q.tobytes())
                     self.assertEqual(many.p.tobytes(), other.p.tobytes())
+                self.assertEqual(many.lanes > 1, method != h.theta(0.5))
                 part = h.solve_many(EL, q0=q0[5:8], v0=v0[5:8], every=200)
                 self.assertEqual(many.q[5:8, -1].tobytes(), part.q[:, -1].tobytes())
                 np.testing.assert_allclose(many.q, alone.q, rtol=0, atol=200 * 16 * epsilon)
@@ -75,6 +76,7 @@ class Ensemble(unittest.TestCase):
                 many = h.solve_many(EL, q0=0.5, parameters={"m": m, "k": k, "g": g}, **start)
                 by_one = h.solve_many(EL, q0=0.5, parameters={"m": m, "k": k, "g": g}, lanes=False, **start)
                 self.assertEqual((many.failed, by_one.failed), ({}, {}))
+                self.assertEqual((many.lanes > 1, by_one.lanes), (True, 1))
                 for n in (0, 4, 10):
                     own = h.Lagrangian("m*v^2/2 - k[0]*q^2/2 - k[1]*q^4/4 - g*q", m=m[n], k=list(k[n]), g=g[n])
                     alone = h.solve(h.variation(own, EL.scale, method) + h.force(-v * h.variables("g") / 8), q0=0.5, **start)
@@ -113,15 +115,15 @@ class Ensemble(unittest.TestCase):
         self.assertEqual(len(said), 1, said)
         self.assertRegex(said.pop(), r"\[.*12\] \(13, 21\)")
 
-    def test_lanes_are_used(self):
+    def test_without_machine_code_members_are_alone(self):
         EL = h.variation(pendulum, h.uniform(0, 0.125, 100))
-        starts = {"q0": np.linspace(0, 2, 9), "v0": 0.5, "threads": 1}
-        self.assertFalse(np.array_equal(h.solve_many(EL, **starts).q, h.solve_many(EL, lanes=False, **starts).q))
         h.machine_code("off")
         try:
-            self.assertTrue(np.array_equal(h.solve_many(EL, **starts).q, h.solve_many(EL, lanes=False, **starts).q))
+            many = h.solve_many(EL, q0=np.linspace(0, 2, 9), v0=0.5)
         finally:
             h.machine_code("on")
+        self.assertEqual(many.lanes, 1)
+        self.assertTrue(np.array_equal(many.q, h.solve_many(EL, q0=np.linspace(0, 2, 9), v0=0.5, lanes=False).q))
 
     def test_damped(self):
         EL = h.variation(pendulum, h.uniform(0, 0.1, 100)) + h.damping(0.2, 0.5)

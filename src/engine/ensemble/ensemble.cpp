@@ -12,13 +12,9 @@ namespace engine {
 
 namespace {
 
-/// Calls use(motion) with that of one member.
-template <class Use>
-void with_motion(cast const& all, member const& who, Use const& use) {
-    if (all.common)
-        use(*all.common);
-    else
-        use(*all.make(with_words(all.what, all.what.lagrangian.formula().words().with(who.parameters))));
+walker walker_of_member(cast const& all, member const& who) {
+    if (all.common) return all.common;
+    return all.make(with_words(all.what, all.what.lagrangian.formula().words().with(who.parameters)));
 }
 
 void walk_one(cast const& all, hilger::index_type steps, member const& who, hilger::index_type stride, ensemble& to,
@@ -35,7 +31,7 @@ void walk_one(cast const& all, hilger::index_type steps, member const& who, hilg
         return not stop.load(std::memory_order_relaxed);
     };
     try {
-        with_motion(all, who, [&](motion<double> const& path) { path.walk(who.from, keep); });
+        walker_of_member(all, who)(who.from, keep);
         if (number <= steps) to.failures[static_cast<std::size_t>(number_of_it)] = "interrupted";
     } catch (std::exception const& why) {
         to.failures[static_cast<std::size_t>(number_of_it)] = why.what();
@@ -58,7 +54,7 @@ std::optional<lanes::start> start_of(cast const& all, member const& who) {
         return true;
     };
     try {
-        with_motion(all, who, [&](motion<double> const& path) { path.walk(who.from, look); });
+        walker_of_member(all, who)(who.from, look);
     } catch (std::exception const&) { // it is told where the member is walked alone
     }
     if (made.v.size() == 0) return {};
@@ -133,7 +129,8 @@ problem with_words(problem const& what, hilger::text::vocabulary const& words) {
     return made;
 }
 
-cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes, cast::maker make) {
+cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes,
+               std::function<walker(problem const&)> make) {
     cast made{what, T, std::move(make), nullptr, in_lanes and T.steps > 0 ? lanes::of(what, method, T) : nullptr};
     if (what.lagrangian.formula().words().brought() == 0) made.common = made.make(what);
     return made;

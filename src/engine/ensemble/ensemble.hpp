@@ -23,18 +23,25 @@ struct ensemble {
 /// The same with other meanings of the parameters in it.
 problem with_words(problem const& what, hilger::text::vocabulary const& words);
 
+/// Walks from there as a motion does.
+using walker = std::function<void(initial<double> const& from,
+                                  std::function<bool(double const& t, vector<double> const& q, vector<double> const& p)> const& keep)>;
+inline walker walker_of(std::shared_ptr<motion<double> const> path) {
+    return [path = std::move(path)](auto const& from, auto const& keep) { path->walk(from, keep); };
+}
+
 /// What all members are, and how each is walked alone.
 struct cast {
-    using maker = std::function<std::unique_ptr<motion<double>>(problem const&)>;
     problem what;
     points<double> T;
-    maker make;
-    std::unique_ptr<motion<double>> common; ///< of all, where no parameter is brought by the members
+    std::function<walker(problem const&)> make;
+    walker common; ///< of all, where no parameter is brought by the members
     std::unique_ptr<lanes> together;
     [[nodiscard]] std::vector<double> times() const;
 };
 /// With `in_lanes`, members step together where that is possible.
-cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes, cast::maker make);
+cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes,
+               std::function<walker(problem const&)> make);
 
 struct member {
     initial<double> from;

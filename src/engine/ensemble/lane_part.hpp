@@ -105,17 +105,18 @@ public:
         all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
         all += iteration("        ") + "    }\n";
         if (f_.is(0)) all += force_at_the_end();
-        std::string finite;
-        for (int k = 0; k < N; ++k) finite += (k > 0 ? " + " : "") + element("g", k) + " + " + element("y", k);
-        all += "    const lanes sum = " + finite + ";\n    *lost |= ~(sum - sum == 0.0);\n";
         lane_statements update("    ", "by");
         for (int k = 0; k < N; ++k) {
             update.add(element("q", k) + " +=", w_ * y_[static_cast<std::size_t>(k)]);
             update.add(element("p", k) + " +=", w_ * symbol::variable(element("g", k)));
         }
         all += update.text();
-        for (int k = 0; k < N; ++k) all += "    " + element("v", k) + " = " + element("y", k) + ";\n";
-        return all + "}\n";
+        std::string sum; // what is beyond all numbers at the end is not finite in any term before either
+        for (int k = 0; k < N; ++k) {
+            all += "    " + element("v", k) + " = " + element("y", k) + ";\n";
+            sum += (k > 0 ? " + " : "") + element("q", k) + " * 0.0 + " + element("p", k) + " * 0.0";
+        }
+        return all + "    *lost |= ~(" + sum + " == 0.0);\n}\n";
     }
 
 private:

@@ -44,7 +44,7 @@ public:
     template <class V>
     symbol value(std::size_t component, symbol const& t, V const& q, V const& v) const {
         int const d = formulas_[component].words().dimension();
-        auto const position = [&](int k) { return k < d ? symbol(q(k)) : symbol::variable("m", k - d); };
+        auto const position = [&](int k) { return k < d ? symbol(q(k)) : symbol::variable("m[" + std::to_string(k - d) + "]"); };
         return formulas_[component].value(t, position, v);
     }
     [[nodiscard]] std::size_t size() const { return formulas_.size(); }

@@ -16,11 +16,12 @@ from .equations import Equation
 class Ensemble:
     """Many trajectories of one equation: t, and q and p of members x kept points (x coordinates, where there are several).
 
-    `failed` says of members that did not come to the end why; where they did not get to, q and p are NaN.
+    `failed` says of members that did not come to the end why; where they did not get to, q and p are NaN. `lanes` is how many stepped
+    together, 1 where each was alone.
     """
 
-    def __init__(self, t, q, p, failed: "dict[int, str]") -> None:
-        self.t, self.q, self.p, self.failed = t, q, p, failed
+    def __init__(self, t, q, p, failed: "dict[int, str]", lanes: int = 1) -> None:
+        self.t, self.q, self.p, self.failed, self.lanes = t, q, p, failed, lanes
 
     def __len__(self) -> int:
         return len(self.q)
@@ -55,8 +56,8 @@ def solve_many(
     rank gets the whole, which does not depend on their number; `progress` is of its share.
 
     With `lanes` the members of order_one, order_one_left, midpoint, verlet and kahan_li_8 that have up to six coordinates, no memory and no
-    branches step several at once, in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding; without,
-    and everywhere else, to the last bit.
+    branches step several at once, in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding. Without,
+    and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
     """
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1)) if x is not None}
     if len(given) != 1:
@@ -105,4 +106,4 @@ def solve_many(
     failed = {k: reason for k, reason in enumerate(why) if reason}
     if "interrupted" in failed.values():
         warnings.warn("interrupted; what there is was kept", RuntimeWarning, stacklevel=2)
-    return Ensemble(t, q[:, :, 0] if scalar else q, p[:, :, 0] if scalar else p, failed)
+    return Ensemble(t, q[:, :, 0] if scalar else q, p[:, :, 0] if scalar else p, failed, cast.lanes)

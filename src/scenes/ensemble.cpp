@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "ensemble.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "engine/machine_code/machine_code.hpp"
+#include "from_file.hpp"
+
+namespace program {
+
+namespace {
+
+namespace error = hilger::error;
+using hilger::index_type;
+using hilger::text::meaning;
+
+std::atomic<bool> stop_asked = false;
+extern "C" void ask_members_to_stop(int) { stop_asked = true; }
+
+/// Which part of the members is ours: what starts several processes of one program tells each its number in its environment.
+struct share {
+    index_type rank = 0, ranks = 1;
+    [[nodiscard]] index_type first(index_type members) const { return members * rank / ranks; }
+    [[nodiscard]] index_type end(index_type members) const { return members * (rank + 1) / ranks; }
+};
+share share_here() {
+    for (auto const& [rank, ranks] : {std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, std::pair{"PMI_RANK", "PMI_SIZE"},
+                                      std::pair{"SLURM_PROCID", "SLURM_NTASKS"}}) {
+        char const *const r = std::getenv(rank), *const n = std::getenv(ranks);
+        if (r == nullptr or n == nullptr) continue;
+        share const here{std::atoll(r), std::atoll(n)};
+        if (0 <= here.rank and here.rank < here.ranks) return here;
+    }
+    return {};
+}
+
+/// The rows of a table as members.
+class table_of_members {
+public:
+    table_of_members(std::string path, stated_problem const& what) : path_(std::move(path)), words_(what.of.lagrangian.formula().words()) {
+        std::ifstream in(path_);
+        std::string line;
+        if (not in or not std::getline(in, line)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
+        read_names(line);
+        engine::vector<double> const q = numbers(what.q), v = numbers(what.v);
+        for (number_ = 2; std::getline(in, line); ++number_)
+            if (line.find_first_not_of(" \t\r") != std::string::npos) members_.push_back(read_member(line, q, v));
+    }
+    [[nodiscard]] std::vector<engine::member> const& members() const { return members_; }
+    /// With the parameters that members bring.
+    [[nodiscard]] hilger::text::vocabulary const& words() const { return words_; }
+
+private:
+    struct column {
+        meaning::role is;
+        int at; ///< of the coordinates, the velocities or the parameters that are brought
+    };
+    static engine::vector<double> numbers(std::vector<std::string> const& digits) {
+        engine::vector<double> x(static_cast<Eigen::Index>(digits.size()));
+        for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
+        return x;
+    }
+    static std::vector<std::string> fields(std::string line) {
+        line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' or c == '\t' or c == '\r'; }), line.end());
+        std::vector<std::string> all;
+        std::istringstream in(line + ',');
+        for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+        return all;
+    }
+    void read_names(std::string const& line) {
+        auto const names = fields(line.substr(line.find_first_not_of("# ") == std::string::npos ? 0 : line.find_first_not_of("# ")));
+        auto const before = words_; // what is a parameter now
+        for (std::string const& field : names) {
+            auto const bracket = field.find('[');
+            std::string const name = field.substr(0, bracket);
+            meaning const* const means = before.find(name);
+            if (means == nullptr or means->is == meaning::role::time)
+                refuse("'" + name + "' is no coordinate, velocity or parameter: there are " + before.known());
+            int component = 0;
+            if (bracket != std::string::npos) component = std::atoi(field.c_str() + bracket + 1);
+            std::string const full = means->size > 0 ? name + '[' + std::to_string(component) + ']' : name;
+            if (field != full or (means->size > 0 and not(component < means->size)))
+                refuse("'" + field + "' is none of the components of " + name + ", " +
+                       (means->size > 0 ? name + "[0] to " + name + '[' + std::to_string(means->size - 1) + ']' : name));
+            if (std::count(names.begin(), names.end(), field) > 1) refuse("'" + field + "' is there twice");
+            if (means->is == meaning::role::parameter and words_.find(name)->is == meaning::role::parameter) {
+                int const size = std::max(means->size, 1);
+                words_.bring_with_states(name);
+                for (int k = 0; k < size; ++k) usual_.push_back(*hilger::text::number_in<double>(before.digits(means->first + k)));
+            }
+            int const first = means->is == meaning::role::parameter ? words_.find(name)->first - words_.dimension() : means->first;
+            columns_.push_back({means->is, first + component});
+        }
+    }
+    engine::member read_member(std::string const& line, engine::vector<double> const& q, engine::vector<double> const& v) const {
+        auto const found = fields(line);
+        if (found.size() != columns_.size())
+            refuse("there are " + std::to_string(columns_.size()) + " columns, and here are " + std::to_string(found.size()));
+        engine::member made{{q, engine::second_datum::velocity, v}, usual_};
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            auto const x = hilger::text::number_in<double>(found[k]);
+            if (not x) refuse("a number was expected, as 1, 0.5 or 1/3, and here is '" + found[k] + "'");
+            auto const at = columns_[k].at;
+            if (columns_[k].is == meaning::role::parameter)
+                made.parameters[static_cast<std::size_t>(at)] = *x;
+            else
+                (columns_[k].is == meaning::role::position ? made.from.q0 : made.from.other)(at) = *x;
+        }
+        return made;
+    }
+    [[noreturn]] void refuse(std::string const& why) const { error::raise<error::unreadable>(path_, ", line ", number_, ": ", why); }
+    std::string path_;
+    hilger::text::vocabulary words_;
+    std::vector<column> columns_;
+    std::vector<double> usual_; ///< of the parameters that are brought, as the file of the problem has them
+    std::vector<engine::member> members_;
+    int number_ = 1;
+};
+
+/// One array of doubles in numpy's format, of which several processes may write parts.
+class array_file {
+public:
+    array_file(std::string const& path, std::vector<index_type> const& shape) : path_(path) {
+        static_assert(std::endian::native == std::endian::little);
+        std::string said = "{'descr': '<f8', 'fortran_order': False, 'shape': (";
+        index_type size = static_cast<index_type>(sizeof(double));
+        for (index_type const n : shape) {
+            said += std::to_string(n) + ", ";
+            size *= n;
+        }
+        said += "), }";
+        constexpr std::size_t before = 10, unit = 64;
+        said += std::string(unit - (before + said.size() + 1) % unit, ' ') + '\n';
+        head_ = std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(said.size() % 256) + static_cast<char>(said.size() / 256) + said;
+        file_ = ::open(path.c_str(), O_RDWR | O_CREAT, 0666);
+        if (file_ < 0 or ::ftruncate(file_, static_cast<off_t>(head_.size()) + size) != 0) refuse();
+        put(0, head_.data(), head_.size());
+    }
+    ~array_file() { ::close(file_); }
+    array_file(array_file const&) = delete;
+    array_file& operator=(array_file const&) = delete;
+    /// Numbers from number `first` on.
+    void write(index_type first, std::vector<double> const& numbers) const {
+        put(head_.size() + static_cast<std::size_t>(first) * sizeof(double), numbers.data(), numbers.size() * sizeof(double));
+    }
+
+private:
+    void put(std::size_t at, void const* data, std::size_t size) const {
+        auto const* bytes = static_cast<char const*>(data);
+        while (size > 0) {
+            auto const done = ::pwrite(file_, bytes, size, static_cast<off_t>(at));
+            if (done <= 0) refuse();
+            at += static_cast<std::size_t>(done);
+            bytes += done;
+            size -= static_cast<std::size_t>(done);
+        }
+    }
+    [[noreturn]] void refuse() const { error::raise<error::unreadable>("cannot write '", path_, "'"); }
+    std::string path_, head_;
+    int file_;
+};
+
+} // namespace
+
+int run_ensemble(run_options const& options) {
+    auto const begin = std::chrono::steady_clock::now();
+    scene const& what = scene_named(options.scene);
+    if (not what.stated)
+        error::raise<error::invalid_parameter>("--ensemble is for problems in files, as my.toml, and ", what.name,
+                                               " is a scene of the program");
+    configuration const c = completed(what, options.choice);
+    table_of_members const table(options.ensemble, *what.stated);
+    auto const members = static_cast<index_type>(table.members().size());
+    if (members == 0) error::raise<error::unreadable>("'", options.ensemble, "' has no members: below the names there is a row for each");
+    share const ours = share_here();
+    index_type const first = ours.first(members), end = ours.end(members);
+    int const threads = options.threads > 0 ? options.threads
+                        : ours.ranks > 1    ? 1
+                                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    index_type const stride = options.every > 0 ? options.every : c.steps;
+    auto const T = points_of(*what.stated, c.steps);
+    auto const problem = engine::with_words(what.stated->of, table.words());
+    engine::prepare_machine_code();
+    auto const all =
+        engine::make_cast(problem, c.embedding, T, true, [&](engine::problem const& one) { return walker_of_member(one, c, T); });
+
+    index_type const points = c.steps / stride + 1 + (c.steps % stride != 0 ? 1 : 0);
+    int const d = what.dimension;
+    std::filesystem::create_directories(options.out);
+    std::string const path = (std::filesystem::path(options.out) / (what.name + ".npy")).string();
+    array_file const file(path, {members, points, 2 * d});
+    std::vector<double> numbers(static_cast<std::size_t>((end - first) * points * 2 * d), std::numeric_limits<double>::quiet_NaN());
+    file.write(first * points * 2 * d, numbers); // whatever becomes of us, nobody takes an older file for the result
+    stop_asked = false;
+    std::signal(SIGINT, ask_members_to_stop);
+    std::signal(SIGTERM, ask_members_to_stop);
+    std::atomic<index_type> done = 0;
+    auto const made =
+        engine::walk_all(all, {table.members().begin() + first, table.members().begin() + end}, stride, threads, stop_asked, done);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        std::size_t const row = k / static_cast<std::size_t>(2 * d), at = k % static_cast<std::size_t>(2 * d);
+        numbers[k] = at < static_cast<std::size_t>(d) ? made.q[row * static_cast<std::size_t>(d) + at]
+                                                      : made.p[row * static_cast<std::size_t>(d) + at - static_cast<std::size_t>(d)];
+    }
+    file.write(first * points * 2 * d, numbers);
+
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::ostringstream said; // at once: other ranks speak too
+    index_type failed = 0;
+    for (std::size_t m = 0; m < made.failures.size(); ++m)
+        if (auto const& why = made.failures[m]; not why.empty() and ++failed > 0)
+            said << "  member " << first + static_cast<index_type>(m) << ": " << why << '\n';
+    std::cout << what.name + ": members " + std::to_string(first) + " to " + std::to_string(end - 1) + " of " + std::to_string(members) +
+                     ", " + description(c) + ", " + (all.together ? std::to_string(all.together->width()) + " lanes, " : "") +
+                     std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + std::to_string(seconds) + " s; " +
+                     std::to_string(failed) + " failed\n" + said.str() +
+                     (ours.rank == 0 ? "Written: " + path + ", q and p of " + std::to_string(members) + " members at " +
+                                           std::to_string(points) + " points, every " + std::to_string(stride) + "\n"
+                                     : "")
+              << std::flush;
+    return stop_asked ? 130 : 0;
+}
+
+} // namespace program

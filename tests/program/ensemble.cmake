@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSL-1.0
+# cmake -D hilger=<program> -D out=<directory> -P ensemble.cmake
+# A problem from each row of a table: one file, the same to the last byte from one process or from three, each of which knows its number;
+# a member with the file's own data is the run of the file, in which one alone is a table of one row; who fails is told.
+file(REMOVE_RECURSE ${out})
+file(WRITE ${out}/pendulum.toml [[
+lagrangian = "m*v^2/2 - m*g*(1 - cos(q)) + k[0]*q^4 - k[1]*q^2"
+parameters = { m = 1, g = 9.81, k = [0, "1/4"] }
+interval = [0, 4]
+steps = 100
+embedding = "mid-point"
+initial = { q = 2, v = "1/3" }
+]])
+file(WRITE ${out}/members.csv "# q, g, k[0]\n1,9.81,0\n2, 9.81, 0\n\n0.5,1/2,0\n1.5,1.6,1e-2\n40,9.81,1000\n-1,3,0\n0.25,9,0.125\n")
+function(run result_is folder members)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${ARGN} ${hilger} run pendulum.toml --ensemble ${members} --out ${folder} --every 30
+    WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complained TIMEOUT 60)
+  if(NOT result EQUAL ${result_is})
+    message(FATAL_ERROR "expected ${result_is}: ${result}: ${said}${complained}")
+  endif()
+  set(said "${said}${complained}" PARENT_SCOPE)
+endfunction()
+function(expect text)
+  string(FIND "${said}" "${text}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "expected '${text}' in: ${said}")
+  endif()
+endfunction()
+
+run(0 one members.csv)
+expect("members 0 to 6 of 7, mid-point")
+expect("1 failed\n  member 4: the step from t = ")
+expect("one/pendulum.npy, q and p of 7 members at 5 points, every 30")
+file(SIZE ${out}/one/pendulum.npy size)
+math(EXPR expected "128 + 7 * 5 * 2 * 8")
+if(NOT size EQUAL expected)
+  message(SEND_ERROR "the file has ${size} bytes, and not ${expected}")
+endif()
+# An older file, of another size, is no result.
+file(WRITE ${out}/three/pendulum.npy "something else")
+foreach(rank IN ITEMS 2 0 1)
+  run(0 three members.csv OMPI_COMM_WORLD_RANK=${rank} OMPI_COMM_WORLD_SIZE=3)
+endforeach()
+file(SHA256 ${out}/one/pendulum.npy one)
+file(SHA256 ${out}/three/pendulum.npy three)
+if(NOT one STREQUAL three)
+  message(SEND_ERROR "three processes wrote another file than one")
+endif()
+find_program(mpirun mpirun)
+if(mpirun)
+  execute_process(COMMAND ${mpirun} --allow-run-as-root --oversubscribe -n 4 ${hilger} run pendulum.toml --ensemble members.csv --out four --every 30
+    WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE complained TIMEOUT 60)
+  file(SHA256 ${out}/four/pendulum.npy four)
+  if(NOT result EQUAL 0 OR NOT one STREQUAL four)
+    message(SEND_ERROR "four ranks wrote another file than one (${result}): ${complained}")
+  endif()
+endif()
+
+# Member 1 is the file's own problem: its last q and p are the last row of its run.
+execute_process(COMMAND ${hilger} run pendulum.toml --out alone --every 100 WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET)
+file(STRINGS ${out}/alone/pendulum.csv rows)
+list(GET rows -1 row)
+math(EXPR at "128 + (1 * 5 + 4) * 2 * 8")
+execute_process(COMMAND od -A n -t f8 -j ${at} -N 16 ${out}/one/pendulum.npy OUTPUT_VARIABLE numbers)
+execute_process(COMMAND awk -v "row=${row}" -v "numbers=${numbers}" "BEGIN { split(row, x, \",\"); split(numbers, y, \" \"); print x[2], y[1], x[3], y[2]; exit !((x[2] - y[1])^2 < 1e-24 && (x[3] - y[2])^2 < 1e-24 && x[2]^2 > 1e-4) }"
+  RESULT_VARIABLE differs OUTPUT_VARIABLE all_four)
+if(NOT differs EQUAL 0)
+  message(SEND_ERROR "the run alone ends in other numbers than the member: ${all_four}")
+endif()
+
+function(says members sentence)
+  file(WRITE ${out}/wrong.csv "${members}")
+  run(1 wrong wrong.csv)
+  if(NOT said STREQUAL "hilger: ${sentence}\n")
+    message(SEND_ERROR "expected: hilger: ${sentence}\nsaid: ${said}")
+  endif()
+  if(EXISTS ${out}/wrong)
+    message(SEND_ERROR "something was written")
+  endif()
+endfunction()
+says("q,x\n1,2\n" "wrong.csv, line 1: 'x' is no coordinate, velocity or parameter: there are g, k[], m, q, t, v")
+says("q,k\n1,2\n" "wrong.csv, line 1: 'k' is none of the components of k, k[0] to k[1]")
+says("q,k[2]\n1,2\n" "wrong.csv, line 1: 'k[2]' is none of the components of k, k[0] to k[1]")
+says("q,q[0]\n1,2\n" "wrong.csv, line 1: 'q[0]' is none of the components of q, q")
+says("q,q\n1,2\n" "wrong.csv, line 1: 'q' is there twice")
+says("q,v\n1,2\n1\n" "wrong.csv, line 3: there are 2 columns, and here are 1")
+says("q,v\n1,two\n" "wrong.csv, line 2: a number was expected, as 1, 0.5 or 1/3, and here is 'two'")
+says("q,v\n" "'wrong.csv' has no members: below the names there is a row for each")
+run(1 wrong nowhere.csv)
+expect("cannot read members from 'nowhere.csv'")
+execute_process(COMMAND ${hilger} run kepler --ensemble members.csv --out wrong WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+  ERROR_VARIABLE said)
+expect("--ensemble is for problems in files, as my.toml, and kepler is a scene of the program")
