@@ -103,17 +103,19 @@ class Ensemble(unittest.TestCase):
             "many = h.solve_many(EL, q0=np.linspace(0.01, 3, 13), v0=0.0, every=1, comm=MPI.COMM_WORLD)\n"
             "few = h.solve_many(EL, q0=[0.01, 0.02], v0=0.0, comm=MPI.COMM_WORLD)\n"
             "assert few.q.shape == (2, 2) and not few.failed\n"
-            "print(hashlib.sha256(many.q.tobytes() + many.p.tobytes()).hexdigest(), sorted(many.failed), many.q.shape, flush=True)\n"
+            "made = hashlib.sha256(many.q.tobytes() + many.p.tobytes()).hexdigest(), sorted(many.failed), many.q.shape\n"
+            "all_of_them = MPI.COMM_WORLD.gather(made)\n"
+            "if MPI.COMM_WORLD.Get_rank() == 0:\n"
+            "    print(len(all_of_them), all(x == made for x in all_of_them), *made)\n"
         )
-        said = set()
+        said = []
         for ranks in (1, 4):
             command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), sys.executable, "-c", program]
-            done = subprocess.run(command, capture_output=True, text=True, check=True)
-            lines = done.stdout.splitlines()
-            self.assertEqual(len(lines), ranks)
-            said.update(lines)
-        self.assertEqual(len(said), 1, said)
-        self.assertRegex(said.pop(), r"\[.*12\] \(13, 21\)")
+            count, same, made = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split(" ", 2)
+            self.assertEqual((int(count), same), (ranks, "True"))
+            said.append(made)
+        self.assertEqual(said[0], said[1])
+        self.assertRegex(said[0], r"\[.*12\] \(13, 21\)")
 
     def test_without_machine_code_members_are_alone(self):
         EL = h.variation(pendulum, h.uniform(0, 0.125, 100))
@@ -175,6 +177,10 @@ class Ensemble(unittest.TestCase):
             h.solve_many(EL, q0=np.zeros((4, 3)), v0=np.zeros(2))
         with self.assertRaisesRegex(h.Mismatch, "here are 4 of q0, 3 of v0"):
             h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros((3, 2)))
+        with self.assertRaisesRegex(h.InvalidParameter, "every is a whole number, and was 1.5"):
+            h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros(2), every=1.5)
+        with self.assertRaisesRegex(h.InvalidParameter, "parameters are given by their names"):
+            h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros(2), parameters=[1])
         with self.assertRaisesRegex(h.InvalidParameter, "positive"):
             h.solve_many(EL, q0=np.zeros((4, 2)), v0=np.zeros(2), every=0)
 

@@ -239,36 +239,40 @@ private:
     HILGER_ALWAYS_INLINE bool loop(Problem const& what, state<S, V>& x) {
         next_q_ = sum_q_;
         next_p_ = sum_p_;
-        q_ = parts_.taken(x.q);
-        p_ = parts_.taken(x.p);
+        room q = q_, p = p_, v = v_, g = g_;
+        q = parts_.taken(x.q);
+        p = parts_.taken(x.p);
         parts_.begin();
         std::size_t k = 0;
         if constexpr (of::starts_with_kick) {
-            if (not(known_ and last_ == q_) and not parts_.force(what, q_, g_)) return false;
-            parts_.add(p_, lengths_[k++], g_, next_p_);
+            if (not(known_ and last_ == q) and not parts_.force(what, q, g)) return false;
+            parts_.add(p, lengths_[k++], g, next_p_);
         }
         known_ = false;
         for (;;) {
-            if (not parts_.velocity(what, q_, p_, v_)) return false;
-            parts_.add(q_, lengths_[k++], v_, next_q_);
+            if (not parts_.velocity(what, q, p, v)) return false;
+            parts_.add(q, lengths_[k++], v, next_q_);
             if (k == size_) break;
-            if (not parts_.force(what, q_, g_)) return false;
-            parts_.add(p_, lengths_[k++], g_, next_p_);
+            if (not parts_.force(what, q, g)) return false;
+            parts_.add(p, lengths_[k++], g, next_p_);
             if (k == size_) {
-                last_ = q_;
+                last_ = q;
+                g_ = g;
                 known_ = true;
                 break;
             }
         }
         if constexpr (not std::numeric_limits<S>::is_exact)
-            if (not(parts_.overflow(q_, p_) == S(0))) return known_ = false;
-        parts_.give(q_, x.q);
-        parts_.give(p_, x.p);
+            if (not(parts_.overflow(q, p) == S(0))) return known_ = false;
+        parts_.give(q, x.q);
+        parts_.give(p, x.p);
         x.t = x.t + h_;
         sum_q_ = next_q_;
         sum_p_ = next_p_;
         return true;
     }
+    /// What has few components is in registers while a step is made; what has many stays in its place.
+    using room = std::conditional_t<large, vector&, vector>;
 
     parts parts_;
     S h_;

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Mapping
 from typing import Callable, Optional
 
 import numpy as np
@@ -59,6 +60,11 @@ def solve_many(
     branches step several at once, in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding. Without,
     and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
     """
+    for what, n in (("every", every), ("threads", threads)):
+        if n is not None and not isinstance(n, (int, np.integer)):
+            raise _core.InvalidParameter(f"{what} is a whole number, and was {n!r}")
+    if not isinstance(parameters, (Mapping, type(None))):
+        raise _core.InvalidParameter('parameters are given by their names, as {"g": np.linspace(1, 10, 5)}')
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1)) if x is not None}
     if len(given) != 1:
         raise _core.InvalidParameter(f"q0 and one of v0, p0 and q1 determine a solution, and here is q0 with {' and '.join(given) or 'nothing'}")
