@@ -225,10 +225,11 @@ int run_ensemble(run_options const& options) {
     for (std::size_t m = 0; m < made.failures.size(); ++m)
         if (auto const& why = made.failures[m]; not why.empty() and ++failed > 0)
             said << "  member " << first + static_cast<index_type>(m) << ": " << why << '\n';
-    std::cout << what.name + ": members " + std::to_string(first) + " to " + std::to_string(end - 1) + " of " + std::to_string(members) +
-                     ", " + description(c) + ", " + (all.together ? std::to_string(all.together->width()) + " lanes, " : "") +
-                     std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + std::to_string(seconds) + " s; " +
-                     std::to_string(failed) + " failed\n" + said.str() +
+    std::cout << what.name + (first < end ? ": members " + std::to_string(first) + " to " + std::to_string(end - 1) : ": none") + " of " +
+                     std::to_string(members) + ", " + description(c) + ", " +
+                     (all.together ? std::to_string(all.together->width()) + " lanes, " : "") + std::to_string(threads) +
+                     (threads == 1 ? " thread, " : " threads, ") + std::to_string(seconds) + " s; " + std::to_string(failed) + " failed\n" +
+                     said.str() +
                      (ours.rank == 0 ? "Written: " + path + ", q and p of " + std::to_string(members) + " members at " +
                                            std::to_string(points) + " points, every " + std::to_string(stride) + "\n"
                                      : "")

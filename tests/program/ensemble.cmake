@@ -46,6 +46,13 @@ file(SHA256 ${out}/three/pendulum.npy three)
 if(NOT one STREQUAL three)
   message(SEND_ERROR "three processes wrote another file than one")
 endif()
+run(0 three members.csv OMPI_COMM_WORLD_RANK=7 OMPI_COMM_WORLD_SIZE=9) # one of them again, on its own
+file(SHA256 ${out}/three/pendulum.npy three)
+if(NOT one STREQUAL three)
+  message(SEND_ERROR "a process that writes its part again changed the others")
+endif()
+run(0 three members.csv OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=9)
+expect("pendulum: none of 7, mid-point")
 find_program(mpirun mpirun)
 if(mpirun)
   execute_process(COMMAND ${mpirun} --allow-run-as-root --oversubscribe -n 4 ${hilger} run pendulum.toml --ensemble members.csv --out four --every 30

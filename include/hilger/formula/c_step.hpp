@@ -103,7 +103,7 @@ public:
         std::string work = correction(in);
         if (not linear_) {
             char const* const loop = R"(    int done = 0;
-    for (int iteration = 0; !done; ++iteration) {
+$settled    for (int iteration = 0; !done; ++iteration) {
         if (iteration == $most) return NAME_no_convergence;
 $work$stop    }
 )";
@@ -114,20 +114,41 @@ $work$stop    }
         done = correction <= $floor * $y;
         if (iteration > 0 && $r <= rounding) done = 1;
 )";
+            char const* const stop_in_each =
+                R"(        /* after a small correction the error is of the size of the rounding; so it is where r is no more than that: in
+           each component, or two rounds after it is so in all of them together */
+        int each = $small;
+        int together = $d <= $floor * $y;
+        if (iteration > 0) {
+            each = each || ($rounded);
+            together = together || $r <= $rounding * ($size);
+        }
+        settled += each || together;
+        done = each || settled > 2;
+)";
             char const* const stop_on_branches =
                 R"(        /* a small correction may lead to another branch: it has to be rounding itself */
         done = $d <= $rounding * $y;
 )";
-            work = filled(loop, {{"$most", std::to_string(most_iterations<double>)},
-                                 {"NAME", name_},
-                                 {"$stop", branches_ ? stop_on_branches : stop},
-                                 {"$d", c_largest("d", N)},
-                                 {"$rounding", c_spelling::number(4 * epsilon<double>())},
-                                 {"$size", size_of_residual()},
-                                 {"$floor", c_spelling::number(square_root_of_epsilon<double>() / 2)},
-                                 {"$y", c_largest("y", N)},
-                                 {"$r ", c_largest("r", N) + " "},
-                                 {"$work", work}});
+            work =
+                filled(loop, {{"$most", std::to_string(most_iterations<double>)},
+                              {"NAME", name_},
+                              {"$stop", branches_ ? stop_on_branches
+                                        : N > 1   ? stop_in_each
+                                                  : stop},
+                              {"$settled", branches_ or N == 1 ? "" : "    int settled = 0;\n"},
+                              {"$small", in_each([](std::string const& k) { return "fabs(d[" + k + "]) <= $floor * fabs(y[" + k + "])"; })},
+                              {"$rounded", in_each([this](std::string const& k) {
+                                   return "fabs(r[" + k + "]) <= $rounding * (fabs(p[" + k + "])" +
+                                          (f_.is(0) ? "" : " + fabs(" + f_.get().name + ") * fabs(g[" + k + "])") + ")";
+                               })},
+                              {"$d", c_largest("d", N)},
+                              {"$rounding", c_spelling::number(4 * epsilon<double>())},
+                              {"$size", size_of_residual()},
+                              {"$floor", c_spelling::number(square_root_of_epsilon<double>() / 2)},
+                              {"$y", c_largest("y", N)},
+                              {"$r ", c_largest("r", N) + " "},
+                              {"$work", work}});
         }
         if (f_.is(0)) work += force_at_the_end();
         std::string finite;
@@ -154,6 +175,13 @@ private:
             if (same.same_as(value)) return symbol::variable(known);
         constants_.emplace_back(name, value);
         return symbol::variable(name);
+    }
+    /// What `of` says of a component, for all of them.
+    template <class Of>
+    [[nodiscard]] std::string in_each(Of const& of) const {
+        std::string text = of("0");
+        for (int k = 1; k < N; ++k) text += " && " + of(std::to_string(k));
+        return text;
     }
     /// r is the difference of numbers of this size.
     [[nodiscard]] std::string size_of_residual() const {

@@ -30,6 +30,11 @@ constexpr auto chain = [](auto const& q, auto const& v) {
     for (int k = 0; k + 1 < 8; ++k) L -= exp(q(k) - q(k + 1));
     return L;
 };
+/// The second is of the size 1e-8, and nonlinear there.
+constexpr auto one_large_one_small = [](auto const& q, auto const& v) {
+    auto const y = 1e8 * q(1);
+    return v(0) * v(0) / 2 + v(1) * v(1) * (1 + y * y) / 2 - q(0) * q(0) * q(0) * q(0) / 4 - q(1) * q(1) * (2 + y * y) / 4;
+};
 constexpr auto massless = [](auto const& x, auto const& v) { return x * v; };
 constexpr auto rigid = [](auto const& q, auto const& v) { return (v(0) + v(1)) * (v(0) + v(1)) / 2 + q(0) * q(1); };
 constexpr auto cubic = [](auto const& x, auto const& v) { return v * v / 2 + 10 * x * x * x / 3; };
@@ -55,8 +60,8 @@ std::string all_the_code() {
            c_code<vector>(embed(rigid, mid_point), "rigid") + c_code(embed(cubic, mid_point), "cubic") +
            c_code(embed(driven_with_friction{driven, friction}, theta<1, 3>), "driven") + c_code(embed(one_sided, mid_point), "one_sided") +
            c_code(embed(one_sided, order_one_left), "one_sided_left") + c_code(embed(free_particle, mid_point), "free_particle") +
-           detail::c_solve("three", 3) + "int three(double K[3][3], double x[3]);\n" +
-           "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
+           c_code<vector>(embed(one_large_one_small, mid_point), "one_large_one_small") + detail::c_solve("three", 3) +
+           "int three(double K[3][3], double x[3]);\n" + "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
 }
 
 /// C compiled into a shared object in a folder that goes away with it.
@@ -171,6 +176,19 @@ TEST_CASE("1000 steps of the C are those of the flow") {
     CHECK(distance_after_1000_steps("one_sided", embed(one_sided, mid_point), 1.0, 0.5, 0.2) < bound);
     CHECK(distance_after_1000_steps("one_sided_left", embed(one_sided, order_one_left), 1.0, 0.5, 0.05) < bound);
     CHECK(distance_after_1000_steps("free_particle", embed(free_particle, mid_point), 1.0, 0.5, 0.05) < bound);
+}
+
+TEST_CASE("small components beside large ones keep their digits in C") {
+    if (not there_is_a_c_compiler()) return;
+    auto const flow = embed(one_large_one_small, mid_point);
+    auto* const step = generated().get<step_of>("one_large_one_small_step");
+    vector q(1, 0.5e-8), p(0.25, 1e-8), v(0.25, 1e-8);
+    double worst = 0;
+    for (auto const& at : path_of(flow, q, p, 0.1, 100)) {
+        worst = std::max(worst, std::abs(q(1) - at.q(1)));
+        REQUIRE(step(0.1, data(q), data(p), data(v)) == 0);
+    }
+    CHECK(worst <= 16 * 100 * epsilon<double>() * 1e-8);
 }
 
 TEST_CASE("L, dL/dv and the discrete Euler-Lagrange equation in C are those of the library") {
