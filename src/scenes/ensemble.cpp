@@ -57,7 +57,7 @@ public:
         std::string line;
         if (not in or not std::getline(in, line)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
         read_names(line);
-        engine::vector<double> const q = numbers(what.q), v = numbers(what.v);
+        engine::vector<double> const q = numbers_of(what.q), v = numbers_of(what.v);
         for (number_ = 2; std::getline(in, line); ++number_)
             if (line.find_first_not_of(" \t\r") != std::string::npos) members_.push_back(read_member(line, q, v));
     }
@@ -70,11 +70,6 @@ private:
         meaning::role is;
         int at; ///< of the coordinates, the velocities or the parameters that are brought
     };
-    static engine::vector<double> numbers(std::vector<std::string> const& digits) {
-        engine::vector<double> x(static_cast<Eigen::Index>(digits.size()));
-        for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
-        return x;
-    }
     static std::vector<std::string> fields(std::string line) {
         line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' or c == '\t' or c == '\r'; }), line.end());
         std::vector<std::string> all;
@@ -199,7 +194,7 @@ int run_ensemble(run_options const& options) {
     auto const all =
         engine::make_cast(problem, c.embedding, T, true, [&](engine::problem const& one) { return walker_of_member(one, c, T); });
 
-    index_type const points = c.steps / stride + 1 + (c.steps % stride != 0 ? 1 : 0);
+    index_type const points = engine::points_kept(c.steps, stride);
     int const d = what.dimension;
     std::filesystem::create_directories(options.out);
     std::string const path = (std::filesystem::path(options.out) / (what.name + ".npy")).string();

@@ -89,7 +89,7 @@ public:
         }
         describe(s, what);
         s.stated = std::make_shared<stated_problem const>(what);
-        s.begin = [what](configuration const& c) { return begin_stated(what, c); };
+        s.begin = [stated = s.stated](configuration const& c) { return begin_stated(*stated, c); };
         s.reference = s.usual;
         s.reference.embedding = s.embeddings.back();
         return s;

@@ -28,6 +28,8 @@ scene scene_from_text(std::string_view content, std::string const& path);
 /// The methods that a stated problem can be run with, and its way along T.
 std::vector<std::string> embeddings_of(stated_problem const& what);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
+/// What digits of numbers spell.
+engine::vector<double> numbers_of(std::vector<std::string> const& digits);
 /// T with so many steps.
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps);
 /// How a member of an ensemble is walked alone, from velocities.

@@ -12,11 +12,6 @@ namespace {
 using vector = Eigen::VectorXd;
 using forced = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
 
-vector numbers_of(std::vector<std::string> const& digits) {
-    vector x(static_cast<Eigen::Index>(digits.size()));
-    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
-    return x;
-}
 /// Where the energy is constant, how far it is from what it was.
 struct observed {
     hilger::text::stated_lagrangian L;
@@ -62,6 +57,12 @@ void with_flow(engine::problem const& of, configuration const& c, Use const& use
 }
 
 } // namespace
+
+engine::vector<double> numbers_of(std::vector<std::string> const& digits) {
+    vector x(static_cast<Eigen::Index>(digits.size()));
+    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
+    return x;
+}
 
 std::vector<std::string> embeddings_of(stated_problem const& what) {
     if (not what.of.damping.empty()) return {"mid-point"};

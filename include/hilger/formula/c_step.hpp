@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// The C function of one step in position-momentum form, as step/one_node.hpp makes it: with y the velocity at the node,
-//   x = q + c y,   r = p + f g(x, y) - dL/dv(x, y) = 0,   c = w a_1,   f = w a_0,
-// by Newton, whose derivative is -K = f D - dL2/dv2 - c d2L/dvdq with D = dg/dy = c dg/dq + dg/dv.
+// The C function of one step in position-momentum form, as step/one_node.hpp makes it: the equation of node_equation.hpp solved by Newton's
+// method.
 #pragma once
 
 #include <algorithm>
 
 #include "hilger/formula/c_statements.hpp"
-#include "hilger/formula/of_nodes.hpp"
+#include "hilger/formula/node_equation.hpp"
 #include "hilger/newton/stop.hpp"
-#include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {
 
-inline std::string element(std::string const& array, int k) { return array + "[" + std::to_string(k) + "]"; }
-inline std::string element(std::string const& array, int j, int k) { return element(element(array, j), k); }
-
-/// The variables array[0], ..., array[n - 1].
-inline symbol_list c_array(std::string const& array, int n) {
-    symbol_list x;
-    for (int k = 0; k < n; ++k) x.push_back(symbol::variable(element(array, k)));
-    return x;
-}
-/// The variables name0, ..., or name alone when it is one.
-inline symbol_list c_locals(std::string const& name, int n) {
-    symbol_list x;
-    for (int k = 0; k < n; ++k) x.push_back(symbol::variable(n == 1 ? name : name + std::to_string(k)));
-    return x;
-}
 /// max |array[k]|
 inline std::string c_largest(std::string const& array, int n) {
     std::string text = "fabs(" + element(array, 0) + ")";
@@ -85,17 +68,12 @@ static int NAME_solve(double K[$n][$n], double x[$n])
 }
 
 /// The body of NAME_step, and what it reads of the arguments.
-class c_step {
+class c_step : node_equation {
 public:
     c_step(node_evaluation const& what, tableau<symbol> const& b, symbol const& h, std::string name)
-        : N(what.dimension), name_(std::move(name)), w_(b.w(0)), c_(constant("c", w_ * b.a(0, 1))), f_(constant("f", w_ * b.a(0, 0))),
-          time_(symbol::variable("t") + b.a(0, 1) * h), x_(c_locals("x", N)), y_(c_array("y", N)),
-          node_(what.at(symbol::variable("t_node"), x_, y_)) {
-        for (std::size_t k = 0; k < node_.gq.size(); ++k) D_.push_back(f_.is(0) ? symbol(0) : c_ * node_.gq[k] + node_.gv[k]);
-        auto slopes = D_;
-        for (std::size_t k = 0; k < D_.size(); ++k) slopes.push_back(node_.pv[k] + c_ * node_.pq[k]);
+        : node_equation(what, b, h), name_(std::move(name)) {
         branches_ = branches(node_.g, y_) or branches(node_.p, y_) or (not c_.is(0) and (branches(node_.g, x_) or branches(node_.p, x_)));
-        linear_ = not branches_ and not depends(slopes, y_) and (c_.is(0) or not depends(slopes, x_));
+        linear_ = linear_ and not branches_;
     }
 
     [[nodiscard]] std::string text() {
@@ -168,14 +146,6 @@ $work$stop    }
     [[nodiscard]] std::set<std::string> const& read() const { return read_; }
 
 private:
-    /// A formula in h under a name; a number or h itself needs none.
-    symbol constant(std::string const& name, symbol const& value) {
-        if (value.get().is_leaf()) return value;
-        for (auto const& [known, same] : constants_)
-            if (same.same_as(value)) return symbol::variable(known);
-        constants_.emplace_back(name, value);
-        return symbol::variable(name);
-    }
     /// What `of` says of a component, for all of them.
     template <class Of>
     [[nodiscard]] std::string in_each(Of const& of) const {
@@ -258,14 +228,8 @@ private:
         return text + "    double K" + n + n + ";\n";
     }
 
-    int N;
     std::string name_;
-    std::vector<std::pair<std::string, symbol>> constants_;
-    symbol w_, c_, f_, time_;
-    symbol_list x_, y_;
-    node_formulas node_;
-    symbol_list D_;
-    bool linear_ = false, branches_ = false;
+    bool branches_ = false;
     std::set<std::string> read_;
 };
 

@@ -102,9 +102,8 @@ public:
         add_parameter(name, digits, static_cast<int>(digits.size()));
     }
 
-    /// Makes a parameter one that each state brings with it, behind the coordinates of its position: components dimension(), dimension() +
-    /// 1,
-    /// ... What differs between the members of an ensemble. @throws error::invalid_parameter when there is no such parameter
+    /// Makes a parameter one that each state brings with it, behind the coordinates of its position, as components dimension() and on: what
+    /// differs between the members of an ensemble. @throws error::invalid_parameter when there is no such parameter
     void bring_with_states(std::string const& name) {
         auto const at = meanings_.find(name);
         if (at == meanings_.end() or at->second.is != meaning::role::parameter)

@@ -6,8 +6,6 @@
 #include <optional>
 #include <thread>
 
-#include "engine/motions.hpp"
-
 namespace engine {
 
 namespace {
@@ -111,11 +109,6 @@ void walk_group(cast const& all, hilger::index_type steps, std::vector<member> c
 
 } // namespace
 
-std::vector<double> cast::times() const {
-    if (not T.is_uniform()) return T.given;
-    return elements_of<double>(hilger::uniform(T.start, T.step, T.steps));
-}
-
 problem with_words(problem const& what, hilger::text::vocabulary const& words) {
     auto const shared = std::make_shared<hilger::text::vocabulary const>(words);
     auto const again = [&](hilger::text::stated const& f) { return hilger::text::stated(f.formula(), shared, f.source()); };
@@ -141,12 +134,12 @@ ensemble walk_all(cast const& all, std::vector<member> const& from, hilger::inde
     if (stride < 1 or threads < 1)
         hilger::error::raise<hilger::error::invalid_parameter>("every so many points and the number of threads are positive, and were ",
                                                                stride, " and ", threads);
-    auto const times = all.times();
+    auto const times = times_of(all.T);
     auto const steps = static_cast<hilger::index_type>(times.size()) - 1;
     ensemble made;
     made.members = static_cast<hilger::index_type>(from.size());
     made.dimension = all.what.lagrangian.formula().words().dimension();
-    made.points = steps / stride + 1 + (steps % stride != 0 ? 1 : 0);
+    made.points = points_kept(steps, stride);
     for (hilger::index_type kept = 0; kept < made.points; ++kept)
         made.t.push_back(times[static_cast<std::size_t>(std::min(kept * stride, steps))]);
     made.q.assign(made.place(made.members, 0), std::numeric_limits<double>::quiet_NaN());

@@ -37,7 +37,6 @@ struct cast {
     std::function<walker(problem const&)> make;
     walker common; ///< of all, where no parameter is brought by the members
     std::unique_ptr<lanes> together;
-    [[nodiscard]] std::vector<double> times() const;
 };
 /// With `in_lanes`, members step together where that is possible.
 cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes,
@@ -48,6 +47,10 @@ struct member {
     std::vector<double> parameters; ///< those that what.lagrangian's words say states bring
 };
 
+/// The first one, every stride-th and the last.
+constexpr hilger::index_type points_kept(hilger::index_type steps, hilger::index_type stride) {
+    return steps / stride + 1 + (steps % stride != 0 ? 1 : 0);
+}
 /// Keeps the first state, every stride-th and the last one of each. Stops where `stop` becomes true, `done` members being whole. Without
 /// lanes each member is what its motion makes of it, to the last bit; who fails in a lane is walked again so.
 /// @throws hilger::error::invalid_parameter when stride < 1 or threads < 1

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// One part of a step, of one node, in lanes. Its equation is that of hilger/formula/c_step.hpp, with y the velocity at the node:
-//   x = q + c y,   r = p + f g(x, y) - dL/dv(x, y) = 0,   c = w a_1,   f = w a_0,
-// and so is its solution, with masks in the place of branches: a lane that is done keeps what it has while others go on.
+// One part of a step, of one node, in lanes. It solves the equation of hilger/formula/node_equation.hpp as c_step.hpp does, with masks in
+// the place of branches: a lane that is done keeps what it has while others go on.
 #pragma once
 
 #include <algorithm>
@@ -76,17 +75,11 @@ inline std::string elimination(int n, std::string const& in) {
     return text;
 }
 
-class lane_part {
+class lane_part : hilger::detail::node_equation {
 public:
     lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name)
-        : N(what.dimension), name_(std::move(name)), w_(constant("w", b.w(0))), c_(constant("c", b.w(0) * b.a(0, 1))),
-          f_(constant("f", b.w(0) * b.a(0, 0))), time_(symbol::variable("t") + b.a(0, 1) * symbol::variable("h")),
-          x_(hilger::detail::c_locals("x", N)), y_(hilger::detail::c_array("y", N)), node_(what.at(symbol::variable("t_node"), x_, y_)) {
-        for (std::size_t k = 0; k < node_.gq.size(); ++k) D_.push_back(f_.is(0) ? symbol(0) : c_ * node_.gq[k] + node_.gv[k]);
-        for (std::size_t k = 0; k < D_.size(); ++k) K_.push_back(node_.pv[k] + c_ * node_.pq[k] - f_ * D_[k]);
-        auto slopes = D_;
-        slopes.insert(slopes.end(), K_.begin(), K_.end());
-        linear_ = not hilger::detail::depends(slopes, y_) and (c_.is(0) or not hilger::detail::depends(slopes, x_));
+        : node_equation(what, b, symbol::variable("h")), name_(std::move(name)) {
+        w_ = constant("w", w_);
     }
     /// In y: nothing is guessed.
     [[nodiscard]] bool is_linear() const { return linear_; }
@@ -120,14 +113,6 @@ public:
     }
 
 private:
-    /// A formula in h under a name; a number or h itself needs none.
-    symbol constant(std::string const& name, symbol const& value) {
-        if (value.get().is_leaf()) return value;
-        for (auto const& [known, same] : constants_)
-            if (same.same_as(value)) return symbol::variable(known);
-        constants_.emplace_back(name, value);
-        return symbol::variable(name);
-    }
     /// The time and the position at the node, as far as they are used.
     [[nodiscard]] std::string position(std::string const& in, std::set<std::string> const& used) const {
         lane_statements lines(in, "at");
@@ -253,14 +238,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
         return "    {\n" + position("        ", body.read()) + formulas + "    }\n";
     }
 
-    int N;
     std::string name_;
-    std::vector<std::pair<std::string, symbol>> constants_;
-    symbol w_, c_, f_, time_;
-    symbol_list x_, y_;
-    hilger::detail::node_formulas node_;
-    symbol_list D_, K_;
-    bool linear_ = false;
 };
 
 } // namespace engine

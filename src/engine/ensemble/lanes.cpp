@@ -114,6 +114,11 @@ std::shared_ptr<c_library const> compiled(std::string const& text, std::vector<s
 
 } // namespace
 
+std::vector<double> times_of(points<double> const& T) {
+    if (not T.is_uniform()) return T.given;
+    return elements_of<double>(hilger::uniform(T.start, T.step, T.steps));
+}
+
 std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T) {
     int const d = what.lagrangian.formula().words().dimension();
     if (not what.damping.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
@@ -142,8 +147,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     made->brought_ = brought;
     made->size_ = size;
     made->step_ = T.is_uniform() ? T.step : 0;
-    made->times_ = T.given;
-    for (hilger::index_type k = 0; T.is_uniform() and k <= T.steps; ++k) made->times_.push_back(T.start + static_cast<double>(k) * T.step);
+    made->times_ = times_of(T);
     return made;
 }
 

@@ -10,6 +10,9 @@
 
 namespace engine {
 
+/// All of T.
+std::vector<double> times_of(points<double> const& T);
+
 class lanes {
 public:
     static constexpr int most_coordinates = 6; ///< more are not kept in registers
