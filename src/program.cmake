@@ -28,7 +28,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # What a system has in many digits is a file of its own: at -O3 and -O1 the compiler takes minutes for it, and its time goes into loops
 # over digits.
-foreach(system IN ITEMS pendulum double_pendulum kepler henon_heiles planetary fermi_pasta_ulam charged_particle)
+foreach(system IN ITEMS pendulum kepler henon_heiles planetary)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/many_digits/${system}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT
     "#include \"compiled_once.hpp\"\n#include \"scenes/path_walk.hpp\"\n#include \"scenes/systems.hpp\"\nnamespace program {\nPROGRAM_MANY_DIGITS(, ${system}_system)\n}\n")
@@ -38,9 +38,19 @@ foreach(system IN ITEMS pendulum double_pendulum kepler henon_heiles planetary f
   set_source_files_properties(${source} PROPERTIES UNITY_GROUP many_digits)
   target_sources(hilger PRIVATE ${source})
 endforeach()
+# Scenes in files travel inside the program, under their names with - for _.
+file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)
+set(texts)
+foreach(problem IN LISTS problems)
+  cmake_path(GET problem STEM name)
+  string(REPLACE _ - name ${name})
+  file(READ ${problem} text)
+  string(APPEND texts "    {\"${name}\", R\"toml(${text})toml\"},\n")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${problem})
+endforeach()
+file(CONFIGURE OUTPUT problems_in_files.hpp CONTENT
+  "#include <utility>\ninline constexpr std::pair<char const*, char const*> problems_in_files[]{\n@texts@};\n" @ONLY)
 # Scenes have their methods in common.
 set_target_properties(hilger PROPERTIES UNITY_BUILD ${HILGER_UNITY_TESTS} UNITY_BUILD_MODE GROUP)
-set_source_files_properties(scenes/charged_particle.cpp scenes/henon_heiles.cpp scenes/kepler.cpp scenes/pendulums.cpp
-  PROPERTIES UNITY_GROUP plane)
-set_source_files_properties(scenes/fermi_pasta_ulam.cpp scenes/outer_solar_system.cpp PROPERTIES UNITY_GROUP structured)
+set_source_files_properties(scenes/henon_heiles.cpp scenes/kepler.cpp scenes/pendulum.cpp PROPERTIES UNITY_GROUP plane)
 install(TARGETS hilger COMPONENT program)

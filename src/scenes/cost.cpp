@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "from_file.hpp"
 #include "hilger/hilger.hpp"
 #include "outer_solar_system_data.hpp"
 #include "scene.hpp"
@@ -29,7 +30,18 @@ void tell(std::ostream& out, char const* name, System const& system) {
     };
     head(out, s);
     row("mid-point", hilger::embed(L, hilger::mid_point));
-    if constexpr (System::wide != in_many_digits::nothing) row("verlet", hilger::stoermer_verlet(L));
+    row("verlet", hilger::stoermer_verlet(L));
+}
+/// The same of a problem in text.
+void tell_stated(std::ostream& out, scene const& s) {
+    auto const& L = s.stated->of.lagrangian;
+    hilger::initial_velocity<engine::vector<double>> const from{numbers_of(s.stated->q), numbers_of(s.stated->v)};
+    auto const row = [&](char const* method, auto const& flow) {
+        out << hilger::requirements_row{method, hilger::requirements_of(flow.along(scale_of(s), from))};
+    };
+    head(out, s);
+    row("mid-point", hilger::embed(L, hilger::mid_point));
+    row("verlet", hilger::stoermer_verlet(L));
 }
 /// With a memory, from rest: kept as the scene usually has it, and whole.
 template <class Structure, class Load, class V>
@@ -57,13 +69,12 @@ void tell_boundary(std::ostream& out) {
 void list_costs(std::ostream& out) {
     out << "A step of each, counted: what is computed, solved, and kept beside the state\n";
     tell(out, "pendulum", pendulum_system{});
-    tell(out, "double-pendulum", double_pendulum_system{});
     tell(out, "kepler", kepler_system{});
     tell(out, "henon-heiles", henon_heiles_system{});
     std::istringstream built_in(outer_solar_system_csv);
     tell(out, "outer-solar-system", planetary_system{read_solar_system(built_in, "the built-in data")});
-    tell(out, "fermi-pasta-ulam", fermi_pasta_ulam_system{});
-    tell(out, "charged-particle", charged_particle_system{});
+    for (scene const& s : all_scenes())
+        if (s.stated and s.stated->of.damping.empty() and not s.stated->of.force) tell_stated(out, s);
     viscoelastic_beam_system const beam;
     tell_structure(out, "fractional-oscillator", damped_by_half_a_derivative.structure<double>(), damped_by_half_a_derivative.load(), 0.0);
     tell_structure(out, "bagley-torvik", plate_in_a_fluid.structure<double>(), plate_in_a_fluid.load(), 0.0);

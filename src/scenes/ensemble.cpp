@@ -179,6 +179,8 @@ int run_ensemble(run_options const& options) {
         error::raise<error::invalid_parameter>("--ensemble is for problems in files, as my.toml, and ", what.name,
                                                " is a scene of the program");
     configuration const c = completed(what, options.choice);
+    if (c.scalar != "double")
+        error::raise<error::invalid_parameter>("the members of an ensemble are stepped in double, and not in ", c.scalar);
     table_of_members const table(options.ensemble, *what.stated);
     auto const members = static_cast<index_type>(table.members().size());
     if (members == 0) error::raise<error::unreadable>("'", options.ensemble, "' has no members: below the names there is a row for each");
@@ -191,8 +193,9 @@ int run_ensemble(run_options const& options) {
     auto const T = points_of(*what.stated, c.steps);
     auto const problem = engine::with_words(what.stated->of, table.words());
     engine::prepare_machine_code();
+    bool const lanes = c.embedding != "kahan-li-8"; // here of Verlet, in lanes of mid-point
     auto const all =
-        engine::make_cast(problem, c.embedding, T, true, [&](engine::problem const& one) { return walker_of_member(one, c, T); });
+        engine::make_cast(problem, c.embedding, T, lanes, [&](engine::problem const& one) { return walker_of_member(one, c, T); });
 
     index_type const points = engine::points_kept(c.steps, stride);
     int const d = what.dimension;

@@ -34,8 +34,8 @@ scene fractional_dirichlet() {
     s.embeddings = {"two-sided"};
     s.scalars = {"double"};
     s.columns = {"t", "q"};
-    s.picture = "set title 'Solution'; set xlabel 't'; plot DATA using 1:2 with lines notitle\n"
-                "set title 'Distance from the straight line'; plot DATA using 1:($2-$1) with lines notitle\n";
+    s.picture = "set title 'Solution'; set xlabel 't'; plot <rows> using 1:2 with lines notitle\n"
+                "set title 'Distance from the straight line'; plot <rows> using 1:($2-$1) with lines notitle\n";
     s.exact_source = "the closed form of (19) in the middle, in 100 digits";
     s.exact = [] {
         using R = hilger::float100;

@@ -29,8 +29,8 @@ scene oscillator(scene s, fractional_oscillator_system const& system) {
         return result;
     };
     s.columns = {"t", "u", "p"};
-    s.picture = "set title 'Displacement'; set xlabel 't'; plot DATA using 1:2 with lines notitle\n"
-                "set title 'Phase'; set xlabel 'u'; plot DATA using 2:3 with lines notitle\n";
+    s.picture = "set title 'Displacement'; set xlabel 't'; plot <rows> using 1:2 with lines notitle\n"
+                "set title 'Phase'; set xlabel 'u'; plot <rows> using 2:3 with lines notitle\n";
     return s;
 }
 

@@ -9,11 +9,17 @@
 
 namespace program {
 
+/// What is looked at along the way, by the name of its column.
+struct named_formula {
+    std::string name;
+    hilger::text::stated of;
+};
 /// A problem in text with its data, digits in the place of numbers.
 struct stated_problem {
     engine::problem of;
-    std::vector<std::string> q, v; ///< initial, one for each coordinate
-    std::string start, end;        ///< of T
+    std::vector<std::string> q, v;                  ///< initial, one for each coordinate
+    std::string start, end;                         ///< of T
+    std::vector<named_formula> conserved, observed; ///< beside the energy
     /// Whether the energy is constant.
     [[nodiscard]] bool conserves_energy() const {
         return not of.force and of.damping.empty() and not of.lagrangian.formula().reads(hilger::text::meaning::role::time);
@@ -25,11 +31,17 @@ struct stated_problem {
 scene scene_from_file(std::string const& path);
 /// The same of what stands in a file of this name.
 scene scene_from_text(std::string_view content, std::string const& path);
-/// The methods that a stated problem can be run with, and its way along T.
+/// The methods and the scalars that a stated problem can be run with, and its way along T; nothing where the scalar has not the method.
 std::vector<std::string> embeddings_of(stated_problem const& what);
+std::vector<std::string> scalars_of(stated_problem const& what);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
 /// What digits of numbers spell.
-engine::vector<double> numbers_of(std::vector<std::string> const& digits);
+template <class S = double>
+engine::vector<S> numbers_of(std::vector<std::string> const& digits) {
+    engine::vector<S> x(static_cast<Eigen::Index>(digits.size()));
+    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<S>(digits[k]);
+    return x;
+}
 /// T with so many steps.
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps);
 /// How a member of an ensemble is walked alone, from velocities.

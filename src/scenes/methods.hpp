@@ -13,30 +13,27 @@ namespace program {
 inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "blanes-moan-4", "kahan-li-8",
                                          "kahan-li-8+", "gauss-4",   "gauss-6",    "gauss-8", "gauss-16"};
 
-/// What a system has in many digits beside mid-point, and alone in 100. Nothing: and where mass or force depend on all, little in double.
-/// What is compiled there takes its time.
-enum class in_many_digits { nothing, gauss, composition };
+/// What a system has in many digits beside mid-point, and alone in 100: what is compiled there takes its time.
+enum class in_many_digits { gauss, composition };
 
 /// Calls use(flow) with the method of that name on L, where the scalar has it.
 template <class S, in_many_digits Wide, class L, class Use>
 void with_method(std::string const& name, L const& l, Use const& use) {
     using namespace hilger;
-    constexpr bool many_digits = not std::is_floating_point_v<S>, all = Wide != in_many_digits::nothing;
+    constexpr bool is_double = std::is_same_v<S, double>, many_digits = not std::is_floating_point_v<S>;
     if constexpr (not std::is_same_v<S, float100>) {
         if (name == "mid-point") use(embed(l, mid_point));
     }
-    if constexpr (std::is_same_v<S, double>) {
+    if constexpr (is_double) {
         if (name == "order-one") use(embed(l, order_one));
         if (name == "mid-point+") use(embed(l, mid_point, compensated));
         if (name == "verlet") use(stoermer_verlet(l));
-        if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
-    }
-    if constexpr (std::is_same_v<S, double> and all) {
         if (name == "blanes-moan-4") use(compose_with_adjoint(blanes_moan<4>, embed(l, order_one)));
         if (name == "kahan-li-8+") use(compose(kahan_li<8>, stoermer_verlet(l, compensated)));
         if (name == "gauss-6") use(embed(l, galerkin<6, gauss>));
+        if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
     }
-    if constexpr ((std::is_same_v<S, double> and all) or (Wide == in_many_digits::composition and many_digits)) {
+    if constexpr (is_double or (Wide == in_many_digits::composition and many_digits)) {
         if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
     }
     if constexpr (not many_digits) {

@@ -26,8 +26,8 @@ scene outer_solar_system() {
     for (auto const& name : s.invariants) s.columns.push_back(name + " error");
     s.picture =
         "set title 'Orbits'; set size ratio -1; set xlabel 'x / au'; set ylabel 'y / au'\n"
-        "plot for [k=0:5] DATA using (column(2+3*k)):(column(3+3*k)) with lines notitle\n"
-        "set size noratio; set title 'Energy error'; set xlabel 't / days'; set ylabel ''; plot DATA using 1:38 with lines notitle\n";
+        "plot for [k=0:5] <rows> using (column(2+3*k)):(column(3+3*k)) with lines notitle\n"
+        "set size noratio; set title 'Energy error'; set xlabel 't / days'; set ylabel ''; plot <rows> using 1:38 with lines notitle\n";
     s.reference = {"gauss-16", "100-digits", "", 160};
     return scene_of(system, s);
 }

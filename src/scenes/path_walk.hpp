@@ -3,7 +3,6 @@
 //   lagrangian<S>()            any Lagrangian L(q, v)
 //   start<S>()                 initial position and velocity
 //   invariants(L, x)           what should be constant, a vector of numbers, at a state x
-//   wide                       what it has in many digits
 #pragma once
 
 #include <iomanip>
@@ -22,7 +21,7 @@ std::string digits_of(S const& x) {
     return out.str();
 }
 
-/// Observe gives the numbers that should be constant at a state.
+/// Observe gives the numbers that should be constant at a state, and may give others, shown(x), that are looked at.
 template <class Path, class Observe>
 class path_walk final : public walk {
     using iterator = typename Path::iterator;
@@ -61,6 +60,8 @@ public:
             largest_[k] = std::max(largest_[k], std::abs(change));
             text += ',' + digits_of(change);
         }
+        if constexpr (requires { observe_.shown(x); })
+            for (S const& value : observe_.shown(x)) text += ',' + digits_of(value);
         return text;
     }
     [[nodiscard]] std::vector<hilger::float100> position() const override {
@@ -108,7 +109,7 @@ std::unique_ptr<walk> begin_in(System const& system, configuration const& c, dou
     auto const L = system.template lagrangian<S>();
     auto const start = system.template start<S>();
     auto const T = hilger::uniform(hilger::interval<S>{S(t0), S(t1)}, c.steps);
-    with_method<S, System::wide>(c.embedding, L, [&](auto const& flow) {
+    with_method<S, in_many_digits::gauss>(c.embedding, L, [&](auto const& flow) {
         result = walk_along(flow.along(T, start.q0, hilger::momentum_of(L, start.q0, start.v0)),
                             [system, L](auto const& x) { return system.invariants(L, x); });
     });

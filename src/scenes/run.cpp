@@ -161,8 +161,12 @@ int run_scene(run_options const& options) {
     say(what, c, *w, seconds);
     auto const summary = write_summary(what, options, c, *w, seconds);
     std::string commands = what.picture;
-    for (std::size_t at; (at = commands.find("DATA")) != std::string::npos;) commands.replace(at, 4, "'" + what.name + ".csv'");
-    std::cout << sketch(options.out, what.name, commands.substr(0, commands.find('\n', commands.find("plot ")) + 1));
+    std::size_t const first_plot = commands.find('\n', commands.find(rows_of_picture)) + 1;
+    std::string first = commands.substr(0, first_plot);
+    for (std::string* text : {&commands, &first})
+        for (std::size_t at; (at = text->find(rows_of_picture)) != std::string::npos;)
+            text->replace(at, rows_of_picture.size(), "'" + what.name + ".csv'");
+    std::cout << sketch(options.out, what.name, first);
     std::cout << "Written: " << record.rows() << ", " << summary << " and " << draw(options.out, what.name, "set grid\n" + commands)
               << '\n';
     return 0;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hilger/multiprecision.hpp"
@@ -40,6 +41,8 @@ public:
 };
 
 struct stated_problem;
+/// What stands for the file of rows in a picture's commands.
+inline constexpr std::string_view rows_of_picture = "<rows>";
 
 struct scene {
     std::string name, title;
@@ -49,7 +52,7 @@ struct scene {
     configuration usual;
     std::vector<std::string> embeddings, scalars, histories;
     std::vector<std::string> columns, invariants; ///< all columns of a row; those of them that should be zero
-    std::string picture;                          ///< gnuplot's commands, in which DATA is the file of rows
+    std::string picture;                          ///< gnuplot's commands, in which <rows> is the file of rows
     std::function<std::unique_ptr<walk>(configuration const&)> begin;
     /// The position at t1 in 100 digits; or a configuration to compute it with.
     std::function<std::vector<hilger::float100>()> exact;
@@ -59,7 +62,7 @@ struct scene {
     std::shared_ptr<stated_problem const> stated; ///< of what a file states
 };
 
-/// All scenes, in the order in which they are listed.
+/// All scenes, in the order in which they are listed: those in C++, then those of examples/problems.
 std::vector<scene> const& all_scenes();
 /// The scene of this name, or the one that a file my.toml states. @throws hilger::error::invalid_parameter that lists the names there are,
 /// hilger::error::unreadable

@@ -6,6 +6,7 @@
 
 #include "from_file.hpp"
 #include "hilger/error.hpp"
+#include "problems_in_files.hpp"
 
 namespace program {
 
@@ -36,9 +37,18 @@ void complete(std::string& chosen, std::string const& usual, std::vector<std::st
 } // namespace
 
 std::vector<scene> const& all_scenes() {
-    static std::vector<scene> const all{
-        pendulum(),         double_pendulum(),       kepler(),        henon_heiles(),      outer_solar_system(),  fermi_pasta_ulam(),
-        charged_particle(), fractional_oscillator(), bagley_torvik(), viscoelastic_beam(), fractional_dirichlet()};
+    static std::vector<scene> const all = [] {
+        std::vector<scene> made{pendulum(),
+                                kepler(),
+                                henon_heiles(),
+                                outer_solar_system(),
+                                fractional_oscillator(),
+                                bagley_torvik(),
+                                viscoelastic_beam(),
+                                fractional_dirichlet()};
+        for (auto const& [name, content] : problems_in_files) made.push_back(scene_from_text(content, std::string(name) + ".toml"));
+        return made;
+    }();
     return all;
 }
 

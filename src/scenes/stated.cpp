@@ -3,24 +3,43 @@
 #include "engine/machine_code/machine_code.hpp"
 #include "from_file.hpp"
 #include "histories.hpp"
+#include "methods.hpp"
 #include "path_walk.hpp"
 
 namespace program {
 
 namespace {
 
-using vector = Eigen::VectorXd;
 using forced = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
 
-/// Where the energy is constant, how far it is from what it was.
-struct observed {
-    hilger::text::stated_lagrangian L;
-    bool energy;
+/// How far what is constant is from what it was, and what else is looked at.
+template <class S>
+class observed {
+public:
+    explicit observed(stated_problem what) : what_(std::move(what)), energy_(what_.conserves_energy()) {}
     template <class State>
-    std::vector<double> operator()(State const& x) const {
-        if (not energy) return {};
-        return {hilger::energy(L)(x)};
+    std::vector<S> operator()(State const& x) const {
+        std::vector<S> all;
+        if (energy_) all.push_back(hilger::energy(what_.of.lagrangian)(x));
+        evaluate(what_.conserved, x, all);
+        return all;
     }
+    template <class State>
+    std::vector<S> shown(State const& x) const {
+        std::vector<S> all;
+        evaluate(what_.observed, x, all);
+        return all;
+    }
+
+private:
+    template <class State>
+    void evaluate(std::vector<named_formula> const& formulas, State const& x, std::vector<S>& to) const {
+        if (formulas.empty()) return;
+        auto const v = hilger::velocity_of(hilger::detail::at_time{what_.of.lagrangian, x.t}, x.q, x.p);
+        for (auto const& f : formulas) to.push_back(f.of.value(x.t, x.q, v));
+    }
+    stated_problem what_;
+    bool energy_;
 };
 /// What is damped or driven may be both.
 forced with_any_force(engine::problem const& of) {
@@ -31,43 +50,57 @@ forced with_any_force(engine::problem const& of) {
     return {of.lagrangian, hilger::text::stated_force(none)};
 }
 
-/// Calls use(flow) with the one that is chosen.
-template <class Use>
+/// Calls use(flow) with the one that is chosen, where there is one in numbers S.
+template <class S, class Use>
 void with_flow(engine::problem const& of, configuration const& c, Use const& use) {
-    std::vector<hilger::fractional_term<double>> terms;
-    for (auto const& [rho, alpha] : of.damping) terms.push_back({rho, alpha});
-    if (not terms.empty())
-        with_history(c.history, c.steps, [&]<class Policy>(Policy const& policy) {
-            if constexpr (not std::same_as<Policy, hilger::window>)
-                use(hilger::embed(hilger::with_fractional_damping(with_any_force(of), terms, policy), hilger::mid_point));
-        });
-    else if (of.force) {
+    constexpr bool is_double = std::same_as<S, double>;
+    if (not of.damping.empty()) {
+        if constexpr (is_double) {
+            std::vector<hilger::fractional_term<double>> terms;
+            for (auto const& [rho, alpha] : of.damping) terms.push_back({rho, alpha});
+            with_history(c.history, c.steps, [&]<class Policy>(Policy const& policy) {
+                if constexpr (not std::same_as<Policy, hilger::window>)
+                    use(hilger::embed(hilger::with_fractional_damping(with_any_force(of), terms, policy), hilger::mid_point));
+            });
+        }
+    } else if (of.force) {
         forced const mechanics{of.lagrangian, *of.force};
-        if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));
-        if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
-        if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
-    } else {
-        auto const& L = of.lagrangian;
-        if (c.embedding == "order-one") use(hilger::embed(L, hilger::order_one));
-        if (c.embedding == "mid-point") use(hilger::embed(L, hilger::mid_point));
-        if (c.embedding == "verlet") use(hilger::stoermer_verlet(L));
-        if (c.embedding == "gauss-4") use(hilger::embed(L, hilger::galerkin<4, hilger::gauss>));
-        if (c.embedding == "gauss-8") use(hilger::embed(L, hilger::galerkin<8, hilger::gauss>));
-    }
+        if constexpr (not std::same_as<S, hilger::float100>) {
+            if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
+        }
+        if constexpr (is_double) {
+            if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));
+            if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
+        }
+    } else
+        with_method<S, in_many_digits::composition>(c.embedding, of.lagrangian, use);
+}
+
+template <class S>
+std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c) {
+    std::unique_ptr<walk> made;
+    auto const end = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
+    auto const T = hilger::uniform(hilger::interval<S>{end(what.start), end(what.end)}, c.steps);
+    with_flow<S>(what.of, c, [&](auto const& flow) {
+        hilger::initial_velocity<engine::vector<S>> const from{numbers_of<S>(what.q), numbers_of<S>(what.v)};
+        made = walk_along(flow.along(T, from), observed<S>(what));
+    });
+    return made;
 }
 
 } // namespace
 
-engine::vector<double> numbers_of(std::vector<std::string> const& digits) {
-    vector x(static_cast<Eigen::Index>(digits.size()));
-    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<double>(digits[k]);
-    return x;
-}
-
 std::vector<std::string> embeddings_of(stated_problem const& what) {
     if (not what.of.damping.empty()) return {"mid-point"};
     if (what.of.force) return {"order-one", "mid-point", "gauss-4"};
-    return {"order-one", "mid-point", "verlet", "gauss-4", "gauss-8"};
+    std::vector<std::string> all(method_names.begin(), method_names.end());
+    all.pop_back(); // gauss-16 is for systems in C++
+    return all;
+}
+std::vector<std::string> scalars_of(stated_problem const& what) {
+    if (not what.of.damping.empty()) return {"double"};
+    if (what.of.force) return {"double", "50-digits"};
+    return {"double", "50-digits", "100-digits"};
 }
 
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {
@@ -78,20 +111,15 @@ engine::points<double> points_of(stated_problem const& what, hilger::index_type 
 
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
     engine::prepare_machine_code();
-    auto const points = points_of(what, c.steps);
-    std::unique_ptr<walk> made;
-    with_flow(what.of, c, [&](auto const& flow) {
-        hilger::initial_velocity<vector> const from{numbers_of(what.q), numbers_of(what.v)};
-        made = walk_along(flow.along(hilger::uniform(points.start, points.step, points.steps), from),
-                          observed{what.of.lagrangian, what.conserves_energy()});
-    });
-    return made;
+    if (c.scalar == "50-digits") return begin_in_numbers<hilger::float50>(what, c);
+    if (c.scalar == "100-digits") return begin_in_numbers<hilger::float100>(what, c);
+    return begin_in_numbers<double>(what, c);
 }
 
 engine::walker walker_of_member(engine::problem const& one, configuration const& c, engine::points<double> const& T) {
     return [one, c, T](engine::initial<double> const& from, auto const& keep) {
-        with_flow(one, c, [&](auto const& flow) {
-            hilger::initial_velocity<vector> const start{from.q0, from.other};
+        with_flow<double>(one, c, [&](auto const& flow) {
+            hilger::initial_velocity<engine::vector<double>> const start{from.q0, from.other};
             for (auto const& x : flow.along(hilger::uniform(T.start, T.step, T.steps), start))
                 if (not keep(x.t, x.q, x.p)) return;
         });

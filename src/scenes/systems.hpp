@@ -16,7 +16,6 @@ using scalar_of_state = std::remove_cvref_t<decltype(std::declval<State const&>(
 
 /// L = v^2 / 2 + cos q, swinging to 1.5.
 struct pendulum_system {
-    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
@@ -31,28 +30,8 @@ struct pendulum_system {
     }
 };
 
-/// Two equal pendulums, one hanging from the other, angles q_0, q_1: L = v_0^2 + v_1^2 / 2 + v_0 v_1 cos(q_0 - q_1) + 2 cos q_0 + cos q_1.
-struct double_pendulum_system {
-    static constexpr in_many_digits wide = in_many_digits::nothing;
-    template <class S>
-    [[nodiscard]] auto lagrangian() const {
-        return [](auto const& q, auto const& v) {
-            return v(0) * v(0) + v(1) * v(1) / 2 + v(0) * v(1) * cos(q(0) - q(1)) + 2 * cos(q(0)) + cos(q(1));
-        };
-    }
-    template <class S>
-    [[nodiscard]] auto start() const {
-        return hilger::initial_velocity<column<S, 2>>{{S(3) / S(2), S(1)}, {S(0), S(0)}};
-    }
-    template <class L, class State>
-    [[nodiscard]] auto invariants(L const& l, State const& x) const {
-        return std::vector<scalar_of_state<State>>{hilger::energy(l)(x)};
-    }
-};
-
 /// L = |v|^2 / 2 + 1 / |q|, from the nearest point of an ellipse of eccentricity 3/5 and period 2 pi.
 struct kepler_system {
-    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) { return v.squaredNorm() / 2 + 1 / q.norm(); };
@@ -70,7 +49,6 @@ struct kepler_system {
 
 /// L = |v|^2 / 2 - |q|^2 / 2 - x^2 y + y^3 / 3 at the energy 0.1247.
 struct henon_heiles_system {
-    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return [](auto const& q, auto const& v) {
@@ -87,54 +65,9 @@ struct henon_heiles_system {
     }
 };
 
-/// A charge in the field B = |q| e_z of a vector potential A = |q| (-y, x) / 3, with the electric potential 1 / (100 |q|); in the plane.
-struct charged_particle_system {
-    static constexpr in_many_digits wide = in_many_digits::nothing;
-    template <class S>
-    [[nodiscard]] auto lagrangian() const {
-        return [](auto const& q, auto const& v) {
-            auto const r = q.norm();
-            return v.squaredNorm() / 2 + r * (q(0) * v(1) - q(1) * v(0)) / 3 - 1 / (100 * r);
-        };
-    }
-    template <class S>
-    [[nodiscard]] auto start() const {
-        return hilger::initial_velocity<column<S, 2>>{{S(0), S(1)}, {S(1) / S(10), S(1) / S(100)}};
-    }
-    /// Energy and, by the symmetry of rotations, q x p.
-    template <class L, class State>
-    [[nodiscard]] auto invariants(L const& l, State const& x) const {
-        using S = scalar_of_state<State>;
-        return std::vector<S>{hilger::energy(l)(x), S(x.q(0) * x.p(1) - x.q(1) * x.p(0))};
-    }
-};
-
-/// Fermi, Pasta, Ulam: 32 particles between two walls, springs r^2/2 + r^3/12, the lowest mode excited.
-struct fermi_pasta_ulam_system {
-    static constexpr in_many_digits wide = in_many_digits::composition;
-    static constexpr int size = 32;
-    template <class S>
-    [[nodiscard]] auto lagrangian() const {
-        return hilger::mechanical(S(1), hilger::chain([](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; }));
-    }
-    template <class S>
-    [[nodiscard]] auto start() const {
-        using std::sin, std::atan;
-        column<S, size> q, v = column<S, size>::Zero();
-        for (int k = 0; k < size; ++k) q(k) = sin(S(S(4) * atan(S(1)) * S(k + 1) / S(size + 1)));
-        return hilger::initial_velocity<column<S, size>>{q, v};
-    }
-    template <class L, class State>
-    [[nodiscard]] auto invariants(L const& l, State const& x) const {
-        using S = scalar_of_state<State>;
-        return std::vector<S>{S(x.p.dot(x.p) / S(2) + l.potential()(x.q))};
-    }
-};
-
 /// The system of solar_system.hpp in any scalar.
 struct planetary_system {
     solar_system data;
-    static constexpr in_many_digits wide = in_many_digits::gauss;
     template <class S>
     [[nodiscard]] auto lagrangian() const {
         return data.lagrangian<S>();

@@ -33,9 +33,9 @@ scene viscoelastic_beam() {
         for (int k = 0; k < s.dimension; ++k) s.columns.push_back(x + std::to_string(k));
     s.columns.emplace_back("velocity of the tip");
     s.picture =
-        "set title 'Displacement of the tip'; set xlabel 't / s'; set ylabel 'w / mm'; plot DATA using 1:($10*1000) with lines notitle\n"
+        "set title 'Displacement of the tip'; set xlabel 't / s'; set ylabel 'w / mm'; plot <rows> using 1:($10*1000) with lines notitle\n"
         "set title 'Phase'; set xlabel 'w / mm'; set ylabel 'velocity / mm/s'\n"
-        "plot DATA using ($10*1000):($22*1000) with lines notitle\n";
+        "plot <rows> using ($10*1000):($22*1000) with lines notitle\n";
     return s;
 }
 

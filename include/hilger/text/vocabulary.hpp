@@ -66,9 +66,12 @@ std::optional<S> number_in(std::string_view digits) {
             if (n % 2 == 1) power = power * square;
         x = exponent < 0 ? S(x / power) : S(x * power);
         return minus ? S(-x) : x;
-    } else {
+    } else if constexpr (std::is_constructible_v<S, std::string>) {
         S const x(mantissa + "e" + std::to_string(exponent));
         return minus ? S(-x) : x;
+    } else { // what stands for doubles
+        auto const x = number_in<double>(digits);
+        return x ? std::optional<S>(S(*x)) : std::nullopt;
     }
 }
 
