@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSL-1.0
+# cmake -D hilger=<program> -D out=<directory> -P observed.cmake
+# What a file looks at is in its rows and pictures, and what it is measured with is what `hilger trade` measures with.
+file(REMOVE_RECURSE ${out})
+file(WRITE ${out}/oscillator.toml [[
+coordinates = "q[2]"
+velocities = "v[2]"
+lagrangian = "dot(v, v)/2 - dot(q, q)/2"
+parameters = { n = 4 }
+interval = [0, "1/2"]
+steps = 16
+units = "s"
+initial = { q = "n*(i + 1)/8", v = 0 }
+conserved = { "twice the energy" = "dot(q, q) + dot(v, v)", "what falls" = "v[0]" }
+observed = { double = "2*q[1]", time = "-t" }
+pictures = [{ title = "Twice", x = "q_1", y = ["double", "time"] }]
+exact = { position = ["0.438791280945186357930", "0.877582561890372716116"], source = "half a cosine and one", error = 1e-20 }
+]])
+function(expect what in)
+  if(NOT "${${in}}" MATCHES "${what}")
+    message(SEND_ERROR "expected ${what} in ${${in}}")
+  endif()
+endfunction()
+execute_process(COMMAND ${hilger} run oscillator.toml --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("t = 0 to 0.5 s, .*largest error of energy: [0-9.e-]+\n +largest error of twice the energy: [0-9.e-]+\n" said)
+expect("largest error of what falls: 0.24" said) # sin(1/2)/2, and so it does not stay
+file(STRINGS ${out}/rows/oscillator.csv rows)
+list(LENGTH rows count)
+if(NOT count EQUAL 18)
+  message(SEND_ERROR "${count} lines, and a heading and 17 points were expected")
+endif()
+list(GET rows 0 heading)
+expect("^# t,q_0,q_1,p_q_0,p_q_1,energy error,twice the energy error,what falls error,double,time$" heading)
+list(GET rows 1 first)
+expect("^0,0.5,1,0,0,0,0,0,2,-?0$" first)
+list(GET rows 17 last)
+string(REPLACE "," ";" last "${last}")
+list(GET last 9 time)
+expect("^-0.5$" time)
+# energy and twice of it, q and twice of it
+foreach(pair IN ITEMS "5;6" "2;8")
+  list(GET pair 0 one)
+  list(GET pair 1 two)
+  list(GET last ${one} single)
+  list(GET last ${two} double)
+  execute_process(COMMAND awk "BEGIN { d = 2 * ${single} - ${double}; exit d * d > 1e-30 }" RESULT_VARIABLE differs)
+  if(differs)
+    message(SEND_ERROR "${double} is not twice ${single}")
+  endif()
+endforeach()
+file(READ ${out}/rows/oscillator.gp picture)
+expect("set title 'Twice'; set size noratio; set xlabel 'q_1'; set ylabel ''\nplot 'oscillator.csv' using 3:9 with lines title 'double', 'oscillator.csv' using 3:10 with lines title 'time'\n" picture)
+file(APPEND ${out}/oscillator.toml "force = [\"0*v[0]\", \"0\"]\n") # which has few methods
+execute_process(COMMAND ${hilger} trade oscillator.toml --budget 0.0005 --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("against half a cosine and one, itself within 1e-20" said)
+expect("[0-9.]+e-1[5-9] +[0-9.]+ ms" said)
