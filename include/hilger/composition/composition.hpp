@@ -129,10 +129,9 @@ public:
         }
 
     private:
-        /// What was read from a checkpoint says that there are turns. They are made without being asked where states have no fixed size.
+        /// What was read from a checkpoint says that there are turns.
         void make_turns(composed_flow const& f) {
-            using s = detail::shape<V>;
-            if constexpr (kicks and s::size != Eigen::Dynamic) turns_.emplace(f, kicks_.h(), s::zero(s::size));
+            if constexpr (kicks) turns_.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
         }
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
         /// Made when it is needed.

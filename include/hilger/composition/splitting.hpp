@@ -6,10 +6,7 @@
 
 #include "hilger/composition/parts.hpp"
 #include "hilger/composition/reversed.hpp"
-#include "hilger/inlining.hpp"
-#include "hilger/newton/small_solve.hpp"
-#include "hilger/step/separable.hpp"
-#include "hilger/step/small_node.hpp"
+#include "hilger/composition/split_parts.hpp"
 
 namespace hilger {
 
@@ -67,121 +64,13 @@ struct turns<composed_flow<Parts, First, Others...>> {
     }
 };
 
-/// The velocity and the force of a small Lagrangian, from its jets: what the types say to be zero is not computed. Where it compares
-/// positions, M and a have to be the same at both ends of a drift; where it compares velocities, v = 0 says nothing of others.
-template <class Problem, class S, class V>
-class small_parts {
-    using s = shape<V>;
-    static constexpr std::size_t N = s::size;
-    using components = std::array<S, N>;
-
-public:
-    using vector = components;
-    small_parts(Problem const&, V const&) {}
-    static vector taken(V const& x) { return taken(x, all{}); }
-    static void give(vector const& x, V& to) {
-        for (std::size_t k = 0; k < N; ++k) s::component(to, static_cast<int>(k)) = x[k];
-    }
-    /// False where L has other parts, or no velocity.
-    HILGER_ALWAYS_INLINE bool velocity(Problem const& what, vector const& q, vector const& p, vector& v) {
-        return velocity(what, q, p, v, all{}, std::make_index_sequence<N * N>{});
-    }
-    HILGER_ALWAYS_INLINE bool force(Problem const& what, vector const& q, vector& g) {
-        return force(what, q, g, all{}, std::make_index_sequence<N * N>{});
-    }
-    /// A step begins, with no drift before its first kick.
-    void begin() { has_drifted_ = false; }
-    template <class Sum>
-    HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum) {
-        add(x, w, y, sum, all{});
-    }
-    /// 0, or NaN where not all numbers are finite.
-    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p) { return overflow(q, p, all{}); }
-
-private:
-    using all = std::make_integer_sequence<int, static_cast<int>(N)>;
-    template <int... K>
-    HILGER_ALWAYS_INLINE static vector taken(V const& x, std::integer_sequence<int, K...>) {
-        return {s::component(x, K)...};
-    }
-    template <int... K, std::size_t... M>
-    HILGER_ALWAYS_INLINE bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
-                                       std::integer_sequence<int, K...> every, std::index_sequence<M...>) {
-        std::uint64_t const compared = comparisons_made(), of_velocity = comparisons_of_velocity();
-        auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
-        matrix inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
-        v = {S(minus(p[K], e.template by_v<K>()))...};
-        if (comparisons_made() != compared) [[unlikely]] {
-            if (comparisons_of_velocity() != of_velocity) return false;
-            inertia_ = inertia;
-            at_rest_ = {S(e.template by_v<K>())...};
-            has_drifted_ = true;
-        }
-        return not e.on().coupled and e.on().v <= 2 and small_solve(inertia, v);
-    }
-    template <int... K, std::size_t... M>
-    HILGER_ALWAYS_INLINE bool force(Problem const& what, vector const& q, vector& g, std::integer_sequence<int, K...> every,
-                                    std::index_sequence<M...>) {
-        std::uint64_t const compared = comparisons_made(), of_velocity = comparisons_of_velocity();
-        auto const e = evaluate<s::is_scalar>(what, S(0), q, vector{}, every);
-        g = {S(e.template by_q<K>())...};
-        if (comparisons_made() != compared) [[unlikely]] {
-            matrix const inertia{S(e.template vv<static_cast<int>(M / N), static_cast<int>(M % N)>())...};
-            vector const at_rest{S(e.template by_v<K>())...};
-            if (comparisons_of_velocity() != of_velocity or (has_drifted_ and not(inertia == inertia_ and at_rest == at_rest_)))
-                return false;
-        }
-        return not e.on().coupled;
-    }
-    template <class Sum, int... K>
-    HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum, std::integer_sequence<int, K...>) {
-        (sum.add(x[K], S(w * y[K]), K), ...);
-    }
-    template <int... K>
-    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
-        return S((S(q[K] - q[K]) + ...) + (S(p[K] - p[K]) + ...));
-    }
-    using matrix = std::array<S, N * N>;
-    matrix inertia_{}; ///< M and a where the last drift began
-    vector at_rest_{};
-    bool has_drifted_ = false;
-};
-/// The same of a system that says so, of any size.
-template <class Problem, class S, class V>
-class large_parts {
-    using s = shape<V>;
-
-public:
-    using vector = V;
-    large_parts(Problem const& what, V const& like) : of_(what, like) {}
-    static V const& taken(V const& x) { return x; }
-    static void give(V const& x, V& to) { to = x; }
-    void begin() {}
-    bool velocity(Problem const&, V const&, V const& p, V& v) const {
-        of_.velocity(p, v);
-        return true;
-    }
-    bool force(Problem const& what, V const& q, V& g) { return of_.force(what, S(0), q, g); }
-    template <class Sum>
-    static void add(V& x, S const& w, V const& y, Sum& sum) {
-        if constexpr (std::is_empty_v<Sum>)
-            x += w * y;
-        else
-            for (int k = 0; k < s::dimension(x); ++k) sum.add(x(k), S(w * y(k)), k);
-    }
-    static S overflow(V const& q, V const& p) { return S((q - q).sum() + (p - p).sum()); }
-
-private:
-    separable<Problem, S, V> of_;
-};
-
 /// What one trajectory of such a composition remembers.
 template <class Flow, class S, class V>
 class splitting {
     using of = turns<Flow>;
     using Problem = typename of::problem_type;
-    static constexpr bool large = is_mechanical<decltype(Problem::lagrangian)>;
-    using parts = std::conditional_t<large, large_parts<Problem, S, V>, small_parts<Problem, S, V>>;
+    using parts = split_parts<Problem, S, V>;
+    static constexpr bool large = parts::has_whole_vectors;
     using vector = typename parts::vector;
 
 public:
@@ -201,6 +90,7 @@ public:
     }
 
     [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] int dimension() const { return static_cast<int>(last_.size()); }
     /// Everything that later steps depend on, for checkpoints.
     template <class Visit>
     void visit(Flow const& f, Visit& each) {
@@ -284,15 +174,14 @@ private:
     [[no_unique_address]] summation<of::compensated, S, shape<V>::size> sum_q_, sum_p_, next_q_, next_p_;
 };
 
-/// Whether a composition of states V is made of kicks and drifts; of small Lagrangians their jets say it, when they are evaluated.
+/// Whether a composition of states V is made of kicks and drifts; of a Lagrangian its jets or its formula say it, when they are evaluated.
 enum class kicks_and_drifts { no, perhaps, always };
 template <class Flow, class S, class V>
 inline constexpr kicks_and_drifts splits = [] {
     if constexpr (turns<Flow>::possible) {
         using F = decltype(turns<Flow>::problem_type::lagrangian);
-        constexpr int N = shape<V>::size;
         if (is_mechanical<F>) return kicks_and_drifts::always;
-        if (not is_timed<F, no_force, S, V> and N != Eigen::Dynamic and N <= one_evaluation) return kicks_and_drifts::perhaps;
+        if (may_split<F, S, V>) return kicks_and_drifts::perhaps;
     }
     return kicks_and_drifts::no;
 }();

@@ -129,6 +129,24 @@ TEST_CASE("kicks and drifts are the steps of the flows in turns, where the probl
     };
     check(spring(Q(2)), spring(Q(3)), start);
     check(chain_of(Q(2)), chain_of(Q(3)), start_2);
+    // Formulas that are traced: masses that couple two velocities, and five that do not.
+    auto const coupled = [](Q const& k) {
+        return lagrangian{[k](auto const& x, auto const& v) {
+            return v(0) * v(0) + v(0) * v(1) / 2 + v(1) * v(1) - v(0) / 3 - k * x(0) * x(1) / 2 - x(1) * x(1) / 5;
+        }};
+    };
+    auto const apart = [](Q const& k) {
+        return lagrangian{[k](auto const& x, auto const& v) {
+            return v.dot(v) / 2 + v(2) * v(2) * 2 + v(4) / 7 - k * x(0) * x(1) - x(2) * x(3) - x(3) * x(4);
+        }};
+    };
+    using Qn = Eigen::Matrix<Q, Eigen::Dynamic, 1>;
+    using Q5 = Eigen::Matrix<Q, 5, 1>;
+    check(coupled(Q(2)), coupled(Q(3)), state<Q, Qn>{Q(1, 7), start_2.q, start_2.p});
+    Q5 q = Q5::Constant(Q(1, 4)), p = Q5::Constant(Q(2, 3));
+    q(3) = Q(-1);
+    p(2) = Q(0);
+    check(apart(Q(2)), apart(Q(3)), state<Q, Q5>{Q(1, 7), q, p});
 }
 
 TEST_CASE("what is not made of kicks and drifts is stepped in turns") {
@@ -143,6 +161,15 @@ TEST_CASE("what is not made of kicks and drifts is stepped in turns") {
     };
     check(rolling, 1.0, 0.5);
     check(magnetic, Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0.25, -1));
+    // The same of formulas that are traced: with a product of position and velocity, a mass that moves, the time, branches, no mass.
+    Eigen::VectorXd const q = Eigen::Vector2d(1, 0.5), p = Eigen::Vector2d(0.25, -1);
+    check(magnetic, q, p);
+    check([](auto const& x, auto const& v) { return v.dot(v) * (1 + v(0) * v(0)) / 2 - x.dot(x) / 2; }, q, p);
+    check([](auto const& t, auto const& x, auto const& v) { return v.dot(v) / 2 - (1 + t) * x.dot(x) / 2; }, q, p);
+    check([](auto const& x, auto const& v) { return v.dot(v) / 2 - abs(x(0)) - x(1) * x(1); }, q, p);
+    check([](auto const& x, auto const& v) { return v(0) * v(1) - x(0) * x(1); }, q, p);
+    auto const massless = embed([](auto const& x, auto const& v) { return v(0) * v(0) / 2 - x(0) * x(1); }, order_one);
+    CHECK_THROWS_AS(symmetrized(massless).step(state<double, Eigen::VectorXd>{0, q, p}, 0.25), error::exception);
 }
 
 TEST_CASE("kicks and drifts that meet what is no number say so, and leave the state") {

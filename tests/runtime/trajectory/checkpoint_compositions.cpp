@@ -41,9 +41,17 @@ TEST_CASE("kicks and drifts") {
     auto const row = mechanical(1.0, chain([](hilger::index_type, auto const& r) { return r * r / 2 + r * r * r / 12; }));
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(9, 0, 1), p = Eigen::VectorXd::Zero(9);
     CHECK(differences(stoermer_verlet(row, compensated).along(uniform(0.0, 0.1, 60), q, p), 25) == 0);
+    lagrangian const traced{[](auto const& x, auto const& v) { return v.dot(v) / 2 + v(0) * v(1) / 3 - cos(x(0) - x(8)) - x.dot(x); }};
+    CHECK(differences(stoermer_verlet(traced, compensated).along(uniform(0.0, 0.1, 60), q, p), 25) == 0);
     time_scale<double> const T{0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0, 1.1};
     auto const path = stoermer_verlet(pendulum, compensated).along(T, 1.0, 0.0);
     for (hilger::index_type i = 0; i <= 8; ++i) CHECK(differences(path, i) == 0);
+}
+
+TEST_CASE("turns of states whose size is known at run time") {
+    lagrangian const magnetic{[](auto const& x, auto const& v) { return v.dot(v) / 2 + x(0) * v(1) - x.dot(x) / 2; }};
+    Eigen::VectorXd const q = Eigen::Vector2d(1, 0.5), p = Eigen::Vector2d(0.25, -1);
+    for (hilger::index_type const i : {0, 1, 25}) CHECK(differences(stoermer_verlet(magnetic).along(uniform(0.0, 0.1, 60), q, p), i) == 0);
 }
 
 TEST_CASE("kicks and drifts that become turns on the way") {

@@ -54,6 +54,18 @@ TEST_CASE("mid-point in the plane: the symmetric second derivatives once, one ro
     CHECK(plane.memory_bytes == 8 * (2 * 7 + 5));
 }
 
+TEST_CASE("Stoermer-Verlet of a formula that is traced: one force a step, and nothing solved") {
+    // Broken by half steps that are made in turns, by a force that is not kept.
+    auto const kepler = [](auto const& q, auto const& v) { return v.dot(v) / 2 + 1 / q.norm(); };
+    Eigen::VectorXd const q = Eigen::Vector2d(1, 0), p = Eigen::Vector2d(0, 1);
+    requirements const r = requirements_of(stoermer_verlet(kepler).along(T, q, p));
+    CHECK(r.growth_in_bytes == 0);
+    CHECK(r.forces == 1);
+    CHECK(r.newton_rounds == 0);
+    CHECK(r.solves == 0);
+    CHECK(r.functions == 1);
+}
+
 TEST_CASE("Galerkin: forces at the nodes, and no second derivative of them") {
     // Broken by Newton where the forces contract, by a round that is not needed.
     using testing::pendulum;
