@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: BSL-1.0
+# What a document links to in this project is there: cmake -D document=README.md -P links.cmake
+cmake_minimum_required(VERSION 3.22)
+cmake_path(GET document PARENT_PATH folder)
+file(READ ${document} text)
+string(REGEX REPLACE "```[^`]*```" "" text "${text}")
+string(REPLACE "](" "<to:" text "${text}") # brackets keep what stands between them together in a list
+string(REGEX REPLACE "[][;]" " " text "${text}")
+string(REGEX MATCHALL "<to:[^)]+\\)" links "${text}")
+set(checked 0)
+foreach(link IN LISTS links)
+  string(REGEX REPLACE "^<to:([^)#]*)(#[^)]*)?\\)$" "\\1" path "${link}")
+  if(path AND NOT path MATCHES "^https?:")
+    math(EXPR checked "${checked} + 1")
+    if(NOT EXISTS ${folder}/${path})
+      message(SEND_ERROR "${document} links to ${path}, which is not there")
+    endif()
+  endif()
+endforeach()
+message("${checked} links")
