@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Compiles one case: cmake -D source= -D must= -D precompiled= -D compiler= -D compiler_id= -D includes= -D system= -P check.cmake
-# must=precompile   compiles the header ${precompiled}, which with clang every case then has before its own lines, and the twins with
-#                   every compiler, unless there is a line "// alone: <why>"
+# must=precompile   compiles the header ${precompiled}, which with clang every case then has before its own lines, unless there is a line
+#                   "// alone: <why>"; with g++ it is what hilger includes of others
 # must=compile      the twin, compiled as it is, compiles; ${source} may have those of many cases
 # must=not_compile  with MUST_NOT_COMPILE defined it does not. The first line with "error:" contains the text of the line
 #                   "// expect: <text>", and the message has fewer than 25 lines, not counting those that say who included whom.
@@ -31,7 +31,7 @@ if(must STREQUAL "precompile")
 endif()
 file(READ ${source} text)
 list(APPEND command -fsyntax-only ${source})
-if((must STREQUAL "compile" OR compiler_id MATCHES "Clang") AND NOT text MATCHES "// alone: ")
+if(NOT text MATCHES "// alone: ")
   list(APPEND command -include ${precompiled})
 endif()
 

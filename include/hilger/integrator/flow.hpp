@@ -17,6 +17,27 @@
 
 namespace hilger {
 
+namespace detail {
+
+/// In the place of the step of what is refused: a compiler that has said so need not make one.
+template <class S, class V>
+struct no_step {
+    S length{};
+    no_step_force none{};
+    [[nodiscard]] S const& h() const { return length; }
+    [[nodiscard]] no_step_force& extra() { return none; }
+    [[nodiscard]] static bool needs_guess() { return false; }
+    void guess(V const&) const {}
+    template <class... Arguments>
+    void prepare(Arguments const&...) const {}
+    template <class... Arguments>
+    void advance(Arguments const&...) const {}
+    template <class Visit>
+    void visit(Visit&) const {}
+};
+
+} // namespace detail
+
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
 public:
@@ -44,7 +65,9 @@ public:
         /// Control values inside the step, and it may be that forces at the nodes are all there is to iterate.
         static constexpr bool inner = not std::is_void_v<table> and (is_mechanical<F> or not detail::is_traced_state<V>);
         static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
-            if constexpr (inner)
+            if constexpr (not detail::is_local<E> or not detail::is_on_one_step<E>)
+                return detail::no_step<S, V>{};
+            else if constexpr (inner)
                 return detail::galerkin_step<problem_type, table, carried, S, V, Extra>(f.problem_, tableau_of(f.embedding_, h), h, like,
                                                                                         extra);
             else if constexpr (known)

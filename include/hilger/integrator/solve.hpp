@@ -46,65 +46,6 @@ template <class Action, class V>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_positions<V> const& from) {
     return detail::solved(equation, T, from);
 }
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 0> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 0> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 2> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 2> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 3> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 3> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 4> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 4> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 5> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 5> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, 6> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::positions_on<Action, 6> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,
-           detail::velocity_on<Action, Eigen::Dynamic> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-template <class Action>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,
-           detail::positions_on<Action, Eigen::Dynamic> const& from) {
-    return detail::solved(equation, T, from.data());
-}
-
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
 /// With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 0.0, .qN = 1.0}, f). The first guess is the straight line. On given
@@ -117,12 +58,13 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
+    constexpr bool one_step = -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2;
     static_assert(
         EL::reads.is_local(),
         "of the equations that look to both ends of T those are solved whose action is the nabla integral of L(q, Delta_minus_alpha[q]) "
         "on a uniform T (hilger/boundary/of_variation.hpp)");
     static_assert(
-        -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2,
+        one_step,
         "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
         "more, or over none");
     if constexpr (not detail::are_given_states<S, V, V>()) detail::refuse_states<S, V, V>();
@@ -134,44 +76,35 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     index_type const last = Base::last(T.steps());
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
     x.back() = qN;
-    if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T");
+    if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
+        if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T");
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 0> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 2> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 3> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 4> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 5> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, 6> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
-template <class Action, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Eigen::Dynamic> const& ends,
-           Force const& force = {}) {
-    return solve(equation, T, ends.data(), force);
-}
+/// Braces have no type that a size could be read from: an overload for each size of states, 0 for numbers.
+#define HILGER_SOLVE_DATA_IN_BRACES(Size)                                                                                                  \
+    template <class Action>                                                                                                                \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
+               detail::velocity_on<Action, Size> const& from) {                                                                            \
+        return detail::solved(equation, T, from.data());                                                                                   \
+    }                                                                                                                                      \
+    template <class Action>                                                                                                                \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
+               detail::positions_on<Action, Size> const& from) {                                                                           \
+        return detail::solved(equation, T, from.data());                                                                                   \
+    }                                                                                                                                      \
+    template <class Action, class Force = no_force>                                                                                        \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
+               Force const& force = {}) {                                                                                                  \
+        return solve(equation, T, ends.data(), force);                                                                                     \
+    }
+HILGER_SOLVE_DATA_IN_BRACES(0)
+HILGER_SOLVE_DATA_IN_BRACES(2)
+HILGER_SOLVE_DATA_IN_BRACES(3)
+HILGER_SOLVE_DATA_IN_BRACES(4)
+HILGER_SOLVE_DATA_IN_BRACES(5)
+HILGER_SOLVE_DATA_IN_BRACES(6)
+HILGER_SOLVE_DATA_IN_BRACES(Eigen::Dynamic)
+#undef HILGER_SOLVE_DATA_IN_BRACES
 
 template <class Action, class Derived>
 auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
