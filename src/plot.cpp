@@ -12,10 +12,16 @@ namespace program {
 
 namespace {
 
+/// As one word of a shell.
+std::string quoted(std::string const& word) {
+    std::string all = "'";
+    for (char const c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return all + "'";
+}
 /// Writes the script and runs it in the directory, where all its files are.
 bool run_gnuplot(std::filesystem::path const& directory, std::string const& script, std::string const& commands) {
     std::ofstream(directory / script) << "set datafile separator ','\nset encoding utf8\n" << commands;
-    std::string const command = "cd '" + directory.string() + "' && gnuplot " + script + " >/dev/null 2>&1";
+    std::string const command = "cd " + quoted(directory.string()) + " && gnuplot " + quoted(script) + " >/dev/null 2>&1";
     return std::system(command.c_str()) == 0;
 }
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -57,6 +58,8 @@ public:
 
         scene s;
         s.name = std::filesystem::path(file_.path()).stem().string();
+        for (char& c : s.name) // it names files, in the commands of gnuplot too
+            if (not(std::isalnum(static_cast<unsigned char>(c)) or static_cast<signed char>(c) < 0 or c == '-' or c == '.')) c = '_';
         s.title = file_.get("title") != nullptr ? file_.text_of(*file_.get("title"), "title") : "a problem of " + file_.path();
         s.dimension = words->dimension();
         s.t0 = file_.number(what.start);

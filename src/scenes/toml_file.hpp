@@ -2,6 +2,8 @@
 // A file in TOML, read with sentences that say file, line and column, what stands there and what is accepted.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <stdexcept>

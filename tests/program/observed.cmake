@@ -50,6 +50,11 @@ foreach(pair IN ITEMS "5;6" "2;8")
 endforeach()
 file(READ ${out}/rows/oscillator.gp picture)
 expect("set title 'Twice'; set size noratio; set xlabel 'q_1'; set ylabel ''\nplot 'oscillator.csv' using 3:9 with lines title 'double', 'oscillator.csv' using 3:10 with lines title 'time'\n" picture)
+# Names that a shell or gnuplot would take for something else.
+file(READ ${out}/oscillator.toml text)
+file(WRITE "${out}/my 'own'.toml" "${text}")
+execute_process(COMMAND ${hilger} run "my 'own'.toml" --out "the 'rows'" WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("Twice.*Written: the 'rows'/my__own_.csv" said)
 file(APPEND ${out}/oscillator.toml "force = [\"0*v[0]\", \"0\"]\n") # which has few methods
 execute_process(COMMAND ${hilger} trade oscillator.toml --budget 0.0005 --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
 expect("against half a cosine and one, itself within 1e-20" said)
