@@ -55,7 +55,8 @@ public:
             for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
             return positions;
         } else
-            refuse("is solved from initial values: what joins two ends is found for embeddings, without fractional damping");
+            refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
+                                    : "is solved from initial values: what joins two ends is found for embeddings");
     }
     [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
@@ -101,7 +102,8 @@ private:
         else if constexpr (starts_from_two_positions<Flow>)
             use(flow_.along(T_, hilger::initial_positions<vector<S>>{from.q0, from.other}));
         else
-            refuse("starts from q0 and v0 or p0, and not from two positions");
+            refuse(has_memory<Flow> ? "starts from q0 and v0 or p0 where there is fractional damping, and not from two positions"
+                                    : "starts from q0 and v0 or p0, and not from two positions");
     }
     [[nodiscard]] auto const& lagrangian() const {
         if constexpr (has_memory<Flow>)

@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "hilger/text/functions.hpp"
 #include "hilger/text/read.hpp"
+#include "hilger/text/stated.hpp"
 #include "hilger/text/write.hpp"
 #include "hilger/version.hpp"
 
@@ -28,6 +29,20 @@ bool is_a(py::handle x, char const* module, char const* type) {
     return loaded.contains(module) and py::isinstance(x, py::object(py::object(loaded[module]).attr(type)));
 }
 std::string text_of(py::handle x) { return py::str(x); }
+void require_finite(py::handle is_finite, py::handle x) {
+    if (not is_finite.cast<bool>())
+        hilger::error::raise<hilger::error::not_finite>("a number in a formula is finite, and this one is ", text_of(x));
+}
+/// Of a formula of numbers alone.
+double number_of(expression const& x) {
+    auto const nothing = std::make_shared<hilger::text::vocabulary>(std::vector<hilger::text::coordinate>{}, "");
+    auto const none = [](int) { return 0.0; };
+    try {
+        return hilger::text::stated(x, nothing, "the formula").value(0.0, none, none);
+    } catch (hilger::error::exception const&) {
+        throw py::type_error("a formula of numbers alone is a number, and this one is none: " + text_of(py::str(py::cast(x))));
+    }
+}
 
 } // namespace
 
@@ -46,13 +61,18 @@ std::optional<expression> as_expression(py::handle x) {
         std::string const below = text_of(x.attr("denominator"));
         return below == "1" ? above : above / expression::number(below);
     }
-    if (is_a(x, "decimal", "Decimal")) return of_digits(text_of(py::str("{:f}").attr("format")(x)));
-    if (is_a(x, "mpmath", "mpf")) {
-        py::module_ const mpmath = py::module_::import("mpmath");
-        return of_digits(text_of(mpmath.attr("nstr")(x, py::int_(mpmath.attr("mp").attr("dps")) + py::int_(3), py::arg("min_fixed") = -400,
-                                                     py::arg("max_fixed") = 400)));
+    if (is_a(x, "decimal", "Decimal")) {
+        require_finite(x.attr("is_finite")(), x);
+        return of_digits(text_of(py::str("{:f}").attr("format")(x)));
     }
-    if (is_a(x, "numbers", "Number")) return as_expression(py::float_(py::reinterpret_borrow<py::object>(x))); // numpy's numbers
+    if (is_a(x, "mpmath", "mpf")) { // with its own digits, whatever the precision is where it stands
+        py::module_ const mpmath = py::module_::import("mpmath");
+        require_finite(mpmath.attr("isfinite")(x), x);
+        long const bits = x.attr("man_exp").cast<py::tuple>()[0].attr("bit_length")().cast<long>();
+        return of_digits(text_of(
+            mpmath.attr("nstr")(x, py::int_(std::max(55L, bits * 31 / 100 + 3)), py::arg("min_fixed") = -400, py::arg("max_fixed") = 400)));
+    }
+    if (is_a(x, "numbers", "Real")) return as_expression(py::float_(py::reinterpret_borrow<py::object>(x))); // numpy's numbers
     return {};
 }
 
@@ -151,6 +171,7 @@ void add_expressions(py::module_& m) {
     type.def(
         "__invert__", [](expression const& x) { return expression(kind::not_so, "", {x}); }, py::is_operator());
     type.def("__repr__", &text_for_people);
+    type.def("__float__", &number_of);
     type.def(py::pickle(&kept_of, &from_kept));
     type.def(
         "__pos__", [](expression const& x) { return x; }, py::is_operator());

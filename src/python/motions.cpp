@@ -2,6 +2,7 @@
 // Motions in numpy's arrays of double; in rationals and 50 digits numbers travel as text. A walk lets other threads of Python run, looks
 // for an interrupt every tenth of a second, and keeps what there is.
 #include <chrono>
+#include <ctime>
 #include <future>
 
 #include "bindings.hpp"
@@ -66,11 +67,17 @@ engine::initial<S> initial_of(typename crossing<S>::given const& q0, std::string
     return {crossing<S>::vector_of(q0), datum_named(what), crossing<S>::vector_of(other)};
 }
 
+/// Seconds, to a few milliseconds: steps may take nanoseconds, or seconds.
+double coarse_now() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// (t, q, p, why it stopped, whether it was interrupted)
 template <class S>
 py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
                typename crossing<S>::given const& other, py::object const& progress) {
-    using clock = std::chrono::steady_clock;
     auto const from = initial_of<S>(q0, what, other);
     int const d = static_cast<int>(from.q0.size());
     std::vector<S> t, q, p;
@@ -79,17 +86,17 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
     std::exception_ptr unexpected;
     {
         py::gil_scoped_release const others_run;
-        auto last_look = clock::now();
+        auto last_look = coarse_now();
         try {
             path.walk(from, [&](S const& time, engine::vector<S> const& x, engine::vector<S> const& y) {
                 t.push_back(time);
                 q.insert(q.end(), x.data(), x.data() + d);
                 p.insert(p.end(), y.data(), y.data() + d);
-                if (t.size() % 64 != 0 or clock::now() - last_look < std::chrono::milliseconds(100)) return true;
+                if (coarse_now() - last_look < 0.1) return true;
                 py::gil_scoped_acquire const here;
                 if (not progress.is_none()) progress(t.size());
                 interrupted = PyErr_CheckSignals() != 0;
-                last_look = clock::now();
+                last_look = coarse_now();
                 return not interrupted;
             });
         } catch (hilger::error::exception const& why) {

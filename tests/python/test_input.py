@@ -51,7 +51,7 @@ class Refused(unittest.TestCase):
         self.says(TypeError, "unsupported operand", lambda: EL + 1)
         self.says(h.InvalidParameter, "with fractional damping the method is mid-point",
                   lambda: h.solve(h.variation(L, T, h.verlet) + h.damping(0.1, 0.5), q0=1, v0=0))
-        self.says(h.InvalidParameter, "histories are direct, blocks", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
+        self.says(h.InvalidParameter, "a history is direct(), blocks() or exponentials(), and not 'all'", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
         self.says(h.Error, "2", lambda: h.solve(EL + h.damping(0.1, 2.5), q0=1, v0=0))
         self.says(h.StepFailure, "singular", lambda: h.solve(h.variation(h.Lagrangian("q^2/2"), T), q0=1, v0=0))
         self.says(h.OutsideDomain, "outside of the solution", lambda: h.solve(EL, q0=1, v0=0)(2.0))

@@ -3,8 +3,11 @@
 //   std::cout << f << latex(f);
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <ostream>
+#include <string>
+#include <string_view>
 
 #include "hilger/formula/symbol.hpp"
 #include "hilger/printing/expression.hpp"
@@ -148,6 +151,28 @@ struct terminal_spelling {
     }
 };
 
+/// A name, and the number of its component where that is not negative: omega_dot, q_1 and theta as they are meant, other words upright.
+inline std::string latex_name(std::string const& name, int component) {
+    constexpr std::string_view greek =
+        " alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi "
+        "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ";
+    auto const is_word = [](char c) { return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z') or (c >= '0' and c <= '9') or c == '_'; };
+    std::string const number = component < 0 ? "" : std::to_string(component);
+    if (name.size() < 2 or not std::all_of(name.begin(), name.end(), is_word)) // or somebody's own LaTeX
+        return number.empty() ? name : name + "_{" + number + "}";
+    auto const upright = [&](std::string const& word) {
+        if (word.size() == 1 or word.find_first_not_of("0123456789") == std::string::npos) return word;
+        if (greek.find(" " + word + " ") != std::string_view::npos) return "\\" + word;
+        std::string text = "\\mathrm{";
+        for (char const c : word) text += c == '_' ? std::string("\\_") : std::string(1, c);
+        return text + "}";
+    };
+    auto const bar = name.find('_');
+    bool const has_index = bar != std::string::npos and bar > 0 and bar + 1 < name.size();
+    std::string const index = has_index ? upright(name.substr(bar + 1)) + (number.empty() ? "" : ",") + number : number;
+    return upright(has_index ? name.substr(0, bar) : name) + (index.empty() ? "" : "_{" + index + "}");
+}
+
 struct latex_spelling {
     static std::optional<written> own(symbol const&) { return {}; }
     static std::string minus() { return "-"; }
@@ -157,7 +182,7 @@ struct latex_spelling {
         if (e == std::string::npos) return digits;
         return "{" + digits.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(digits.substr(e + 1))) + "}}";
     }
-    static std::string variable(formula const& f) { return f.component < 0 ? f.name : f.name + "_{" + std::to_string(f.component) + "}"; }
+    static std::string variable(formula const& f) { return latex_name(f.name, f.component); }
     static written product(written const& a, written const& b) {
         return {a.in(written::product) + " \\, " + b.in(written::product), written::product};
     }

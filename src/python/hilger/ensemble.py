@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
+from .solving import require_history
 
 
 class Ensemble:
@@ -56,13 +57,17 @@ def solve_many(
     With `comm`, MPI.COMM_WORLD of mpi4py, each rank computes its share of the members, in one thread where `threads` is not said, and every
     rank gets the whole, which does not depend on their number; `progress` is of its share.
 
-    With `lanes` the members of order_one, order_one_left, midpoint, verlet and kahan_li_8 that have up to six coordinates, no memory and no
-    branches step several at once, in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding. Without,
+    With `lanes` the members of order_one, order_one_left, midpoint, verlet and kahan_li_8 that have up to six coordinates, no memory, no
+    branches and nothing that is not defined everywhere (log, asin, atan2, q^v) step several at once, in the lanes of the processor's
+    registers, and agree with what `solve` makes of each to rounding. Without,
     and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
     """
     for what, n in (("every", every), ("threads", threads)):
-        if n is not None and not isinstance(n, (int, np.integer)):
+        if n is not None and (not isinstance(n, (int, np.integer)) or abs(n) >= (2**31 if what == "threads" else 2**62)):
             raise _core.InvalidParameter(f"{what} is a whole number, and was {n!r}")
+    if not isinstance(equation, Equation):
+        raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), is solved, and not a {type(equation).__name__}")
+    require_history(history)
     if not isinstance(parameters, (Mapping, type(None))):
         raise _core.InvalidParameter('parameters are given by their names, as {"g": np.linspace(1, 10, 5)}')
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1)) if x is not None}

@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Sequence, Union
 
+import numpy as np
+
 from . import _core
 from ._core import Expression
 from .formulas import Formula, Vector, variables
@@ -42,7 +44,10 @@ class Lagrangian:
         formula = _core.read(L, "L") if isinstance(L, str) else _core.as_expression(L)
         given = {}
         for name, x in parameters.items():
-            given[name] = [digits(y) for y in x] if hasattr(x, "__len__") and not isinstance(x, str) else digits(x)
+            try:
+                given[name] = digits(x) if isinstance(x, str) or not hasattr(x, "__len__") or np.ndim(x) == 0 else [digits(y) for y in x]
+            except _core.InvalidParameter as why:
+                raise _core.InvalidParameter(f"the parameter {name} is a number or a list of numbers: {why}") from None
         self._formula, self._parameters = formula, given
         self._problem = _core.Problem(formula, self.coordinates, time, given)
 
@@ -116,6 +121,15 @@ class Force:
     """A force beside dL/dq, a formula for each coordinate."""
 
     components: tuple
+
+    def _latex(self, L: Lagrangian) -> str:
+        made = []
+        for f in self.components:
+            try:
+                made.append(_core.Problem(f, L.coordinates, L.time, L._parameters).written(L.coordinates, L.time, True))
+            except _core.NoFormula:
+                made.append("\\text{a formula with branches}")
+        return made[0] if len(made) == 1 else "(" + ",\\ ".join(made) + ")"
 
 
 @dataclass(frozen=True)
@@ -196,7 +210,11 @@ class Equation:
         return f"{self.lagrangian!r}\n{self._written(False)}{more}"
 
     def _repr_latex_(self) -> str:
-        return self._written(True)
+        made = self._written(True)
+        lines = [f"L = {self.lagrangian._written(True)}", made if made.startswith("\\") else f"\\text{{{made}}}"]
+        lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ {', '.join(f._latex(self.lagrangian) for f in self.forces)}"] if self.forces else []
+        lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ -{d.rho} \\, D^{{{d.alpha}}} q" for d in self.dampings]
+        return "$\\displaystyle \\begin{gathered}" + " \\\\ ".join(lines) + "\\end{gathered}$"
 
 
 def variation(L: Lagrangian, T: "Uniform | TimeScale", method: Method = midpoint) -> Equation:

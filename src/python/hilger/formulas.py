@@ -27,6 +27,8 @@ class Vector:
         return self.size
 
     def __getitem__(self, k: int) -> Expression:
+        if isinstance(k, slice):
+            raise TypeError(f"a component of {self!r} is {self.name}[k], one at a time: [{self.name}[k] for k in range({self.size})[1:]]")
         k = range(self.size)[k]  # negative ones from the end, and IndexError
         return _core.element(self.name, k)
 
@@ -64,6 +66,8 @@ def dot(x: Sequence[Formula], y: Sequence[Formula]) -> Expression:
     """x[0]*y[0] + x[1]*y[1] + ..."""
     if len(x) != len(y):
         raise _core.Mismatch(f"dot takes vectors of one length, and these have {len(x)} and {len(y)} components")
+    if len(x) == 0:
+        return _core.as_expression(0)
     products = [_core.as_expression(a) * b for a, b in zip(x, y)]
     total = products[0]
     for product in products[1:]:
@@ -77,17 +81,11 @@ def norm(x: Sequence[Formula]) -> Expression:
 
 
 def _function_of_one(name: str):
-    import math
-
-    of_numbers = getattr(math, name, None)
-
-    def function(x: Formula) -> Formula:
-        if isinstance(x, (int, float)) and of_numbers is not None:
-            return of_numbers(x)
+    def function(x: Formula) -> Expression:
         return _core.call(name, x)
 
     function.__name__ = function.__qualname__ = name
-    function.__doc__ = f"{name}(x) of a formula or a number."
+    function.__doc__ = f"{name}(x) of a formula or a number: a formula, in as many digits as it is evaluated in; float() of one without variables."
     return function
 
 

@@ -28,21 +28,54 @@ def kind_of(numbers: Iterable[object]) -> str:
     return kinds.pop() if kinds else "double"
 
 
+_long = 4000
+"""Digits of a piece of a whole number: Python refuses to read or write many more at once."""
+
+
+def whole_from(text: str) -> int:
+    """A whole number of any length."""
+    minus, text = text.startswith("-"), text.lstrip("+-")
+    n = 0
+    for k in range(0, len(text), _long):
+        piece = text[k : k + _long]
+        n = n * 10 ** len(piece) + int(piece)
+    return -n if minus else n
+
+
+def _text_of_whole(n: int) -> str:
+    pieces, rest = [], abs(n)
+    while rest >= 10**_long:
+        rest, piece = divmod(rest, 10**_long)
+        pieces.append(str(piece).zfill(_long))
+    return "-" * (n < 0) + str(rest) + "".join(reversed(pieces))
+
+
+def fraction_from(text: str) -> Fraction:
+    """What the engine writes of a rational, a/b."""
+    above, _, below = text.partition("/")
+    return Fraction(whole_from(above), whole_from(below) if below else 1)
+
+
 def digits(x: object) -> str:
     """A number as digits that lose nothing."""
+    if isinstance(x, _core.Expression):
+        raise _core.InvalidParameter(f"a number was expected, and here is the formula {x!r}: write it into the formula, or float() of it")
     if isinstance(x, str):
         return x.strip()
     if isinstance(x, Fraction):
-        return f"{x.numerator}/{x.denominator}"
+        return f"{_text_of_whole(x.numerator)}/{_text_of_whole(x.denominator)}"
     if type(x).__name__ == "mpf":
         import mpmath
 
         return mpmath.nstr(x, 55, min_fixed=0, max_fixed=0)
     if isinstance(x, int):
-        return str(x)
+        return _text_of_whole(x)
     if type(x).__name__ == "Decimal":
         return str(x)
-    return repr(float(x))
+    try:
+        return repr(float(x))
+    except (TypeError, ValueError):
+        raise _core.InvalidParameter(f"a number was expected, and here is {x!r}") from None
 
 
 @dataclass(frozen=True)
@@ -82,6 +115,8 @@ def uniform(start: object, step: object, steps: int) -> Uniform:
     """T = {start + i*step}, i = 0 ... steps; in rationals where start or step is a Fraction, in 50 digits for mpmath's mpf."""
     if isinstance(steps, bool) or not hasattr(steps, "__index__"):
         raise TypeError(f"the number of steps is a whole number, and here is {steps!r}")
+    if not 0 < int(steps) < 2**62:
+        raise _core.InvalidScale(f"the number of steps is a positive whole number, and here is {steps!r}")
     T = Uniform(start, step, int(steps))
     T.kind()
     return T
@@ -101,6 +136,8 @@ class Identity:
 
 def identities(T: "TimeScale | Uniform") -> "list[Identity]":
     """Every identity that holds on any scale, proved on T: each equality is one of rationals, without a tolerance."""
+    if not isinstance(T, (Uniform, TimeScale)):
+        raise TypeError(f"a scale, as h.TimeScale(['0', '1/3', '1']), was expected, and here is {T!r}")
     if isinstance(T, Uniform):
         start, step = Fraction(digits(T.start)), Fraction(digits(T.step))
         points = [digits(start + i * step) for i in range(T.steps + 1)]

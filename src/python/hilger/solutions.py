@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import contextlib
-from fractions import Fraction
 from typing import Callable, NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _core
 from .equations import Equation
-from .scales import digits
+from .scales import digits, fraction_from
 
 
 class StepFailure(_core.Error):
@@ -20,6 +19,9 @@ class StepFailure(_core.Error):
     def __init__(self, message: str, solution: "Solution") -> None:
         super().__init__(message)
         self.solution = solution
+
+    def __reduce__(self) -> tuple:
+        return StepFailure, (*self.args, self.solution)
 
 
 def _digits_of(kind: str):
@@ -37,7 +39,7 @@ def numbers_from(kind: str, made: object) -> np.ndarray:
         return made
     words, columns = made
     if kind == "exact":
-        all_of_them = [Fraction(x) for x in words]
+        all_of_them = [fraction_from(x) for x in words]
     else:
         import mpmath
 
@@ -64,7 +66,8 @@ class Solution:
 
     `x(t)` is q between the points, of order 4 in the step; `x.events(g)` where a function passes zero; `x.residual()` what the positions
     leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends
-    has positions alone, and p is None. It can be pickled; it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+    has positions alone, and p is None. It can be pickled; without fractional damping, which remembers what
+    a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:

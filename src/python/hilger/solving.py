@@ -31,6 +31,14 @@ def exponentials(tolerance: float = 0.0) -> str:
     return f"exponentials:{tolerance}" if tolerance else "exponentials"
 
 
+def require_history(history: object) -> None:
+    """Raises where it is none, whether there is a memory or not."""
+    if not isinstance(history, str):
+        raise TypeError(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
+    if history.partition(":")[0] not in ("direct", "blocks", "exponentials"):
+        raise _core.InvalidParameter(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
+
+
 def _state(kind: str, x: object, L: Lagrangian, name: str):
     flat = [x] if np.ndim(x) == 0 else list(x)
     if L.is_scalar and len(flat) != 1:
@@ -38,8 +46,11 @@ def _state(kind: str, x: object, L: Lagrangian, name: str):
     if len(flat) != L.dimension or any(np.ndim(y) > 0 for y in flat):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
-        return np.array([float(y) for y in flat])
-    if kind == "exact" and any(isinstance(y, float) for y in flat):
+        try:
+            return np.array([float(y) for y in flat])
+        except OverflowError:
+            raise _core.NotFinite(f"{name} is made of numbers that double has, and here is {x!r}") from None
+    if kind == "exact" and any(isinstance(y, (float, np.floating)) for y in flat):
         raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is a float")
     return [digits(y) for y in flat]
 
@@ -58,7 +69,8 @@ def solve(
     accuracy: "Optional[float]" = None,
     longest_step: float = 0.0,
 ) -> "Solution | AccurateSolution":
-    """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN.
+    """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
+    start from q1, where nothing is damped.
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of points. An interrupt (Ctrl-C) ends the walk, and what there is is returned with a warning.
@@ -72,6 +84,8 @@ def solve(
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
         if any(x is not None for x in (p0, q1, qN)) or progress or history != "exponentials":
             raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
+        if np.ndim(interval) != 1 or len(interval) != 2:
+            raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
         a, b = interval
         scalar = equation.is_scalar
         made = _core.solve_accurately(
@@ -81,8 +95,7 @@ def solve(
         return AccurateSolution(t, q[:, 0] if scalar else q, p, method, error)
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
-    if not isinstance(history, str):
-        raise TypeError(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
+    require_history(history)
     if interval is not None or accuracy is not None:
         raise _core.InvalidParameter("an equation has its scale: an interval and an accuracy go with a Lagrangian")
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1), ("qN", qN)) if x is not None}

@@ -169,6 +169,17 @@ TEST_CASE("what is no formula is refused") {
     CHECK(q == q);
 }
 
+TEST_CASE("names of several letters in LaTeX are names") {
+    CHECK(latex(symbol::variable("q")) == "q");
+    CHECK(latex(symbol::variable("q", 3)) == "q_{3}");
+    CHECK(latex(symbol::variable("omega_dot")) == "\\omega_{\\mathrm{dot}}");
+    CHECK(latex(symbol::variable("q_1", 0)) == "q_{1,0}");
+    CHECK(latex(symbol::variable("q_a_b")) == "q_{\\mathrm{a\\_b}}");
+    CHECK(latex(symbol::variable("_q")) == "\\mathrm{\\_q}");
+    CHECK(latex(symbol::variable("angle", 2)) == "\\mathrm{angle}_{2}");
+    CHECK(latex(symbol::variable("q_{i+1}")) == "q_{i+1}"); // somebody's own LaTeX
+}
+
 TEST_CASE("an embedding's operators run on symbols: the tableau as formulas in h") {
     symbol const h = symbol::variable("h");
     auto const quarter = tableau_of(theta<1, 4>, h);

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Numbers keep their digits on the way into formulas, failures their solution, and what is shown says all of the equation."""
+
+import copy
+import pickle
+import signal
+import threading
+import time
+import unittest
+import warnings
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+
+import hilger as h
+
+try:
+    import mpmath
+except ImportError:
+    mpmath = None
+
+q, v = h.variables("q v")
+oscillator = h.variation(h.Lagrangian(v**2 / 2 - q**2 / 2, q, v), h.uniform(0, 0.1, 10))
+
+
+class Digits(unittest.TestCase):
+    def test_functions_of_numbers_are_exact_or_refused(self):
+        T = h.uniform(0, Fraction(1, 10), 3)
+        with self.assertRaisesRegex(h.Unreadable, "sqrt has no exact value in rationals"):
+            h.solve(h.variation(h.Lagrangian(v**2 / 2 - h.sqrt(2) * q, q, v), T), q0=0, v0=0)
+        self.assertEqual(float(h.cos(0)), 1.0)
+        self.assertEqual(float(h.sqrt(2) * h.pi / 4 + 1), np.sqrt(2) * np.pi / 4 + 1)
+        for formula in (q, h.sqrt(q), h.t):
+            with self.assertRaisesRegex(TypeError, "a formula of numbers alone is a number"):
+                float(formula)
+        with self.assertRaisesRegex(h.InvalidParameter, "the parameter k is a number or a list of numbers: .*here is the formula"):
+            h.Lagrangian("v^2/2 - k*q", k=h.sqrt(2))
+
+    @unittest.skipIf(mpmath is None, "mpmath is not here")
+    def test_fifty_digits(self):
+        with mpmath.workdps(50):
+            T = h.uniform(mpmath.mpf(0), mpmath.mpf(1) / 10, 20)
+            root, third = mpmath.sqrt(2), mpmath.mpf(1) / 3
+        ends = []
+        # outside of workdps: with what mpf has, and not with the digits that are usual here
+        for L in (h.Lagrangian("v^2/2 - sqrt(2)*q^2/2"), h.Lagrangian(v**2 / 2 - h.sqrt(2) * q**2 / 2, q, v), h.Lagrangian(v**2 / 2 - root * q**2 / 2, q, v)):
+            ends.append(h.solve(h.variation(L, T), q0=third, v0=0).q[-1])
+        with mpmath.workdps(50):
+            for end in ends[1:]:
+                self.assertLess(abs(end - ends[0]), mpmath.mpf("1e-48"))
+
+    def test_what_is_no_number(self):
+        for x in (Decimal("NaN"), float("nan")):
+            with self.assertRaisesRegex(h.NotFinite, "a number in a formula is finite"):
+                q * x
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(TypeError):
+                q * np.complex128(1 + 2j)
+        self.assertEqual(repr(q * np.float32(0.5)), repr(q * 0.5))
+        with self.assertRaisesRegex(h.InvalidParameter, "on a scale of fractions"):
+            h.solve(h.variation(h.Lagrangian(v**2 / 2, q, v), h.uniform(0, Fraction(1, 10), 3)), q0=np.float32(0.1), v0=0)
+
+
+class Failures(unittest.TestCase):
+    def test_they_travel(self):
+        wall = h.variation(h.Lagrangian("v^2/2 + log(1 - q)"), h.uniform(0, 0.1, 100))
+        with self.assertRaises(h.StepFailure) as caught:
+            h.solve(wall, q0=0.0, v0=30.0)
+        for again in (pickle.loads(pickle.dumps(caught.exception)), copy.copy(caught.exception)):
+            self.assertEqual(str(again), str(caught.exception))
+            if caught.exception.solution is not None:
+                np.testing.assert_array_equal(again.solution.q, caught.exception.solution.q)
+
+    def test_an_interrupt_is_heard_between_slow_steps(self):
+        # Numbers that grow: each step takes three times as long as the one before.
+        slow = h.variation(h.Lagrangian("v^2/2 - q^4"), h.uniform(0, Fraction(1, 10), 40), h.order_one)
+        threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT)).start()
+        begin = time.monotonic()
+        with self.assertWarnsRegex(RuntimeWarning, "interrupted"):
+            x = h.solve(slow, q0=1, v0=0)
+        self.assertLess(len(x.q), 41)
+        # What Python does not read or write at once is whole, and goes on.
+        k = next(k for k, y in enumerate(x.q) if y.numerator > 10**4500)
+        again = h.solve(h.variation(slow.lagrangian, h.uniform(0, Fraction(1, 10), 1), h.order_one), q0=x.q[k - 2], p0=x.p[k - 2])
+        self.assertEqual(again.q[1], x.q[k - 1])
+        self.assertEqual(again.q[0], x.q[k - 2])
+        self.assertLess(time.monotonic() - begin, 60)
+
+    def test_sentences(self):
+        L = oscillator.lagrangian
+        for error, sentence, what in (
+            (h.InvalidParameter, "the parameter k is a number or a list", lambda: h.Lagrangian("v^2/2 - k*q", k=None)),
+            (TypeError, "an equation, as h.variation", lambda: h.solve_many(L, q0=[1.0], v0=0.0)),
+            (TypeError, "a scale, as h.TimeScale", lambda: h.identities([0, 1])),
+            (h.InvalidScale, "positive whole number", lambda: h.uniform(0, 0.1, 2**70)),
+            (TypeError, "one at a time", lambda: h.variables("x", 3)[0:2]),
+            (h.InvalidParameter, "an interval is two numbers", lambda: h.solve(L, 5, q0=1, v0=0, accuracy=1e-6)),
+            (h.NotFinite, "numbers that double has", lambda: h.solve(oscillator, q0=10**400, v0=0)),
+            (h.InvalidParameter, "a history is direct", lambda: h.solve(oscillator, q0=1, v0=0, history="nonsense")),
+            (h.InvalidParameter, "a history is direct", lambda: h.solve_many(oscillator, q0=[1.0], v0=0, history="nonsense")),
+            (h.InvalidParameter, "where there is fractional damping", lambda: h.solve(oscillator + h.damping(0.1, 0.5), q0=1, q1=1)),
+        ):
+            with self.assertRaises(error) as caught:
+                what()
+            self.assertIn(sentence, str(caught.exception))
+        self.assertEqual(h.Lagrangian("v^2/2 - k*q", k=np.array(2.0)).dimension, 1)
+
+
+class Shown(unittest.TestCase):
+    def test_all_of_the_equation(self):
+        shown = (oscillator + h.force("-v/3") + h.damping(0.2, 0.5))._repr_latex_()
+        for part in ("$\\displaystyle", "L = \\frac", "\\begin{aligned}", "\\frac{v}{3}", "-0.2 \\, D^{0.5} q"):
+            self.assertIn(part, shown)
+        self.assertIn("\\text{verlet", h.variation(oscillator.lagrangian, oscillator.scale, h.verlet)._repr_latex_())
+
+    def test_names(self):
+        for name, shown in (
+            ("omega_dot", "\\omega_{\\mathrm{dot}}"),
+            ("theta", "\\theta"),
+            ("q_1", "q_{1}"),
+            ("q_a_b", "q_{\\mathrm{a\\_b}}"),
+            ("q_", "\\mathrm{q\\_}"),
+            ("angle", "\\mathrm{angle}"),
+        ):
+            self.assertIn(f"{{{shown}}}^{{2}}", h.Lagrangian(f"v^2/2 - {name}^2", name, "v")._repr_latex_())
+        self.assertIn("{q_{1,0}}^{2}", h.Lagrangian("w[0]^2/2 - q_1[0]^2", "q_1[2]", "w[2]")._repr_latex_())
+
+
+if __name__ == "__main__":
+    unittest.main()
