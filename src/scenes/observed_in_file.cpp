@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // What is looked at along the way of a problem in TOML, beside t, positions and momenta, and what it is measured with:
-//   units = "s"                                                    of the interval
-//   conserved = { "angular momentum" = "x*v_y - y*v_x" }           formulas whose change is a column; the energy is one where it is
-//   constant observed = { height = "-l*cos(q)" }                            formulas that are columns pictures = [ { title = "Path", x =
-//   "x", y = "y", equal = true } ]   columns by their names; y may be a list, x is t where nothing is said reference = { embedding =
-//   "gauss-8", steps = 4000 }            whose end, and that of twice as many steps, `hilger trade` measures with exact = { position =
-//   ["0.5", "1/3"], source = "...", error = 1e-30 }   the position at the end of the interval, instead
+//   units = "s"                                                            of the interval
+//   conserved = { "angular momentum" = "x*v_y - y*v_x" }                   formulas whose change is a column, as the energy's is
+//   observed = { height = "-l*cos(q)" }                                    formulas that are columns
+//   pictures = [ { title = "Path", x = "x", y = "y", equal = true } ]      columns by their names; y may be a list, x is else t
+//   reference = { embedding = "gauss-8", steps = 4000 }                    whose end `hilger trade` measures with, or
+//   exact = { position = ["0.5", "1/3"], source = "...", error = 1e-30 }   the position at the end of the interval
 // Nothing in it is a command: of a picture only names and titles come from the file, in single quotes, where gnuplot replaces nothing.
 #include "observed_in_file.hpp"
 

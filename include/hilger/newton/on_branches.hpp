@@ -3,7 +3,8 @@
 // that the equation is solved; across branches nothing does but the equation itself. So an iterate is returned where Newton's last
 // correction did not leave the branch, or where r is rounding at the iterate itself. Full steps first; they can go round between branches,
 // and are then shortened until r shrinks (the method is then Newton's for semismooth equations, Qi and Sun 1993, with a line search). Where
-// r jumps over zero there is no solution, and no step, however short, makes it smaller.
+// r jumps over zero there is no solution, and no step, however short, makes it smaller. Equations of one branch that Newton's method alone
+// does not solve, from where it was made to start, are searched in the same way.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace hilger::detail {
 
 /// How a search on branches ends.
-enum class branch_search { found, singular, not_finite, between, lost };
+enum class branch_search { found, singular, not_finite, between, lost, lost_on_one };
 
 /// What evaluating r gives: r, the size of what it is the difference of, which says how it rounds, and the branches taken.
 template <class X>
@@ -41,6 +42,7 @@ branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Corre
     };
     auto const is_solved = [](branch_point<X> const& p, int times) { return magnitude(p.r) <= S(times) * epsilon<S>() * p.size; };
     branch_point<X> here = at(x);
+    auto const lost = [&] { return here.path.made > 0 ? branch_search::lost : branch_search::lost_on_one; };
     if (not all_finite(here.r)) return branch_search::not_finite;
     X best = x, d = x, y = x;
     S smallest = magnitude(here.r);
@@ -75,7 +77,7 @@ branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Corre
             branch_path const before = here.path;
             here = at(x);
             residual = here.r;
-            if (first == before) return is_solved(here, 64) ? branch_search::found : branch_search::lost;
+            if (first == before) return is_solved(here, 64) ? branch_search::found : lost();
             return branch_search::between;
         }
         if (S const size = magnitude(here.r); size < smallest) {
@@ -84,7 +86,17 @@ branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Corre
         }
     }
     residual = here.r;
-    return branch_search::lost;
+    return lost();
+}
+
+/// The same, and where it ends without a root once more, from `nearer`: an extrapolated x may lie where r is not defined.
+template <class X, class Evaluate, class Correct>
+branch_search search_branches_twice(X& x, X const& nearer, X& residual, Evaluate const& evaluate, Correct const& correct,
+                                    scalar_of<X> const& small) {
+    branch_search const how = search_branches(x, residual, evaluate, correct, small);
+    if (how == branch_search::found) return how;
+    x = nearer;
+    return search_branches(x, residual, evaluate, correct, small);
 }
 
 /// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;
@@ -101,8 +113,8 @@ template <class V>
                 "on both sides of the jump lead across it. A step that does not meet the jump has one, and so has an L whose "
                 "derivatives do not jump",
             iterate, residual);
-    throw newton_failure<V>(what + " did not converge between the branches of L. A smaller step h brings the guess closer", iterate,
-                            residual);
+    char const* const where = how == branch_search::lost ? " between the branches of L" : "";
+    throw newton_failure<V>(what + " did not converge" + where + ". A smaller step h brings the guess closer", iterate, residual);
 }
 
 } // namespace hilger::detail

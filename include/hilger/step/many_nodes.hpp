@@ -83,25 +83,32 @@ public:
         }
         first_guess();
         long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
+        bool const was_constant = e_.is_constant;
         bool const by_newton = not e_.is_constant and (stiff_ or not e_.has_constant_mass);
-        if (not by_newton) e_.evaluate(problem, x, wanted::first_order);
-        if (watch.saw_any())
+        try {
+            if (not by_newton) e_.evaluate(problem, x, wanted::first_order);
+            if (watch.saw_any())
+                search(problem, x);
+            else if (by_newton)
+                newton(problem, x, watch);
+            else if (not iterate(problem, x, watch)) {
+                stiff_ = e_.has_constant_mass;
+                steps_ = made;
+                first_guess();
+                steps_ = 0;
+                newton(problem, x, watch);
+            }
+        } catch (error::not_finite const&) {
+            if (made < 2 or was_constant) throw;
+            e_.moved = past(0); // an extrapolated guess may lie where L is not defined
             search(problem, x);
-        else if (by_newton)
-            newton(problem, x, watch);
-        else if (not iterate(problem, x, watch)) {
-            stiff_ = true;
-            steps_ = made;
-            first_guess();
-            steps_ = 0;
-            newton(problem, x, watch);
         }
         e_.gather(problem, x, correction_, is_corrected_);
         if (not e_.is_constant) {
             newest_ = (newest_ + history - 1) % history;
             past_[at(newest_)] = e_.moved;
         }
-        steps_ = made + 1;
+        steps_ = was_constant and not e_.is_constant ? 1 : made + 1; // increments that may be anything were not kept
     }
     [[nodiscard]] decltype(auto) moved() const { return e_.end(); }
     [[nodiscard]] auto const& gained() const { return e_.increment; }
@@ -154,7 +161,7 @@ private:
             correct(e_.constant_part);
             tally<S>::add(work::newton_round);
             if (e_.is_constant) return true;
-            if (round == 0) weigh(x);
+            if (round == 0) weigh(x, e_.constant_part);
             S const size = weighed_correction(), floor = epsilon<S>();
             // What is left is the rate times this correction, and the rate is the ratio of two corrections.
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
@@ -183,7 +190,7 @@ private:
             if (singular) break;
             correct(e_.full_matrix);
             tally<S>::add(work::newton_round);
-            if (iteration == 0 or std::numeric_limits<S>::is_exact) weigh(x);
+            if (iteration == 0 or std::numeric_limits<S>::is_exact) weigh(x, e_.full_matrix);
             size = weighed_correction();
             if (is_last(small) or (iteration > 0 and e_.is_rounding(x)) or is_rounding_of(x, size, previous)) return;
             previous = size;
@@ -192,13 +199,10 @@ private:
     }
     /// How large each component of a correction may be, in units of what decides about it: the component itself, or where it goes through
     /// zero, what the residual is the sum of. Components may be of very different sizes.
-    void weigh(state<S, V> const& x) {
+    void weigh(state<S, V> const& x, matrix& factorized) {
         per_weight_.setZero();
         e_.put_sizes(x, weight_);
-        if (e_.is_constant or (e_.has_constant_mass and not stiff_))
-            e_.constant_part.solve(weight_);
-        else
-            e_.full_matrix.solve(weight_);
+        factorized.solve(weight_);
         S most(0);
         for (int c = 0; c < e_.unknowns(); ++c) {
             S const size = magnitude(u::component(e_.moved, c)), other = magnitude(S(weight_(c)));

@@ -106,8 +106,9 @@ private:
         return advance<SayWhere>(problem, x, all{}, every{});
     }
 
-    /// False, and nothing has happened, where L has branches: what is proved is a root on the branch of the last round, and that may not be
-    /// the branch of the root.
+    /// False, and nothing has happened, where Newton's rounds do not do. Of an L with branches they prove a root on the branch of the last
+    /// round, and that may not be the branch of the root; and an extrapolated guess may lie where L is not defined. (Where they do not
+    /// converge the step is too long: roots that a search finds then are far from the last velocity.)
     template <bool SayWhere, int... K, int... M>
     HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
@@ -158,11 +159,6 @@ private:
                 if (not quadratic or has_force<Problem>) (add_row<K>(g, D, d), ...); // at no velocity there is another force
             } else if constexpr (at_end) {
                 done = quadratic or at_the_floor(d, v);
-                if (done) {
-                    components_ const B{plus(q[K], S(c * v[K]))...};
-                    auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
-                    g = components_{again.template by_q<K>()...};
-                }
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
@@ -178,6 +174,11 @@ private:
                         continue;
                     }
             }
+            if constexpr (at_end) {
+                components_ const B{plus(q[K], S(c * v[K]))...};
+                auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
+                g = components_{again.template by_q<K>()...};
+            }
             if (branched) [[unlikely]]
                 return false;
             // A finite v and g may still lead beyond the largest number.
@@ -189,21 +190,22 @@ private:
             take<K...>(x, w, v, g);
             return true;
         }
-        if (comparisons_made() != compared_before) [[unlikely]]
+        bool const leads_nowhere = known_ > 1 and not is_finite(S((v[K] + ...) + (r[K] + ...)));
+        if (leads_nowhere or comparisons_made() != compared_before) [[unlikely]]
             return false;
         if constexpr (SayWhere)
             failure<K...>::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
         else
             failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
     }
-    /// The same from the beginning for an L with branches.
+    /// The same from the beginning, by a search.
     template <bool SayWhere, int... K>
     HILGER_ALWAYS_INLINE void advance_on_branches(Problem const& problem, state<S, V>& x,
                                                   std::integer_sequence<int, K...> every_component) {
         S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
         components_ const v = first_guess(every_component);
         auto const found = on_branches<K...>::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
-                                                                      start<K>(x.p)..., v[K]..., half_resistance<K>()...);
+                                                                      start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
         take<K...>(x, w_, found.v, found.g);
     }
     template <int... K>
@@ -333,8 +335,8 @@ private:
     struct node_values {
         components_ v, g;
     };
-    /// The step of a Lagrangian with branches: from the iterate v on, until the equation holds at what is returned. Numbers one by one, as
-    /// above.
+    /// The step by a search: from the iterate v on, or else from the last velocity, until the equation holds at what is returned. Numbers
+    /// one by one, as above.
     template <int... K>
     class on_branches {
         template <int>
@@ -343,9 +345,11 @@ private:
     public:
         template <bool SayWhere>
         [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
-                                                             number<K>... p, number<K>... v, number<K>... resistance) {
+                                                             number<K>... p, number<K>... v, number<K>... last, number<K>... resistance) {
             node_values found{};
-            auto const search = [&] { found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), {resistance...}); };
+            auto const search = [&] {
+                found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), vector(last...), {resistance...});
+            };
             if constexpr (SayWhere)
                 saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
             else
@@ -355,7 +359,7 @@ private:
 
     private:
         static node_values searched(Problem const& problem, S const& t, S const& w, S const& c, S const& f, components_ const& q,
-                                    V const& p, V v, components_ const& resistance) {
+                                    V const& p, V v, V const& last, components_ const& resistance) {
             matrix_ J{};
             components_ g{};
             // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
@@ -384,7 +388,8 @@ private:
                 return true;
             };
             V residual = v;
-            branch_search const how = search_branches(v, residual, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+            branch_search const how =
+                search_branches_twice(v, last, residual, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
             if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
             node_values const found{{s::component(v, K)...}, g};
             components_ const at_p{s::component(p, K)...};

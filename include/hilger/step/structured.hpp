@@ -211,6 +211,7 @@ private:
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
         S const scale = f_ * c_;
         S size(0);
+        bool leads_nowhere = false; // an extrapolated guess
         for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(U, A_);
@@ -222,7 +223,8 @@ private:
             residual(l, x);
             next_ = r_;
             bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
-            if (has_branches() and not(regular and is_number)) break;
+            leads_nowhere = known_ > 1 and not is_number;
+            if (leads_nowhere or (has_branches() and not(regular and is_number))) break;
             if (not regular) give_up(name, true, v_, r_, size);
             v_ += next_;
             size = largest_of(next_);
@@ -234,11 +236,12 @@ private:
                 if (on_one_branch()) return;
             }
         }
-        if (not has_branches()) give_up(name, false, v_, r_, size);
+        if (not leads_nowhere and not has_branches()) give_up(name, false, v_, r_, size);
         first_guess(x);
         search(l, x);
     }
-    /// For a U with branches, where full steps of Newton's method go round between them.
+    /// For a U with branches, where full steps of Newton's method go round between them, and where an extrapolated guess lies where U is
+    /// not defined: then from the last velocity.
     [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
         auto const& U = l.potential();
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
@@ -264,7 +267,8 @@ private:
             return kernel_.solve(d);
         };
         V y = v_, rest = v_;
-        branch_search const how = search_branches(y, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+        branch_search const how =
+            search_branches_twice(y, known_ > 0 ? past(0) : V(v_), rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The derivatives of a Lagrangian, and of a force, at one node of a step, asked for where they are needed: of small states by jets, and of
 // callables that have derivatives of their own. Which second derivatives are zero, or constant, L's degrees in q and v say; nothing of the
-// kind is said of a callable that compares, as another branch may be another formula, or is told the time.
+// kind is said of a callable that compares, as another branch may be another formula. Of one that is told the time none is constant, and
+// one that was zero until now may come: what a driven L compares is the time, and that is not seen.
 #pragma once
 
 #include "hilger/differentiation/branches.hpp"
@@ -33,8 +34,10 @@ public:
             watch.forget(); // it is no part of the step
             says_all_ = not is_timed<F, Force, S, V>;
         }
+        dependence on;
         if (is_first or which == wanted::with_seconds) {
             auto const e = expand_at(what, t, q, v);
+            on = e.on();
             put(0, e.e.by_q, d);
             put(d, e.e.by_v, d);
             block_of<V> const* const in[] = {&e.e.qq, &e.e.qv, &e.vq_, &e.e.vv};
@@ -42,11 +45,13 @@ public:
                 for (int j = 0; j < d; ++j)
                     for (int k = 0; k < d; ++k) values_[at(place(b, j, k, d))] = s::entry(*in[b], j, k);
         } else {
-            gradients_at(what, t, q, v, by_q_, by_v_);
+            on = gradients_at(what, t, q, v, by_q_, by_v_);
             put(0, by_q_, d);
             put(d, by_v_, d);
         }
-        bool const is_new = is_first or (not has_branches_ and watch.saw_any());
+        bool const grows = not says_all_ and not(on_ + on == on_);
+        if (grows) on_ = on_ + on;
+        bool const is_new = is_first or grows or (not has_branches_ and watch.saw_any());
         if (watch.saw_any()) has_branches_ = true;
         if (is_new) arrange(d);
         return is_new;

@@ -12,7 +12,8 @@ template <class F, class Force, class S, class V>
 inline constexpr bool is_timed = [] {
     using X = typename jets_for<V>::position;
     using Y = typename jets_for<V>::velocity;
-    return std::invocable<F const&, S const&, X const&, Y const&> or std::invocable<Force const&, S const&, X const&, Y const&> or
+    using Z = typename jets_for<V>::of_force;
+    return std::invocable<F const&, S const&, X const&, Y const&> or std::invocable<Force const&, S const&, Z const&, Z const&> or
            requires(F const& f, S const& t, V const& x) {
         f.expand(t, x, x);
     };

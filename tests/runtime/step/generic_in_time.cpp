@@ -54,9 +54,80 @@ void are_the_same(E const& how, int steps, S const& bound) {
     CHECK(S((x.q - y.q).cwiseAbs().maxCoeff()) <= bound);
     CHECK(S((x.p - y.p).cwiseAbs().maxCoeff()) <= bound);
 }
+/// A mass of the place that no body has any more after t = 1.
+struct switched_off {
+    template <class X, class Y>
+    auto operator()(double t, X const& q, Y const& v) const {
+        auto L = v.squaredNorm() / 2 - q.squaredNorm() / 2;
+        if (t < 1) L = L + v.squaredNorm() * sin(q(0)) / 4;
+        return L;
+    }
+};
+/// Until t = 1 a free or a falling body; then a field that couples position and velocity, a stiffer spring and a mass of the place.
+template <bool Free, bool Generic>
+struct switched_on {
+    static constexpr bool is_generic_in_time = Generic;
+    template <class T, class X, class Y>
+    auto operator()(T const& t, X const& q, Y const& v) const {
+        if constexpr (requires { q.size(); }) {
+            auto L = v.squaredNorm() / 2 + (q(0) - (Free ? 0 : 1) * q(1));
+            if (t > 1)
+                L = L + (q(0) * v(1) - q(1) * v(0)) - 2 * (q.squaredNorm() + q(0) * q(0) * q(1) * q(1)) + v.squaredNorm() * sin(q(0)) / 4;
+            return L;
+        } else {
+            auto L = v * v / 2 - (Free ? 0 : 1) * q;
+            if (t > 1) L = L + q * v - 10 * q * q + v * v * sin(q) / 4;
+            return L;
+        }
+    }
+};
+/// A damping with a name for what it computes first, as forces often have one.
+struct fading_with_a_name {
+    template <class X, class Y>
+    auto operator()(double t, X const& q, Y const& v) const {
+        auto force = -v / (1 + t);
+        force = force - q / 8;
+        return force;
+    }
+};
+/// The equation at all points, to what rounding positions of the size of 1 does to a difference of momenta over h.
+template <class L, class E, class V>
+void holds(L const& l, E const& how, V const& q0, V const& p0) {
+    CAPTURE(how.name);
+    double const h = 0.05;
+    auto const path = embed(l, how).along(uniform(0.0, h, 60), q0, p0);
+    CHECK(largest_residual(path) <= 32 * epsilon<double>() / (h * h));
+}
+template <class E>
+void holds_all_the_time(E const& how) {
+    holds(switched_on<true, false>{}, how, 0.4, 0.1);
+    holds(switched_on<false, false>{}, how, 0.4, 0.1);
+    Eigen::Vector2d const q0(0.4, -0.2), p0(0.1, 0.3);
+    Eigen::VectorXd const x0 = q0, y0 = p0;
+    holds(switched_on<true, false>{}, how, q0, p0);
+    holds(switched_on<false, false>{}, how, q0, p0);
+    holds(switched_off{}, how, q0, p0);
+    holds(switched_on<true, false>{}, how, x0, y0);
+    holds(switched_on<false, false>{}, how, x0, y0);
+    holds(switched_on<true, true>{}, how, x0, y0);
+    holds(switched_off{}, how, x0, y0);
+}
 
 } // namespace
 
+TEST_CASE("what comes with the time is not missed") {
+    holds_all_the_time(mid_point);
+    holds_all_the_time(order_one_left);
+    holds_all_the_time(galerkin<1, gauss>);
+    holds_all_the_time(galerkin<2, gauss>);
+    holds_all_the_time(galerkin<2, lobatto>);
+}
+TEST_CASE("a force that is told the time may name what it computes") {
+    auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
+    auto const T = uniform(0.0, 0.05, 40);
+    for (auto const& x : embed(with_force(oscillator, fading_with_a_name{}), galerkin<2, gauss>).along(T, 1.0, 0.0)) CHECK(is_finite(x.q));
+    for (auto const& x : embed(with_force(oscillator, fading_with_a_name{}), mid_point).along(T, 1.0, 0.0)) CHECK(is_finite(x.q));
+}
 TEST_CASE("generic or told, the steps are the same") {
     are_the_same<Q>(mid_point, 10, Q(0)); // over the branch at t = 1
     are_the_same<Q>(order_one, 10, Q(0));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSL-1.0
+// A step is guessed from the steps before it. Where such a guess lies beyond what L is defined for, and the step does not, the step is
+// made.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+
+namespace guesses_tests {
+
+using namespace hilger;
+
+namespace {
+
+/// A relativistic oscillator: no |v| reaches 1, and the polynomial through velocities near 1 does.
+struct relativistic {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        if constexpr (requires { q.size(); })
+            return -sqrt(1 - v.squaredNorm()) - q.squaredNorm() / 2;
+        else
+            return -sqrt(1 - v * v) - q * q / 2;
+    }
+};
+/// q comes close to the wall at 0, and no further.
+struct at_a_wall {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        if constexpr (requires { q.size(); }) {
+            auto sum = v.squaredNorm() / 2 + (log(q(0)) - q(0));
+            for (int k = 1; k < q.size(); ++k) sum = sum + (log(q(k)) - q(k));
+            return sum;
+        } else
+            return v * v / 2 + log(q) - q;
+    }
+};
+
+template <class V>
+V all(int d, double x) {
+    if constexpr (std::same_as<V, double>)
+        return x;
+    else
+        return V::Constant(d, x);
+}
+
+/// All of the walk, and that it solves its equation: what rounding a position does to a difference of momenta over h is
+/// epsilon |q| d2L/dv2 / h^2, `mass` the largest d2L/dv2 there is.
+template <class V, class L, class E>
+void goes_all_the_way(L const& l, E const& how, int d, double q0, double p0, double h, double mass) {
+    CAPTURE(how.name);
+    CAPTURE(d);
+    int const steps = 400;
+    auto const walk = embed(l, how).along(uniform(0.0, h, steps), all<V>(d, q0), all<V>(d, p0));
+    int points = 0;
+    double size = 0;
+    CHECK_NOTHROW([&] {
+        for (auto const& x : walk) {
+            ++points;
+            size = std::max(size, magnitude(x.q));
+        }
+    }());
+    CHECK(points == steps + 1);
+    if (points == steps + 1) CHECK(largest_residual(walk) <= 8 * epsilon<double>() * size * mass / (h * h));
+}
+
+} // namespace
+
+TEST_CASE("a body near the speed of light is not guessed to be faster") {
+    double const factor = std::sqrt(1 + 2 * 7.1 * 7.1), mass = std::pow(factor, 3); // no momentum is larger than at the start
+    goes_all_the_way<double>(relativistic{}, mid_point, 1, 0, 10, 0.1, mass);
+    goes_all_the_way<double>(relativistic{}, theta<1, 3>, 1, 0, 10, 0.1, mass);
+    goes_all_the_way<Eigen::Vector2d>(relativistic{}, mid_point, 2, 0, 7, 0.1, mass);
+    goes_all_the_way<Eigen::VectorXd>(relativistic{}, mid_point, 2, 0, 7, 0.1, mass);
+    goes_all_the_way<double>(relativistic{}, galerkin<2, gauss>, 1, 0, 10, 0.1, mass);
+}
+
+TEST_CASE("a body that turns before a wall is not guessed to be behind it") {
+    goes_all_the_way<double>(at_a_wall{}, mid_point, 1, 6, 0, 0.05, 1);
+    goes_all_the_way<Eigen::Vector3d>(at_a_wall{}, mid_point, 3, 6, 0, 0.05, 1);
+    goes_all_the_way<Eigen::VectorXd>(at_a_wall{}, mid_point, 6, 6, 0, 0.05, 1);
+    // with a Hessian of its own, and no force but that of the wall
+    auto const wall_of_the_first = [](index_type k, auto const& r) { return k == 0 ? r - log(r) : 0 * r; };
+    goes_all_the_way<Eigen::VectorXd>(mechanical(1.0, chain{wall_of_the_first}), mid_point, 2, 6, 0, 0.05, 1);
+}
+
+} // namespace guesses_tests
