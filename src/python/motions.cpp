@@ -74,6 +74,19 @@ double coarse_now() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Says how far it is, and looks for Ctrl-C. @returns whether it goes on; what else is raised, in `progress` or by a signal's handler, is
+/// thrown
+bool goes_on(py::object const& progress, std::size_t done) {
+    try {
+        if (not progress.is_none()) progress(done);
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        return true;
+    } catch (py::error_already_set const& raised) {
+        if (not raised.matches(PyExc_KeyboardInterrupt)) throw;
+        return false;
+    }
+}
+
 /// (t, q, p, why it stopped, whether it was interrupted)
 template <class S>
 py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
@@ -94,8 +107,7 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
                 p.insert(p.end(), y.data(), y.data() + d);
                 if (coarse_now() - last_look < 0.1) return true;
                 py::gil_scoped_acquire const here;
-                if (not progress.is_none()) progress(t.size());
-                interrupted = PyErr_CheckSignals() != 0;
+                interrupted = not goes_on(progress, t.size() - 1);
                 last_look = coarse_now();
                 return not interrupted;
             });
@@ -105,10 +117,7 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
         }
     }
     if (unexpected) std::rethrow_exception(unexpected);
-    if (interrupted) {
-        if (not PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) throw py::error_already_set();
-        PyErr_Clear();
-    }
+    if (not interrupted) interrupted = not goes_on(progress, t.size() - 1);
     return py::make_tuple(crossing<S>::array(std::move(t), 0), crossing<S>::array(std::move(q), d), crossing<S>::array(std::move(p), d),
                           stopped, interrupted);
 }
@@ -209,27 +218,23 @@ py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const&
     std::atomic<bool> stop = false;
     std::atomic<hilger::index_type> done = 0;
     auto running = std::async(std::launch::async, [&] { return engine::walk_all(all, from, stride, threads, stop, done); });
-    bool raised = false;
+    bool interrupted = false;
     for (;;) {
         {
             py::gil_scoped_release const others_run;
             if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
         }
-        if (raised) continue;
+        if (interrupted) continue;
         try {
-            if (not progress.is_none()) progress(done.load());
+            interrupted = not goes_on(progress, static_cast<std::size_t>(done.load()));
         } catch (...) { // or its members would be waited for
             stop = true;
             throw;
         }
-        raised = PyErr_CheckSignals() != 0;
-        if (raised) stop = true;
+        if (interrupted) stop = true;
     }
     auto made = running.get();
-    if (raised) {
-        if (not PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) throw py::error_already_set();
-        PyErr_Clear();
-    }
+    if (not interrupted) (void)goes_on(progress, static_cast<std::size_t>(done.load()));
     auto const cube = [&](std::vector<double>&& numbers) {
         return crossing<double>::array(std::move(numbers), 0).attr("reshape")(made.members, made.points, made.dimension);
     };

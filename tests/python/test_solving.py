@@ -282,9 +282,26 @@ class Endings(unittest.TestCase):
 
     def test_progress(self):
         seen = []
-        h.solve(h.variation(pendulum, h.uniform(0, 0.01, 2_000_000)), q0=1.0, v0=0.0, progress=seen.append)
-        self.assertGreater(len(seen), 1)
-        self.assertEqual(seen, sorted(seen))
+        h.solve(h.variation(pendulum, h.uniform(0, 0.01, 1000)), q0=1.0, v0=0.0, progress=seen.append)
+        self.assertEqual((seen[-1], seen), (1000, sorted(seen)))
+
+        def enough(steps):
+            seen.append(steps)
+            if len(seen) == 3:
+                signal.raise_signal(signal.SIGINT)
+
+        endless, seen = h.variation(pendulum, h.uniform(0, 0.01, 50_000_000)), []
+        with warnings.catch_warnings(record=True):
+            warnings.simplefilter("always")
+            x = h.solve(endless, q0=1.0, v0=0.0, progress=enough)  # Ctrl-C while a bar is drawn
+        self.assertEqual((len(x), len(seen), seen), (seen[2] + 1, 3, sorted(seen)))
+        self.assertIn("interrupted", x.stopped)
+
+        def broken(_):
+            raise LookupError("no bar")
+
+        with self.assertRaisesRegex(LookupError, "no bar"):
+            h.solve(endless, q0=1.0, v0=0.0, progress=broken)
 
     def test_others_run_meanwhile(self):
         done = threading.Event()

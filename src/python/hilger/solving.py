@@ -73,9 +73,9 @@ def solve(
     start from q1, where nothing is damped.
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
-    installed; a callable gets the number of points. An interrupt (Ctrl-C) ends the walk, and what there is is returned with a warning.
-    With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L, (0, 50), q0=1, v0=0,
-    accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
+    installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
+    is is returned with a warning. With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L,
+    (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
 
     Raises StepFailure, whose `solution` has what was reached, and the errors of this module for input that has no meaning.
     """
