@@ -10,11 +10,9 @@
 
 #include "hilger/differentiation/derivatives.hpp"
 #include "hilger/inlining.hpp"
+#include "hilger/linear/hessian_pattern.hpp"
 
 namespace hilger {
-
-/// How the second derivatives of a potential are stored and solved with.
-enum class hessian_pattern { dense, tridiagonal, sparse };
 
 /// Every two of n bodies: (1, 0), (2, 0), (2, 1), (3, 0), ...
 class every_two {

@@ -6,37 +6,16 @@
 #pragma once
 
 #include "hilger/inlining.hpp"
-#include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/small_solve.hpp"
-#include "hilger/newton/stop.hpp"
+#include "hilger/newton/small_stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/small_node.hpp"
+#include "hilger/step/small_search.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {
-
-template <class S, std::size_t N>
-HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
-    using std::abs;
-    S m = abs(x[0]);
-    for (std::size_t k = 1; k < N; ++k) {
-        S const y = abs(x[k]);
-        if (m < y) m = y;
-    }
-    return m;
-}
-
-/// Whether all numbers are of a size: none is below a thousandth of the largest, but for zeros.
-template <class S, std::size_t N>
-HILGER_ALWAYS_INLINE inline bool are_alike(std::array<S, N> const& x) {
-    using std::abs;
-    S const most = largest(x);
-    int other = 0; // without jumps
-    for (std::size_t k = 0; k < N; ++k) other |= static_cast<int>(S(1024) * abs(x[k]) < most) & static_cast<int>(not(x[k] == S(0)));
-    return other == 0;
-}
 
 /// What one trajectory remembers from step to step.
 template <class Problem, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
@@ -47,6 +26,8 @@ class one_node {
     using matrix_ = std::array<S, static_cast<std::size_t>(N* N)>;
     using all = std::make_integer_sequence<int, N>;
     using every = std::make_integer_sequence<int, N * N>;
+    using failure = small_failure<S, V, all>;
+    using search = small_search<Problem, Compensated, S, V, all>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.
@@ -117,7 +98,7 @@ private:
         // One name for one number, where the type says so: what is computed from it twice is then computed once.
         S const w = w_, c = at_end ? w : c_, f = at_start ? w : f_, t = x.t + node_;
         // Sizes: a step may go back in time.
-        S const w_size = abs(w), c_size = abs(c), f_size = abs(f);
+        S const w_size = abs(w), c_size = abs(c), f_size = abs(f), rest = rest_of_newton<S, Compensated>();
         // For order one dL/dv = p + ... is often linear in v, and then any v will do to start from.
         components_ v = at_start or at_end ? components_{} : first_guess(every_component);
         components_ r{};
@@ -155,14 +136,14 @@ private:
             v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
             if constexpr (at_start) {
-                done = quadratic or at_the_floor(d, v);
+                done = quadratic or at_the_floor(d, v, rest);
                 if (not quadratic or has_force<Problem>) (add_row<K>(g, D, d), ...); // at no velocity there is another force
             } else if constexpr (at_end) {
-                done = quadratic or at_the_floor(d, v);
+                done = quadratic or at_the_floor(d, v, rest);
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
-                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p) : at_the_floor(d, v);
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : at_the_floor(d, v, rest);
                 g = components_{plus(g[K], change[K])...};
             }
             if (not done) {
@@ -194,9 +175,9 @@ private:
         if (leads_nowhere or comparisons_made() != compared_before) [[unlikely]]
             return false;
         if constexpr (SayWhere)
-            failure<K...>::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
+            failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
         else
-            failure<K...>::tell(v[K]..., r[K]..., d[K]..., singular);
+            failure::tell(v[K]..., r[K]..., d[K]..., singular);
     }
     /// The same from the beginning, by a search.
     template <bool SayWhere, int... K>
@@ -204,8 +185,8 @@ private:
                                                   std::integer_sequence<int, K...> every_component) {
         S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
         components_ const v = first_guess(every_component);
-        auto const found = on_branches<K...>::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
-                                                                      start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
+        auto const found = search::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
+                                                           start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
         take<K...>(x, w_, found.v, found.g);
     }
     template <int... K>
@@ -245,44 +226,11 @@ private:
         else
             return S(w * g[K]);
     }
-    /// 0 for a number, NaN for NaN and infinity.
-    HILGER_ALWAYS_INLINE static S overflow(S const& x) { return x - x; }
     template <int... K>
     HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v,
                                        components_ const& g) const {
         return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
     }
-    /// Convergence is quadratic: after this correction the error is of the size of epsilon, in each component where they are of different
-    /// sizes.
-    HILGER_ALWAYS_INLINE static bool at_the_floor(components_ const& d, components_ const& v) {
-        using std::abs;
-        S const bound = square_root_of_epsilon<S>() * small();
-        bool const together = largest(d) <= bound * largest(v);
-        if (N == 1 or not together or are_alike(v)) return together;
-        bool each = true;
-        for (std::size_t k = 0; k < N; ++k) each = each and abs(d[k]) <= bound * abs(v[k]);
-        return each;
-    }
-    /// The same where v enters quadratically and the error is in dL/dq alone: c d is the correction of the position, `change` what it
-    /// does to g to first order. What it does to second order is, relative to these, of the size of c d / A: as a quotient, for the
-    /// squares of positions leave the range of the scalar long before positions do.
-    HILGER_ALWAYS_INLINE static bool is_negligible(S const& c, components_ const& A, components_ const& v, components_ const& d, S const& w,
-                                                   components_ const& g, components_ const& change, components_ const& p) {
-        using std::abs;
-        S const bound = epsilon<S>() * small(), g_size = largest(g), of_all = c * largest(d) / (largest(A) + c * largest(v));
-        bool const together = w * of_all * (g_size * of_all + largest(change)) <= bound * (largest(p) + w * g_size);
-        if (N == 1 or not together or (are_alike(p) and are_alike(A))) return together;
-        S relative(0);
-        for (std::size_t k = 0; k < N; ++k)
-            if (S const x = c * abs(d[k]) / (abs(A[k]) + c * abs(v[k])); relative < x) relative = x; // what stands still at 0 has none
-        bool each = true;
-        for (std::size_t k = 0; k < N; ++k)
-            each = each and w * relative * (abs(g[k]) * relative + abs(change[k])) <= bound * (abs(p[k]) + w * abs(g[k]));
-        return each;
-    }
-    /// With compensated sums the error that Newton leaves must not be seen either.
-    static S small() { return Compensated ? S(1) / S(1024) : S(1) / S(2); }
-
     /// The value of the polynomial through the last velocities at the next node.
     template <int... K>
     HILGER_ALWAYS_INLINE components_ first_guess(std::integer_sequence<int, K...>) const {
@@ -305,106 +253,6 @@ private:
         }
         past_[0] = v;
     }
-    /// How a step fails. The numbers are handed over one by one and by value: as arrays, or caught where the step is made, they would have
-    /// to be in memory for this in every step that succeeds.
-    template <int... K>
-    class failure {
-        template <int>
-        using number = S;
-
-    public:
-        [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, number<K>... d, bool singular) {
-            bool const finite = is_finite(S((v + ...))) or singular;
-            S const size = largest(components_{d...});
-            give_up("the step p = -d_1 L_h(q, y)", singular, vector(v...), finite ? vector(r...) : vector(v...), size);
-        }
-        [[noreturn, gnu::noinline, gnu::cold]] static void tell_where(S t, S h, number<K>... q, number<K>... p, number<K>... v,
-                                                                      number<K>... r, number<K>... d, bool singular) {
-            saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., d..., singular); });
-            __builtin_unreachable();
-        }
-
-    private:
-        static V vector(number<K>... x) {
-            V y;
-            ((s::component(y, K) = x), ...);
-            return y;
-        }
-    };
-
-    struct node_values {
-        components_ v, g;
-    };
-    /// The step by a search: from the iterate v on, or else from the last velocity, until the equation holds at what is returned. Numbers
-    /// one by one, as above.
-    template <int... K>
-    class on_branches {
-        template <int>
-        using number = S;
-
-    public:
-        template <bool SayWhere>
-        [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
-                                                             number<K>... p, number<K>... v, number<K>... last, number<K>... resistance) {
-            node_values found{};
-            auto const search = [&] {
-                found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), vector(last...), {resistance...});
-            };
-            if constexpr (SayWhere)
-                saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
-            else
-                search();
-            return found;
-        }
-
-    private:
-        static node_values searched(Problem const& problem, S const& t, S const& w, S const& c, S const& f, components_ const& q,
-                                    V const& p, V v, V const& last, components_ const& resistance) {
-            matrix_ J{};
-            components_ g{};
-            // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
-            auto const evaluate_at = [&](V const& y, V& r) {
-                components_ const B{s::component(y, K)...}, A{S(q[K] + c * B[K])...};
-                auto const e = evaluate<s::is_scalar, false>(problem, t, A, B, all{});
-                g = {S(e.template by_q<K>())...};
-                ((s::component(r, K) = s::component(p, K) + f * g[K] - e.template by_v<K>() - resistance[K] * B[K]), ...);
-                matrix_ D{};
-                S sizes(0);
-                auto const row = [&]<int I>(std::integral_constant<int, I>) {
-                    ((D[I * N + K] = c * e.template qq<I, K>() + e.template qv<I, K>(),
-                      J[I * N + K] = e.template vv<I, K>() + c * e.template vq<I, K>() - f * D[I * N + K],
-                      sizes = std::max(sizes, S(magnitude(S(f * e.template qq<I, K>()))))),
-                     ...);
-                };
-                (row(std::integral_constant<int, K>{}), ...);
-                ((J[K * N + K] = J[K * N + K] + resistance[K]), ...);
-                return S(magnitude(p) + magnitude(f) * largest(g) + S(N) * (sizes * largest(A) + largest(J) * magnitude(y)));
-            };
-            auto const correct = [&](V const& r, V& d) {
-                components_ x{s::component(r, K)...};
-                matrix_ copy = J;
-                if (not small_solve(copy, x)) return false;
-                d = vector(x[K]...);
-                return true;
-            };
-            V residual = v;
-            branch_search const how =
-                search_branches_twice(v, last, residual, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
-            if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
-            node_values const found{{s::component(v, K)...}, g};
-            components_ const at_p{s::component(p, K)...};
-            if (S const nan = exact ? S(0) : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(at_p[K] + w * g[K])) + ...));
-                not(nan == S(0)))
-                give_up_on_branches("the step p = -d_1 L_h(q, y)", branch_search::not_finite, v, v);
-            return found;
-        }
-        static V vector(number<K>... x) {
-            V y;
-            ((s::component(y, K) = x), ...);
-            return y;
-        }
-    };
-
     S h_, w_, node_, c_, f_;
     [[no_unique_address]] Extra extra_;
     std::array<components_, history> past_{};

@@ -4,13 +4,13 @@
 // factor h^2 |M^-1 U''| / 4; where that is too little, by Newton, solving with M + a_0 a_1 h^2 U'' in the pattern that U has.
 #pragma once
 
+#include "hilger/linear/symmetric_matrix.hpp"
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
-#include "hilger/step/symmetric_matrix.hpp"
 #include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {

@@ -7,8 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
+#include "hilger/linear/hessian_pattern.hpp"
 #include "hilger/linear/patterned_matrix.hpp"
-#include "hilger/models/pairs.hpp"
 
 namespace hilger::detail {
 
