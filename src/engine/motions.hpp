@@ -38,7 +38,9 @@ inline constexpr bool starts_from_two_positions<hilger::flow<F, Force, E, Sums>>
 template <class S, class Flow, class Scale>
 class motion_of : public motion<S> {
 public:
-    motion_of(Flow flow, Scale T, std::string name) : flow_(std::move(flow)), T_(std::move(T)), name_(std::move(name)) {}
+    motion_of(Flow flow, Scale T, std::string name)
+        : flow_(std::move(flow)), derivatives_(hilger::detail::derivatives_of(flow_)), energy_(hilger::energy(lagrangian())),
+          T_(std::move(T)), name_(std::move(name)) {}
 
     void walk(initial<S> const& from, std::function<bool(S const&, vector<S> const&, vector<S> const&)> const& keep) const override {
         along(from, [&](auto const& path) {
@@ -80,14 +82,14 @@ public:
         } else
             return name_;
     }
-    [[nodiscard]] S energy(state<S> const& x) const override {
-        return hilger::energy(lagrangian())(hilger::state<S, vector<S>>{x.t, x.q, x.p});
-    }
+    [[nodiscard]] S energy(state<S> const& x) const override { return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}); }
     [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
         if constexpr (has_memory<Flow>)
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
         else {
-            auto const z = hilger::dense_step<S, vector<S>>(flow_.mechanics(), {x.t, x.q, x.p}, {y.t, y.q, y.p})(t);
+            hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
+            auto const slopes = [this](auto const& at) { return hilger::detail::slopes_by(derivatives_, at); };
+            auto const z = hilger::dense_step<S, vector<S>>(from, slopes(from), to, slopes(to))(t);
             return {z.t, z.q, z.p};
         }
     }
@@ -115,6 +117,9 @@ private:
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }
     Flow flow_;
+    // Their formulas are traced once.
+    decltype(hilger::detail::derivatives_of(std::declval<Flow const&>())) derivatives_;
+    decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
 
 protected:
     Scale T_;

@@ -7,7 +7,7 @@
 
 #include "bindings.hpp"
 #include "engine/engine.hpp"
-#include "engine/ensemble/ensemble.hpp"
+#include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
 #include "hilger/trajectory/events.hpp"
 
@@ -197,6 +197,31 @@ void add_motion(py::module_& m, char const* name) {
         });
 }
 
+/// The same as walk by steps that are machine code as a whole; None where there are none, or one fails.
+py::object walk_in_whole_steps(engine::problem const& what, std::string const& method, engine::points<double> const& T,
+                               crossing<double>::given const& q0, std::string const& other_is, crossing<double>::given const& other,
+                               py::object const& progress) {
+    auto const from = initial_of<double>(q0, other_is, other);
+    std::optional<engine::states_in_whole_steps> made;
+    {
+        py::gil_scoped_release const others_run;
+        auto last_look = coarse_now();
+        auto const alone = [&] { return engine::walker_of(engine::make_motion<double>(what, method, T)); };
+        made = engine::walk_in_whole_steps(what, method, T, from, alone, [&](hilger::index_type done) {
+            if (coarse_now() - last_look < 0.1) return true;
+            py::gil_scoped_acquire const here;
+            last_look = coarse_now();
+            return goes_on(progress, static_cast<std::size_t>(done));
+        });
+    }
+    if (not made) return py::none();
+    if (not made->interrupted) made->interrupted = not goes_on(progress, made->t.size() - 1);
+    int const d = static_cast<int>(from.q0.size());
+    using with = crossing<double>;
+    return py::make_tuple(with::array(std::move(made->t), 0), with::array(std::move(made->q), d), with::array(std::move(made->p), d), "",
+                          made->interrupted);
+}
+
 engine::cast cast_of(engine::problem const& what, std::string const& method, bool in_lanes, engine::points<double> const& T) {
     py::gil_scoped_release const others_run;
     return engine::make_cast(what, method, T, in_lanes, [method, T](engine::problem const& one) {
@@ -257,6 +282,19 @@ void add_motions(py::module_& m) {
         }))
         .def_property_readonly("lanes", [](engine::cast const& all) { return all.together ? all.together->width() : 1; });
     m.def("walk_all", &walk_all);
+    m.def("walk_in_whole_steps", [](engine::problem const& what, std::string const& method,
+                                    std::tuple<double, double, hilger::index_type> const& T, crossing<double>::given const& q0,
+                                    std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {
+        auto const [start, step, steps] = T;
+        return walk_in_whole_steps(what, method, {start, step, steps, {}}, q0, other_is, other, progress);
+    });
+    m.def("walk_in_whole_steps", [](engine::problem const& what, std::string const& method, std::tuple<std::vector<double>> const& T,
+                                    crossing<double>::given const& q0, std::string const& other_is, crossing<double>::given const& other,
+                                    py::object const& progress) {
+        auto const& given = std::get<0>(T);
+        return walk_in_whole_steps(what, method, {0, 0, static_cast<hilger::index_type>(given.size()) - 1, given}, q0, other_is, other,
+                                   progress);
+    });
     m.def("set_machine_code", [](std::string const& how) {
         using engine::machine_code;
         if (how != "on" and how != "off" and how != "at once")

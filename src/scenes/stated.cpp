@@ -16,11 +16,12 @@ using forced = hilger::problem<hilger::text::stated_lagrangian, hilger::text::st
 template <class S>
 class observed {
 public:
-    explicit observed(stated_problem what) : what_(std::move(what)), energy_(what_.conserves_energy()) {}
+    explicit observed(stated_problem what)
+        : what_(std::move(what)), derivatives_({what_.of.lagrangian, {}}), energy_(hilger::energy(what_.of.lagrangian)) {}
     template <class State>
     std::vector<S> operator()(State const& x) const {
         std::vector<S> all;
-        if (energy_) all.push_back(hilger::energy(what_.of.lagrangian)(x));
+        if (what_.conserves_energy()) all.push_back(energy_(x));
         evaluate(what_.conserved, x, all);
         return all;
     }
@@ -35,11 +36,12 @@ private:
     template <class State>
     void evaluate(std::vector<named_formula> const& formulas, State const& x, std::vector<S>& to) const {
         if (formulas.empty()) return;
-        auto const v = hilger::velocity_of(hilger::detail::at_time{what_.of.lagrangian, x.t}, x.q, x.p);
+        auto const v = hilger::detail::velocity_by(derivatives_, x.t, x.q, x.p);
         for (auto const& f : formulas) to.push_back(f.of.value(x.t, x.q, v));
     }
     stated_problem what_;
-    bool energy_;
+    hilger::detail::kept_derivatives<hilger::problem<hilger::text::stated_lagrangian>> derivatives_;
+    decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
 };
 /// What is damped or driven may be both.
 forced with_any_force(engine::problem const& of) {

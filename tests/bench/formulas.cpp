@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Formulas that are known at run time, interpreted and as machine code, against the same formula in C++: mid-point and order one.
+// Formulas that are known at run time, interpreted and as machine code, and steps that are machine code as a whole, against the same
+// formula in C++: mid-point, order one and Stoermer-Verlet.
 #include <iomanip>
 
+#include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
 #include "engine/motions.hpp"
 #include "scenes/measure.hpp"
@@ -28,40 +30,63 @@ void race(char const* name, char const* text, int size, Typed const& L, V const&
         q(k) = detail::shape<V>::component(q0, k);
         v(k) = detail::shape<V>::component(v0, k);
     }
-    auto const row = [&](auto const& how, char const* method) {
+    auto const row = [&](auto const& flow, char const* method) {
         auto const T = uniform(0.0, h, n);
-        V typed_end = q0;
+        // As elsewhere all states are kept: of the typed walk too.
+        std::vector<double> typed_q, typed_p;
         double const typed = nanoseconds(n, [&] {
-            for (auto const& x : embed(L, how).along(T, initial_velocity<V>{q0, v0})) typed_end = x.q;
+            typed_q.clear();
+            typed_p.clear();
+            for (auto const& x : flow.along(T, initial_velocity<V>{q0, v0}))
+                for (int k = 0; k < q.size(); ++k) {
+                    typed_q.push_back(detail::shape<V>::component(x.q, k));
+                    typed_p.push_back(detail::shape<V>::component(x.p, k));
+                }
         });
         engine::problem const stated{text::lagrangian_in(text, words), {}, {}, "direct"};
-        auto const of_formula = [&](engine::machine_code code, vector& end) {
+        engine::points<double> const points{0, h, n, {}};
+        engine::initial<double> const from{q, engine::second_datum::velocity, v};
+        auto const of_formula = [&](engine::machine_code code, std::vector<double>& to) {
             engine::set_machine_code(code);
-            auto const motion = engine::embedded_in_one_step(stated, method, {0, h, n, {}});
+            auto motion = engine::embedded_in_one_step(stated, method, points);
+            if (not motion) motion = engine::composed(stated, method, points);
+            std::vector<double> p;
             return nanoseconds(n, [&] {
-                motion->walk({q, engine::second_datum::velocity, v}, [&](double, vector const& x, vector const&) {
-                    end = x;
+                to.clear();
+                p.clear();
+                motion->walk(from, [&](double, vector const& x, vector const& y) {
+                    to.insert(to.end(), x.begin(), x.end());
+                    p.insert(p.end(), y.begin(), y.end());
                     return true;
                 });
             });
         };
-        vector one, other;
+        std::vector<double> one, other;
         double const interpreted = of_formula(engine::machine_code::off, one), compiled = of_formula(engine::machine_code::at_once, other);
-        double const off = std::abs(one(0) - detail::shape<V>::component(typed_end, 0));
+        std::optional<engine::states_in_whole_steps> whole;
+        double const in_whole_steps =
+            nanoseconds(n, [&] { whole = engine::walk_in_whole_steps(stated, method, points, from, {}, [](index_type) { return true; }); });
+        auto const off = [&](std::vector<double> const& x) { return std::abs(x[x.size() - 1] - typed_q[typed_q.size() - 1]); };
         std::cout << std::left << std::setw(16) << name << std::setw(11) << method << std::right << std::fixed << std::setprecision(0)
-                  << std::setw(8) << typed << std::setw(12) << interpreted << std::setprecision(2) << std::setw(7) << interpreted / typed
-                  << std::setprecision(0) << std::setw(14) << compiled << std::setprecision(2) << std::setw(7) << compiled / typed
-                  << (one == other ? "   same bits" : "   OTHER BITS") << std::scientific << std::setprecision(0) << std::setw(9) << off
-                  << std::defaultfloat << '\n';
+                  << std::setw(8) << typed;
+        for (double const x : {interpreted, compiled})
+            std::cout << std::setprecision(0) << std::setw(10) << x << std::setprecision(2) << std::setw(7) << x / typed;
+        std::cout << (one == other ? "  same bits" : "  OTHER BITS") << std::scientific << std::setprecision(0) << std::setw(9) << off(one);
+        if (whole)
+            std::cout << std::fixed << std::setw(10) << in_whole_steps << std::setprecision(2) << std::setw(7) << in_whole_steps / typed
+                      << std::scientific << std::setprecision(0) << std::setw(9) << off(whole->q);
+        std::cout << std::defaultfloat << '\n';
     };
-    row(mid_point, "mid-point");
-    row(order_one, "order-one");
+    row(embed(L, mid_point), "mid-point");
+    row(embed(L, order_one), "order-one");
+    row(stoermer_verlet(L), "verlet");
 }
 
 } // namespace
 
 void formulas() {
-    std::cout << "Nanoseconds a step: in C++, interpreted, as machine code, with ratios to C++; how far the ends are from each other\n\n";
+    std::cout << "Nanoseconds a step, all states kept: in C++; interpreted, as machine code, and how far its end is from that of C++; in "
+                 "whole steps, which set-up and the first step are counted to. With ratios to C++\n\n";
     using V2 = Eigen::Vector2d;
     race(
         "pendulum", "v^2/2 + cos(q)", 0, [](auto const& q, auto const& v) { return v * v / 2 + cos(q); }, 1.5, 0.0, 20'000);

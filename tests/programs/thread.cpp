@@ -78,6 +78,17 @@ TEST_CASE("operators and equations") {
     auto const flow = embed(pendulum, mid_point);
     auto const equation = equation_of(flow, T);
     in_two_threads([&] { return largest_residual(equation, f); });
+    // of vectors that L is traced for: one formula, kept by the residual and by the energy
+    constexpr auto six = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * q(1) * q(4); };
+    auto const in_space = function_on(T, [](double t) { return Eigen::VectorXd(Eigen::VectorXd::LinSpaced(6, t, 1)); });
+    auto const residual = equation_of(embed(six, mid_point), T).residual(in_space);
+    in_two_threads([&] { return detail::largest_of<double>(residual); });
+    auto const E = energy(six);
+    in_two_threads([&] {
+        double sum = 0;
+        for (auto const& x : in_space) sum += E(state<double, Eigen::VectorXd>{0.0, x, x});
+        return sum;
+    });
     auto const damped = embed(with_fractional_damping(pendulum, 0.25, fraction<1, 2>{}), mid_point).along(T, 1.0, 0.5);
     in_two_threads([&] { return largest_residual(damped); });
 }

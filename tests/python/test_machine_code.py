@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,73 @@ class MachineCode(unittest.TestCase):
         h.machine_code("at once")
         compiled = h.solve_many(EL, q0=np.linspace(0, 1, 30), v0=0.0, threads=2, lanes=False)
         self.assertTrue(np.array_equal(interpreted.q, compiled.q))
+
+    def test_whole_steps(self):
+        """Steps that are machine code as a whole agree with the engine to rounding, and solve the equation."""
+        q, v = h.variables("q v", 2)
+        L = h.Lagrangian(h.dot(v, v) / 2 - h.dot(q, q) / 2 - q[0] ** 2 * q[1] + q[1] ** 3 / 3, q, v)
+        x, u = h.variables("x u")
+        pendulum = h.Lagrangian(u**2 / 2 + h.cos(x), x, u)
+        N = 5000
+        for method in (h.order_one, h.order_one_left, h.midpoint, h.verlet, h.kahan_li_8):
+            for T in (h.uniform(0, 0.0625, N), h.TimeScale([0.0625 * i + 0.01 * np.sin(i) for i in range(N + 1)])):
+                for equation, start in (
+                    (h.variation(L, T, method), {"q0": [0.1, -0.05], "v0": [0.05, 0.1]}),
+                    (h.variation(pendulum, T, method) + h.force(-u / 50), {"q0": 1, "p0": 0.25}),
+                ):
+                    if method is h.kahan_li_8 and equation.forces:
+                        continue
+                    with self.subTest(method=method, start=start):
+                        alone, whole = (h.solve(equation, **start, compiled=how) for how in (False, True))
+                        self.assertFalse(alone.compiled)
+                        self.assertTrue(whole.compiled)
+                        self.assertTrue(np.array_equal(alone.t, whole.t))
+                        np.testing.assert_allclose(whole.q, alone.q, rtol=0, atol=16 * N * epsilon)
+                        np.testing.assert_allclose(whole.p, alone.p, rtol=0, atol=16 * N * epsilon)
+                        self.assertEqual(whole.q.shape, alone.q.shape)
+                        if method in (h.order_one, h.midpoint):
+                            self.assertLess(whole.residual(), 64 * epsilon * (1 + 1 / 0.04) / 0.04)
+
+    def test_whole_steps_where_they_are_not(self):
+        x, u = h.variables("x u")
+        oscillator = h.Lagrangian(u**2 / 2 - x**2 / 2, x, u)
+        T = h.uniform(0, 0.125, 100)
+        for equation in (
+            h.variation(oscillator, T, h.gauss(4)),
+            h.variation(oscillator, T) + h.damping(0.2, 0.5),
+            h.variation(h.Lagrangian(u**2 / 2 - abs(x), x, u), T),
+        ):
+            alone, whole = (h.solve(equation, q0=1, v0=0, compiled=how) for how in (False, True))
+            self.assertFalse(whole.compiled)
+            self.assertTrue(np.array_equal(alone.q, whole.q))
+        h.machine_code("off")
+        self.assertFalse(h.solve(h.variation(oscillator, T), q0=1, v0=0, compiled=True).compiled)
+        h.machine_code("on")
+        # a step that fails is told by the engine, with what there is
+        cubic = h.Lagrangian(u**2 / 2 + 10 * x**3 / 3, x, u)
+        with self.assertRaisesRegex(h.StepFailure, "the step from") as failed:
+            h.solve(h.variation(cubic, T), q0=1, v0=0, compiled=True)
+        self.assertGreater(len(failed.exception.solution), 1)
+        self.assertFalse(failed.exception.solution.compiled)
+        for how in (1, "yes"):
+            with self.assertRaisesRegex(h.InvalidParameter, "compiled is True, False or None"):
+                h.solve(h.variation(oscillator, T), q0=1, v0=0, compiled=how)
+
+    def test_whole_steps_of_long_runs(self):
+        """A million steps take them without being asked for; progress and pickles are as they were."""
+        x, u = h.variables("x u")
+        EL = h.variation(h.Lagrangian(u**2 / 2 - x**2 / 2, x, u), h.uniform(0, 0.001, 1_000_000))
+        told = []
+        long_one = h.solve(EL, q0=1, v0=0, progress=told.append)
+        self.assertTrue(long_one.compiled)
+        self.assertEqual(told[-1], 1_000_000)
+        self.assertEqual(told, sorted(told))
+        w = 2 / 0.001 * np.arctan(0.0005)  # the frequency of the mid-point rule
+        np.testing.assert_allclose(long_one.q, np.cos(w * 0.001 * np.arange(1_000_001)), rtol=0, atol=1e6 * epsilon)
+        short = h.variation(EL.lagrangian, h.uniform(0, 0.001, 999))
+        self.assertFalse(h.solve(short, q0=1, v0=0).compiled)
+        again = pickle.loads(pickle.dumps(h.solve(short, q0=1, v0=0, compiled=True)))
+        self.assertTrue(again.compiled)
 
     def test_where_nothing_can_be_kept_or_compiled(self):
         program = (

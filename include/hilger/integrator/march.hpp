@@ -58,6 +58,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     auto const given = static_cast<index_type>(x.size());
     detail::values_so_far<V, typename Action::root_type> const so_far{{}, &T, &x};
     auto const residual = equation.residual(so_far);
+    auto const derivatives = equation.derivatives();
     using rows = typename decltype(residual)::domain_type;
     static_assert(rows::front >= before and rows::back >= after,
                   "an operator that has values where not all is there that it reads, as differences by weights have beside the ends of T, "
@@ -77,7 +78,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         V& unknown = at(x, n);
         V const& last = at(x, n - 1);
         V const guess = n < 2 ? last : V(last + (last - at(x, n - 2)) * S(T.step(n - 1) / T.step(n - 2)));
-        auto const slope = equation.residual_slope(so_far, n);
+        auto const slope = equation.residual_slope(so_far, n, derivatives);
         auto const system = [&](V const& y) {
             unknown = y;
             return newton_system<V>{residual.get(row), slope.get(row)};

@@ -38,12 +38,13 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
             for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
     };
     auto const residual = equation.residual(now, force);
+    auto const derivatives = equation.derivatives(force);
     auto const system = [&](vector const& y) {
         put(y);
         newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
         made.jacobian.set_zero();
         for (int k = 0; k < n; ++k) {
-            auto const slope = equation.residual_slope(now, begin + k, force);
+            auto const slope = equation.residual_slope(now, begin + k, derivatives);
             for (int m = first_near(k); m < end_near(k); ++m) {
                 auto const block = slope.get(begin + m);
                 for (int c = 0; c < d; ++c)

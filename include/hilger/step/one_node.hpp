@@ -235,7 +235,8 @@ private:
     template <int... K>
     HILGER_ALWAYS_INLINE components_ first_guess(std::integer_sequence<int, K...>) const {
         if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};
-        if (known_ >= 2) return {S(past_[0][K] + (past_[0][K] - past_[1][K]))...};
+        if constexpr (history > 1)
+            if (known_ >= 2) return {S(past_[0][K] + (past_[0][K] - past_[1][K]))...};
         return past_[0];
     }
     template <int K, int... I>

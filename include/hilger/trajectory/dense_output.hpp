@@ -18,18 +18,30 @@ struct slopes {
     V q, p;
 };
 
+namespace detail {
+/// The slopes at a state of the problem, by derivatives that are kept.
+template <class F, class Force, class S, class V>
+slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x) {
+    V v = velocity_by(kept, x.t, x.q, x.p);
+    V p = [&] {
+        if constexpr (is_traced_at<problem<F, Force>, V>)
+            return kept.by_q(x.t, x.q, v);
+        else if constexpr (shape<V>::size != Eigen::Dynamic and shape<V>::size <= one_evaluation)
+            return expand_at(kept.what(), x.t, x.q, v).e.by_q; // one evaluation, which a step has compiled already
+        else {
+            V by_q = gradient_first(at_time{kept.what().lagrangian, x.t}, x.q, v);
+            if constexpr (not std::same_as<Force, no_force>) by_q += evaluated(at_time{kept.what().force, x.t}(x.q, v));
+            return by_q;
+        }
+    }();
+    return {std::move(v), std::move(p)};
+}
+} // namespace detail
+
 /// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
 template <class F, class Force, class S, class V>
 slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
-    V v = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
-    if constexpr (detail::shape<V>::size != Eigen::Dynamic and detail::shape<V>::size <= detail::one_evaluation) {
-        V p = detail::expand_at(mechanics, x.t, x.q, v).e.by_q; // one evaluation, which a step has compiled already
-        return {std::move(v), std::move(p)};
-    } else {
-        V p = gradient_first(detail::at_time{mechanics.lagrangian, x.t}, x.q, v);
-        if constexpr (not std::same_as<Force, no_force>) p += evaluated(detail::at_time{mechanics.force, x.t}(x.q, v));
-        return {std::move(v), std::move(p)};
-    }
+    return detail::slopes_by(detail::kept_derivatives(mechanics), x);
 }
 
 /// Refused: the force of a history is not in the state.
@@ -43,18 +55,23 @@ slopes<V> slopes_at(Damped const&, state<S, V> const& x) {
 
 namespace detail {
 
-/// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
-template <class Walk, class Method, class State>
-auto slopes_on(Walk const& walk, Method const& method, State const& x, bool back) {
-    if constexpr (requires { walk.remembered().damping_force(back); }) {
-        auto result = slopes_at(method.undamped().mechanics(), x);
-        result.p = result.p + walk.remembered().damping_force(back);
-        return result;
-    } else {
+/// The derivatives of what a method steps, damping aside, kept.
+template <class Method>
+auto derivatives_of(Method const& method) {
+    if constexpr (requires { method.undamped(); })
+        return kept_derivatives(method.undamped().mechanics());
+    else {
         static_assert(not has_history<Method>, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's "
                                                "scheme, whose forces are no function of a state");
-        return slopes_at(method.mechanics(), x);
+        return kept_derivatives(method.mechanics());
     }
+}
+/// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
+template <class Walk, class Kept, class State>
+auto slopes_on(Walk const& walk, Kept const& kept, State const& x, bool back) {
+    auto result = slopes_by(kept, x);
+    if constexpr (requires { walk.remembered().damping_force(back); }) result.p = result.p + walk.remembered().damping_force(back);
+    return result;
 }
 
 } // namespace detail
@@ -104,14 +121,19 @@ public:
         if (states_.size() < 2)
             error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
         slopes_.reserve(states_.size());
-        for (auto const& x : states_) slopes_.push_back(slopes_at(mechanics, x));
+        if constexpr (requires { detail::slopes_by(detail::kept_derivatives(mechanics), states_.front()); }) {
+            detail::kept_derivatives const kept(mechanics);
+            for (auto const& x : states_) slopes_.push_back(detail::slopes_by(kept, x));
+        } else
+            slopes_.push_back(slopes_at(mechanics, states_.front())); // which says why not
     }
     /// @throws what walking throws, and slopes_at
     template <class Path>
         requires requires(Path const& path) { path.begin(), path.method(); }
     explicit dense_output(Path const& path) {
+        auto const kept = detail::derivatives_of(path.method());
         for (auto at = path.begin(); not(at == path.end()); ++at) {
-            slopes_.push_back(detail::slopes_on(at, path.method(), *at, false));
+            slopes_.push_back(detail::slopes_on(at, kept, *at, false));
             states_.push_back(*at);
         }
     }

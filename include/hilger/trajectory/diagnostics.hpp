@@ -64,7 +64,9 @@ auto drift_along(Path const& path, Quantity const& quantity) {
 /// The energy H(p, q) = p.v - L(q, v) of a state, for L(q, v) or L(t, q, v).
 template <class L>
 auto energy(L lagrangian) {
-    return [lagrangian = std::move(lagrangian)](auto const& x) { return hamiltonian(detail::at_time{lagrangian, x.t})(x.p, x.q); };
+    return [kept = detail::kept_derivatives(problem<L>{std::move(lagrangian), {}})](auto const& x) {
+        return detail::energy_of(detail::at_time{kept.what().lagrangian, x.t}, x.q, detail::velocity_by(kept, x.t, x.q, x.p), x.p);
+    };
 }
 /// The momentum map p.xi(q) of a one-parameter group of symmetries of L with infinitesimal generator xi, a vector field.
 template <class Generator>

@@ -36,7 +36,7 @@ public:
     static_assert(not std::numeric_limits<S>::is_exact, "events are located by root finding, which an exact scalar has not");
 
     crossing_search(Path const& path, G const& g, crossing which)
-        : path_(&path), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {}
+        : kept_(derivatives_of(path.method())), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {}
     [[nodiscard]] bool ended() const { return walk_ == std::default_sentinel; }
     [[nodiscard]] state_type const& state() const { return *walk_; }
     /// One step; true when there was an event in it, unless that step would lead beyond the end.
@@ -52,8 +52,7 @@ public:
     }
     /// The first state at or behind the zero of g that step() told of.
     [[nodiscard]] state_type located() const {
-        auto const& method = path_->method();
-        auto const inside = dense_step(before_, slopes_on(walk_, method, before_, true), *walk_, slopes_on(walk_, method, *walk_, false));
+        auto const inside = dense_step(before_, slopes_on(walk_, kept_, before_, true), *walk_, slopes_on(walk_, kept_, *walk_, false));
         return inside.at_fraction(fraction_at_zero([&](S const& x) { return value(inside.at_fraction(x)); }, was_, now_));
     }
 
@@ -64,7 +63,7 @@ private:
         if (not is_finite(y)) error::raise<error::not_finite>("the function whose zeros are events is NaN or infinite at t = ", x.t);
         return y;
     }
-    Path const* path_;
+    decltype(derivatives_of(std::declval<Path const&>().method())) kept_;
     G const* g_;
     crossing which_;
     walk walk_;

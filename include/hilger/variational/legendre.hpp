@@ -4,6 +4,7 @@
 
 #include "hilger/differentiation/derivatives.hpp"
 #include "hilger/newton/newton.hpp"
+#include "hilger/variational/node_derivatives.hpp"
 
 namespace hilger {
 
@@ -17,16 +18,26 @@ V momentum_of(L const& lagrangian, V const& q, V const& v) {
 }
 
 namespace detail {
-/// v -> dL/dv(q, v) - p and its derivative in the pattern that it has, of states of any size.
-template <class L, class V>
-newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(L const& lagrangian, V const& q, V const& v, V const& p) {
-    auto const there = trace_there(lagrangian, q, v, on_velocity);
-    newton_system<V, patterned_matrix<scalar_of<V>>> made{V(there.by_v - p), {}};
+inline constexpr char const* legendre_map = "the Legendre map v -> dL/dv";
+/// dL/dv(q, v) - p and its derivative by v in the pattern that it has: `each(use)` calls use(row, column, entry) for what is not zero.
+template <class V, class Each>
+newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, Each const& each) {
+    newton_system<V, patterned_matrix<scalar_of<V>>> made{std::move(residual), {}};
     std::vector<std::pair<int, int>> pattern;
-    there.for_each_in(block_vv, [&](int row, int column, auto const&) { pattern.emplace_back(row, column); });
-    made.jacobian.prepare(shape<V>::dimension(q), pattern);
-    there.for_each_in(block_vv, [&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
+    each([&](int row, int column, auto const&) { pattern.emplace_back(row, column); });
+    made.jacobian.prepare(shape<V>::dimension(made.residual), pattern);
+    each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
+}
+/// velocity_from(guess) with v = 0; or, where there is no mass at rest, as in L = v^4, with v = p.
+template <class V, class From>
+V velocity_from_rest(V const& p, From const& velocity_from) {
+    try {
+        return velocity_from(zero_like(p));
+    } catch (error::singular const&) {
+        if (magnitude(p) == scalar_of<V>(0)) throw;
+    }
+    return velocity_from(p);
 }
 } // namespace detail
 
@@ -36,29 +47,53 @@ template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
     if constexpr (requires { lagrangian.velocity(q, p); })
         return lagrangian.velocity(q, p);
-    else {
-        constexpr char const* name = "the Legendre map v -> dL/dv";
-        if constexpr (detail::is_traced_state<V> and not requires { lagrangian.expand(q, q); })
-            return newton([&](V const& v) { return detail::momentum_equation(lagrangian, q, v, p); }, guess, p, name);
-        else {
-            auto const equation = [&](V const& v) {
-                auto d = expand_second(lagrangian, q, v);
-                return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
-            };
-            return newton(equation, guess, p, name);
-        }
+    else if constexpr (detail::is_traced_state<V> and not requires { lagrangian.expand(q, q); }) {
+        auto const equation = [&](V const& v) {
+            auto const there = detail::trace_there(lagrangian, q, v, detail::on_velocity);
+            return detail::momentum_equation(V(there.by_v - p), [&](auto const& use) { there.for_each_in(detail::block_vv, use); });
+        };
+        return newton(equation, guess, p, detail::legendre_map);
+    } else {
+        auto const equation = [&](V const& v) {
+            auto d = expand_second(lagrangian, q, v);
+            return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
+        };
+        return newton(equation, guess, p, detail::legendre_map);
     }
 }
 /// From v = 0; or, where there is no mass at rest, as in L = v^4, from v = p.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
-    try {
-        return velocity_of(lagrangian, q, p, zero_like(q));
-    } catch (error::singular const&) {
-        if (magnitude(p) == scalar_of<V>(0)) throw;
-    }
-    return velocity_of(lagrangian, q, p, p);
+    return detail::velocity_from_rest(p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
 }
+
+namespace detail {
+/// The same at time t by derivatives that are kept.
+template <class Problem, class S, class V>
+V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p) {
+    at_time const lagrangian{kept.what().lagrangian, t};
+    if constexpr (not is_traced_at<Problem, V> or requires { lagrangian.velocity(q, p); })
+        return hilger::velocity_of(lagrangian, q, p);
+    else {
+        auto const equation = [&](V const& v) {
+            return kept.at(t, q, v, wanted::with_seconds, [&](auto const& node) {
+                V residual = p;
+                for (int k = 0; k < shape<V>::dimension(p); ++k)
+                    shape<V>::component(residual, k) = node.by_v(k) - shape<V>::component(p, k);
+                return momentum_equation(std::move(residual), [&](auto const& use) {
+                    for (auto const& e : node.places().entries[block_vv]) use(e.row, e.column, node.value(e.place));
+                });
+            });
+        };
+        return velocity_from_rest(p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
+    }
+}
+/// p.v - L(q, v)
+template <class L, class V>
+scalar_of<V> energy_of(L const& lagrangian, V const& q, V const& v, V const& p) {
+    return scalar_of<V>(dot_product(p, v) - number_from(lagrangian, q, v));
+}
+} // namespace detail
 
 /// H(p, q) = p.v - L(q, v) with v from the inverse Legendre map; also its derivatives dH/dp = v and dH/dq = -dL/dq.
 template <class L>
@@ -69,8 +104,7 @@ public:
     /// The energy, a scalar. @throws error::singular, error::no_convergence
     template <class V>
     scalar_of<V> operator()(V const& p, V const& q) const {
-        V const v = velocity_of(lagrangian_, q, p);
-        return scalar_of<V>(dot_product(p, v) - detail::number_from(lagrangian_, q, v));
+        return detail::energy_of(lagrangian_, q, velocity_of(lagrangian_, q, p), p);
     }
     template <class V>
     V by_momentum(V const& p, V const& q) const {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// The derivatives of a Lagrangian, and of a force, at one node of a step: asked for where states are small or the callable has derivatives
-// of its own, and traced elsewhere.
+// The derivatives of a Lagrangian, and of a force, at nodes: asked for where states are small or the callable has derivatives of its own,
+// and traced elsewhere. A step has a node of its own; who asks at many arguments without stepping keeps the formula here, for to trace
+// takes as long as some hundred evaluations.
 #pragma once
+
+#include <atomic>
+#include <memory>
 
 #include "hilger/variational/asked_node.hpp"
 #include "hilger/variational/traced_node.hpp"
@@ -12,8 +16,91 @@ template <class Problem, class V>
 inline constexpr bool has_own_derivatives = requires(Problem const& what, scalar_of<V> const& t, V const& x) {
     at_time{what.lagrangian, t}.expand(x, x);
 };
+/// Whether a formula is traced for states V.
 template <class Problem, class V>
-using node_derivatives =
-    std::conditional_t<is_traced_state<V> and not has_own_derivatives<Problem, V>, traced_node<Problem, V>, asked_node<Problem, V>>;
+inline constexpr bool is_traced_at = is_traced_state<V> and not has_own_derivatives<Problem, V>;
+template <class Problem, class V>
+using node_derivatives = std::conditional_t<is_traced_at<Problem, V>, traced_node<Problem, V>, asked_node<Problem, V>>;
+
+/// A node to ask at any arguments, of states of any kind; the formula is traced at the first of them. Copies share it. Several threads may
+/// ask: where one is at it, another one traces for itself.
+template <class Problem>
+class kept_derivatives {
+    struct kept {
+        std::atomic_flag is_taken;
+        void const* states = nullptr; ///< what kind of them the node is of
+        std::shared_ptr<void> node;
+    };
+    struct taking {
+        std::atomic_flag& flag;
+        bool const is_mine = not flag.test_and_set(std::memory_order_acquire);
+        ~taking() {
+            if (is_mine) flag.clear(std::memory_order_release);
+        }
+    };
+    template <class V>
+    static constexpr char kind_of_states = 0;
+
+public:
+    explicit kept_derivatives(Problem what) : what_(std::move(what)) {}
+    [[nodiscard]] Problem const& what() const { return what_; }
+    /// use(node) with what is wanted at (t, q, v), of states that are traced.
+    template <class S, class V, class Use>
+    auto at(S const& t, V const& q, V const& v, wanted which, Use const& use) const {
+        using node = traced_node<Problem, V>;
+        taking const here{kept_->is_taken};
+        if (not here.is_mine) {
+            node own;
+            own.evaluate(what_, t, q, v, which);
+            return use(std::as_const(own));
+        }
+        if (kept_->states != &kind_of_states<V>) {
+            kept_->node = std::make_shared<node>();
+            kept_->states = &kind_of_states<V>;
+        }
+        auto& known = *static_cast<node*>(kept_->node.get());
+        known.evaluate(what_, t, q, v, which);
+        return use(std::as_const(known));
+    }
+    /// dL/dq, with the force, and dL/dv
+    template <class S, class V>
+    V by_q(S const& t, V const& q, V const& v) const {
+        return at(t, q, v, wanted::forces_only, [&](auto const& node) { return vector_like(q, [&](int k) { return node.by_q(k); }); });
+    }
+    template <class S, class V>
+    V by_v(S const& t, V const& q, V const& v) const {
+        return at(t, q, v, wanted::momenta_only, [&](auto const& node) { return vector_like(q, [&](int k) { return node.by_v(k); }); });
+    }
+    /// All of it, as expand_at has it.
+    template <class S, class V>
+    node_table<V> expand(S const& t, V const& q, V const& v) const {
+        return at(t, q, v, wanted::with_seconds, [&](auto const& node) {
+            int const d = shape<V>::dimension(q);
+            auto const block = [&](block_number number) {
+                block_of<V> made = shape<V>::zero_block(d);
+                for (auto const& e : node.places().entries[number])
+                    shape<V>::entry(made, e.row, e.column) = tally<S>::second(node.value(e.place));
+                return made;
+            };
+            expansion<V> e{vector_like(q, [&](int k) { return node.by_q(k); }),
+                           vector_like(q, [&](int k) { return node.by_v(k); }),
+                           block(block_qq),
+                           block(block_qv),
+                           block(block_vv),
+                           {}};
+            return node_table<V>{std::move(e), block(block_vq)};
+        });
+    }
+
+private:
+    template <class V, class Component>
+    static V vector_like(V const& q, Component const& component) {
+        V x = zero_like(q);
+        for (int k = 0; k < shape<V>::dimension(q); ++k) shape<V>::component(x, k) = component(k);
+        return x;
+    }
+    Problem what_;
+    std::shared_ptr<kept> kept_ = std::make_shared<kept>();
+};
 
 } // namespace hilger::detail

@@ -7,6 +7,7 @@
 
 #include "hilger/adjoint/adjoint.hpp"
 #include "hilger/variational/action.hpp"
+#include "hilger/variational/node_derivatives.hpp"
 
 namespace hilger {
 
@@ -79,6 +80,8 @@ class euler_lagrange {
     using W = typename Action::weight;
     using Root = typename Action::root_type;
     using P = typename A::from_weight; // the sum over T in which the equation is written
+    template <class Force>
+    using problem_with = problem<typename Action::function_type, Force>;
 
     // An operator without run-time parameters is its type: then the equation's operators are known to static_assert even when
     // the scale is known at run time only.
@@ -117,16 +120,25 @@ public:
     [[nodiscard]] constexpr auto force() const requires(not by_type) { return as_written(action_.position, base()); }
     [[nodiscard]] constexpr auto momentum() const requires(not by_type) { return as_written(action_.velocity, base()); }
 
-    /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation.
+    /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation. Of vectors that L is traced for, the
+    /// formula is traced once for all points.
     template <discrete_function X>
     constexpr auto residual(X const& x) const {
-        auto const Lq = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
-            return gradient_first(detail::at_time{L, t}, q, v);
-        });
-        auto const Lv = action_.at_nodes(x, [L = action_.function](auto const& t, auto const& q, auto const& v) {
-            return gradient_second(detail::at_time{L, t}, q, v);
-        });
-        return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
+        if constexpr (detail::is_traced_at<problem_with<no_force>, value_of<X>>) {
+            using V = value_of<X>;
+            detail::kept_derivatives const L(problem_with<no_force>{action_.function, {}});
+            return residual_of(
+                x, [L](auto const& t, auto const& q, auto const& v) { return L.by_q(t, V(q), V(v)); },
+                [L](auto const& t, auto const& q, auto const& v) { return L.by_v(t, V(q), V(v)); });
+        } else
+            return residual_of(
+                x,
+                [L = action_.function](auto const& t, auto const& q, auto const& v) {
+                    return gradient_first(detail::at_time{L, t}, q, v);
+                },
+                [L = action_.function](auto const& t, auto const& q, auto const& v) {
+                    return gradient_second(detail::at_time{L, t}, q, v);
+                });
     }
     /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
@@ -139,14 +151,22 @@ public:
             return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
         }
     }
-    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices; with a force beside dL/dq too.
-    template <discrete_function X, class Force = no_force>
-    constexpr auto residual_slope(X const& x, index_type k, Force const& force = {}) const {
+    /// What the derivatives at all nodes are asked of, with a force beside dL/dq too.
+    template <class Force = no_force>
+    [[nodiscard]] auto derivatives(Force const& force = {}) const {
+        return detail::kept_derivatives(problem_with<Force>{action_.function, force});
+    }
+    /// The derivative of the residual at x by the value x(k), a function on T^+- of d x d matrices.
+    template <discrete_function X, class Force>
+    constexpr auto residual_slope(X const& x, index_type k, detail::kept_derivatives<problem_with<Force>> const& kept) const {
         using V = value_of<X>;
         using S = typename Root::scalar_type;
-        auto const seconds =
-            action_.at_nodes(x, [what = problem<typename Action::function_type, Force>{action_.function, force}](
-                                    auto const& t, auto const& q, auto const& v) { return detail::expand_at(what, t, V(q), V(v)); });
+        auto const seconds = action_.at_nodes(x, [kept](auto const& t, auto const& q, auto const& v) {
+            if constexpr (detail::is_traced_at<problem_with<Force>, V>)
+                return kept.expand(S(t), V(q), V(v));
+            else
+                return detail::expand_at(kept.what(), t, V(q), V(v));
+        });
         detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
         auto const a = action_.position[unit];
         auto const b = action_.velocity[unit];
@@ -172,6 +192,13 @@ public:
     }
 
 private:
+    /// With what gives dL/dq and dL/dv at a node.
+    template <discrete_function X, class First, class Second>
+    constexpr auto residual_of(X const& x, First first, Second second) const {
+        auto const Lq = action_.at_nodes(x, std::move(first));
+        auto const Lv = action_.at_nodes(x, std::move(second));
+        return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
+    }
     template <discrete_function G>
     static constexpr auto counted(G g) {
         auto const here = counted(g.domain());

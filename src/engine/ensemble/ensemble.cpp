@@ -36,29 +36,6 @@ void walk_one(cast const& all, hilger::index_type steps, member const& who, hilg
     }
 }
 
-/// Where a member begins in its lane; nothing where its first step fails.
-std::optional<lanes::start> start_of(cast const& all, member const& who) {
-    if (who.from.is == second_datum::velocity) return lanes::start{who.from.q0, who.from.other, {}, who.parameters};
-    lanes::start made{{}, {}, {}, who.parameters};
-    double t0 = 0;
-    auto const look = [&](double t, vector<double> const& q, vector<double> const& p) {
-        if (made.q.size() > 0) {
-            made.v = (q - made.q) / (t - t0);
-            return false;
-        }
-        t0 = t;
-        made.q = q;
-        made.p = p;
-        return true;
-    };
-    try {
-        walker_of_member(all, who)(who.from, look);
-    } catch (std::exception const&) { // it is told where the member is walked alone
-    }
-    if (made.v.size() == 0) return {};
-    return made;
-}
-
 /// The members from `first` on, as many as there are lanes or as there are.
 void walk_group(cast const& all, hilger::index_type steps, std::vector<member> const& from, hilger::index_type stride, ensemble& to,
                 hilger::index_type first, std::atomic<bool> const& stop) {
@@ -68,7 +45,8 @@ void walk_group(cast const& all, hilger::index_type steps, std::vector<member> c
     std::vector<lanes::start> starts;
     std::vector<bool> alone(static_cast<std::size_t>(count), false);
     for (int lane = 0; lane < count; ++lane) {
-        auto const begin = start_of(all, from[static_cast<std::size_t>(first + lane)]);
+        member const& who = from[static_cast<std::size_t>(first + lane)];
+        auto const begin = start_of([&] { return walker_of_member(all, who); }, who);
         alone[static_cast<std::size_t>(lane)] = not begin;
         starts.push_back(begin.value_or(lanes::start{}));
     }
@@ -108,6 +86,29 @@ void walk_group(cast const& all, hilger::index_type steps, std::vector<member> c
 }
 
 } // namespace
+
+std::optional<lanes::start> start_of(std::function<walker()> const& alone, member const& who) {
+    if (who.from.is == second_datum::velocity) return lanes::start{who.from.q0, who.from.other, {}, who.parameters};
+    lanes::start made{{}, {}, {}, who.parameters};
+    double t0 = 0;
+    auto const look = [&](double t, vector<double> const& q, vector<double> const& p) {
+        if (made.q.size() > 0) {
+            made.v = (q - made.q) / (t - t0);
+            return false;
+        }
+        t0 = t;
+        made.q = q;
+        made.p = p;
+        return true;
+    };
+    try {
+        alone()(who.from, look);
+    } catch (std::exception const&) {
+        return {};
+    }
+    if (made.v.size() == 0) return {};
+    return made;
+}
 
 problem with_words(problem const& what, hilger::text::vocabulary const& words) {
     auto const shared = std::make_shared<hilger::text::vocabulary const>(words);

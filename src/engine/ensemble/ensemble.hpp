@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 
 #include "engine/ensemble/lanes.hpp"
 
@@ -46,6 +47,9 @@ struct member {
     initial<double> from;
     std::vector<double> parameters; ///< those that what.lagrangian's words say states bring
 };
+
+/// Where a member begins in its lane, which may take a first step alone; nothing where that fails, which is told where it is walked alone.
+std::optional<lanes::start> start_of(std::function<walker()> const& alone, member const& who);
 
 /// The first one, every stride-th and the last.
 constexpr hilger::index_type points_kept(hilger::index_type steps, hilger::index_type stride) {

@@ -119,10 +119,10 @@ std::vector<double> times_of(points<double> const& T) {
     return elements_of<double>(hilger::uniform(T.start, T.step, T.steps));
 }
 
-std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T) {
+std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, bool one) {
     int const d = what.lagrangian.formula().words().dimension();
     if (not what.damping.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
-    auto const here = registers_here();
+    auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
     std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
@@ -130,7 +130,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         if (not parts) return {};
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
         try {
-            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width);
+            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width, one);
         } catch (hilger::error::no_formula const&) { // it compares
             return {};
         }
@@ -169,8 +169,8 @@ lanes::group::group(lanes const& code, std::vector<start> const& from)
         if (auto const& p = from[static_cast<std::size_t>(lane)].p; p.size() > 0) put(lane, d, p);
 }
 
-void lanes::group::walk(hilger::index_type steps) {
-    code_.walk_(done_, steps, code_.times_.data(), code_.step_, x_.data(), lost_.data());
+void lanes::group::walk(hilger::index_type steps, double* q, double* p) {
+    code_.walk_(done_, steps, code_.times_.data(), code_.step_, x_.data(), lost_.data(), q, p);
     done_ += steps;
 }
 

@@ -18,7 +18,8 @@ public:
     static constexpr int most_coordinates = 6; ///< more are not kept in registers
     /// Compiles and waits for it. Nothing where the method has more than one node in a part of its step, the problem a memory, a formula
     /// branches or more than a few coordinates, or where machine code is off or there is no compiler.
-    static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T);
+    /// For `one` member it is in all lanes of a narrow register.
+    static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T, bool one = false);
 
     [[nodiscard]] int width() const { return width_; }
 
@@ -31,8 +32,8 @@ public:
     class group {
     public:
         group(lanes const& code, std::vector<start> const& from);
-        /// Goes on by so many steps.
-        void walk(hilger::index_type steps);
+        /// Goes on by so many steps. Of one member q and p behind each of them, up to one that fails, go to these places, if there are any.
+        void walk(hilger::index_type steps, double* q = nullptr, double* p = nullptr);
         /// Whether the member's steps have succeeded until here.
         [[nodiscard]] bool is_well(int lane) const { return lost_[static_cast<std::size_t>(lane)] == 0; }
         [[nodiscard]] double q(int lane, int k) const { return at(lane, k); }
@@ -53,7 +54,7 @@ private:
     std::vector<double> times_;
     double step_ = 0; ///< 0 where the steps are not equal
     void (*begin_)(double, double*) = nullptr;
-    void (*walk_)(long, long, double const*, double, double*, long long*) = nullptr;
+    void (*walk_)(long, long, double const*, double, double*, long long*, double*, double*) = nullptr;
 };
 
 } // namespace engine

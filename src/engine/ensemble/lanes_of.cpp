@@ -51,7 +51,24 @@ static inline int are_all(mask m)
     for (int k = 0; k < width; ++k) all_of_them &= m[k];
     return all_of_them != 0;
 }
-#define EACH(f)                                        \
+$each
+#define sqrt lanes_sqrt
+#define tan lanes_tan
+#define sinh lanes_sinh
+#define cosh lanes_cosh
+#define tanh lanes_tanh
+#define atan lanes_atan
+#define cbrt lanes_cbrt
+#define expm1 lanes_expm1
+#define erf lanes_erf
+#define sin lanes_sin
+#define cos lanes_cos
+#define exp lanes_exp
+#define pow lanes_pow
+)";
+
+// Functions of the lanes: of several members, and of one that is in all of them.
+constexpr char const* of_several = R"(#define EACH(f)                                        \
     static inline lanes lanes_##f(lanes x)             \
     {                                                  \
         double in[width], out[width];                  \
@@ -86,21 +103,21 @@ static inline lanes lanes_pow(lanes x, double n)
     for (int k = 0; k < width; ++k) out[k] = pow(in[k], n);
     memcpy(&x, out, sizeof x);
     return x;
-}
-#define sqrt lanes_sqrt
-#define tan lanes_tan
-#define sinh lanes_sinh
-#define cosh lanes_cosh
-#define tanh lanes_tanh
-#define atan lanes_atan
-#define cbrt lanes_cbrt
-#define expm1 lanes_expm1
-#define erf lanes_erf
-#define sin lanes_sin
-#define cos lanes_cos
-#define exp lanes_exp
-#define pow lanes_pow
-)";
+})";
+constexpr char const* of_one = R"(#define EACH(f) static inline lanes lanes_##f(lanes x) { return all(f(x[0])); }
+EACH(sqrt)
+EACH(tan)
+EACH(sinh)
+EACH(cosh)
+EACH(tanh)
+EACH(atan)
+EACH(cbrt)
+EACH(expm1)
+EACH(erf)
+EACH(sin)
+EACH(cos)
+EACH(exp)
+static inline lanes lanes_pow(lanes x, double n) { return all(pow(x[0], n)); })";
 
 // The numbers of a state in their order; m is behind all else.
 constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][guesses][$n], m[brought + 1];
@@ -120,8 +137,10 @@ $momenta    memcpy(x + width * $n, p, sizeof p);
 }
 )";
 constexpr char const* walking = R"(
-void walk(long begin, long n, const double *times, double step, double *x, long long *lost_lanes)
+void walk(long begin, long n, const double *times, double step, double *x, long long *lost_lanes, double *kept_q, double *kept_p)
 {
+    (void)kept_q;
+    (void)kept_p;
 $state    const long most = step > 0.0 ? guesses : 2;
     mask lost;
     memcpy(&lost, lost_lanes, sizeof lost);
@@ -131,7 +150,7 @@ $state    const long most = step > 0.0 ? guesses : 2;
         const long now = i % guesses;
         double t = times[i];
         (void)of;
-$parts    }
+$parts$keeping    }
     memcpy(x, q, sizeof q);
     memcpy(x + width * $n, p, sizeof p);
     memcpy(x + width * 2 * $n, v, sizeof v);
@@ -144,6 +163,12 @@ constexpr char const* one_part = R"(        {
 $guess            part_$kind(all(t), all(share), m, q, p, y, &lost);
             memcpy(v[$part][now], y, sizeof y);
             t += share;
+        }
+)";
+constexpr char const* keeping = R"(        if (kept_q) {
+            for (int k = 0; k < $n; ++k) kept_q[k] = q[k][0], kept_p[k] = p[k][0];
+            kept_q += $n;
+            kept_p += $n;
         }
 )";
 constexpr char const* guess = R"(            for (int j = 0; j < most; ++j)
@@ -167,14 +192,18 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of) {
     return static_cast<std::size_t>(dimension) * (2 + guesses * of.parts.size());
 }
 
-std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width) {
+std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width, bool one) {
     using hilger::detail::filled;
     int const N = what.dimension;
     auto const here = what.at(symbol::variable("t"), hilger::detail::c_array("q", N), hilger::detail::c_array("y", N));
     for (auto const& formulas : {symbol_list{here.L}, here.g, here.p, here.gq, here.gv, here.pq, here.pv})
         if (not is_everywhere_smooth(formulas)) return {};
     std::string const n = std::to_string(N);
-    std::string text = filled(prelude, {{"$width", std::to_string(width)}, {"$isa", width == 8 ? "eN8v" : width == 4 ? "dN4v" : "bN2v"}});
+    std::string text = filled(prelude, {{"$each", one ? of_one : of_several},
+                                        {"$width", std::to_string(width)},
+                                        {"$isa", width == 8   ? "eN8v"
+                                                 : width == 4 ? "dN4v"
+                                                              : "bN2v"}});
     std::vector<bool> is_linear;
     for (std::size_t k = 0; k < of.kinds.size(); ++k) {
         lane_part const part(what, of.kinds[k], "part_" + std::to_string(k));
@@ -192,7 +221,7 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
                                    {"$share", hilger::detail::c_spelling::number(of.parts[k].share)},
                                    {"$part", std::to_string(k)},
                                    {"$kind", std::to_string(of.parts[k].kind)}});
-    return text + filled(walking, {{"$state", state_in}, {"$parts", parts}, {"$n", n}});
+    return text + filled(walking, {{"$state", state_in}, {"$parts", parts}, {"$keeping", one ? keeping : ""}, {"$n", n}});
 }
 
 } // namespace engine

@@ -27,10 +27,12 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of);
 
 /// C99 with the vector types of gcc and clang: numbers are kept as lists of `width` of them, a lane for each member.
 ///   void begin(double t, double *x)       momenta p = dL/dv where the velocities are
-///   void walk(long i, long n, const double *t, double h, double *x, long long *lost)
+///   void walk(long i, long n, const double *t, double h, double *x, long long *lost, double *kept_q, double *kept_p)
 /// walks n steps from t[i], which is i steps behind the beginning; h is their length, or 0 where it is that between the times. A lane in
 /// which a step fails is lost from there on: its number in `lost` is -1. Lanes are independent of each other to the last bit. Nothing where
 /// a formula has branches, or domains that its derivatives do not know of, as log(1 - q) with 1/(1 - q).
-std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width);
+/// With `one` member, who is in all lanes, functions are those of the C library, called once, and q and p behind each step go to kept_q and
+/// kept_p, where these are not null.
+std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width, bool one);
 
 } // namespace engine

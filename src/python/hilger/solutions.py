@@ -65,14 +65,15 @@ class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
     `x(t)` is q between the points, of order 4 in the step; `x.events(g)` where a function passes zero; `x.residual()` what the positions
-    leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did. What joins two ends
-    has positions alone, and p is None. It can be pickled; without fractional damping, which remembers what
-    a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+    leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did, `x.compiled` whether
+    its steps were machine code as a whole. What joins two ends has positions alone, and p is None. It can be pickled; without fractional
+    damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
         self.equation, self._start, self._history = equation, start, history
         self.t, self.q, self.p, self.stopped = t, q, p, stopped
+        self.compiled = False
         self._made = None
 
     def __getstate__(self) -> dict:

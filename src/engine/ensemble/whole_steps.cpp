@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/ensemble/whole_steps.hpp"
+
+#include <algorithm>
+
+namespace engine {
+
+std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, std::string const& method, points<double> const& T,
+                                                         initial<double> const& from, std::function<walker()> const& alone,
+                                                         std::function<bool(hilger::index_type done)> const& goes_on) {
+    constexpr hilger::index_type at_once = 4096; // steps before somebody may stop it
+    auto const d = static_cast<std::size_t>(what.lagrangian.formula().words().dimension());
+    if (static_cast<std::size_t>(from.q0.size()) != d or static_cast<std::size_t>(from.other.size()) != d) return {}; // which is said there
+    auto const code = lanes::of(what, method, T, true);
+    if (not code) return {};
+    auto const begin = start_of(alone, {from, {}});
+    if (not begin) return {};
+    states_in_whole_steps made;
+    made.t = times_of(T);
+    auto const steps = static_cast<hilger::index_type>(made.t.size()) - 1;
+    made.q.resize(d * made.t.size());
+    made.p = made.q;
+    lanes::group member(*code, {static_cast<std::size_t>(code->width()), *begin});
+    for (std::size_t k = 0; k < d; ++k) made.q[k] = member.q(0, static_cast<int>(k)), made.p[k] = member.p(0, static_cast<int>(k));
+    for (hilger::index_type done = 0; done < steps;) {
+        hilger::index_type const more = std::min(steps - done, at_once);
+        std::size_t const to = d * static_cast<std::size_t>(done + 1);
+        member.walk(more, made.q.data() + to, made.p.data() + to);
+        if (not member.is_well(0)) return {};
+        done += more;
+        if (done < steps and not goes_on(done)) {
+            made.interrupted = true;
+            auto const points = static_cast<std::size_t>(done + 1);
+            made.t.resize(points);
+            made.q.resize(d * points);
+            made.p.resize(d * points);
+            break;
+        }
+    }
+    return made;
+}
+
+} // namespace engine

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSL-1.0
+// One trajectory in steps that are machine code as a whole: the points of T, the states of the engine to rounding, the equation to
+// rounding, and nothing where the engine has to say something.
+#include <doctest/doctest.h>
+
+#include "engine/ensemble/whole_steps.hpp"
+#include "stated.hpp"
+
+namespace whole_steps_tests {
+
+using namespace hilger;
+using engine::second_datum;
+using testing::kept_here;
+using testing::stated;
+using vector = Eigen::VectorXd;
+
+namespace {
+
+constexpr index_type steps = 5000; // more than are made at once
+engine::points<double> const equal{0.25, 0.0625, steps, {}};
+engine::points<double> uneven() {
+    engine::points<double> T{0, 0, steps, {}};
+    for (index_type i = 0; i <= steps; ++i)
+        T.given.push_back(0.25 + 0.0625 * (static_cast<double>(i) + 0.25 * std::sin(static_cast<double>(i))));
+    return T;
+}
+std::shared_ptr<engine::motion<double> const> alone(engine::problem const& what, std::string const& method,
+                                                    engine::points<double> const& T) {
+    auto made = engine::embedded_in_one_step(what, method, T);
+    return made ? std::move(made) : engine::composed(what, method, T);
+}
+auto walked(
+    engine::problem const& what, std::string const& method, engine::points<double> const& T, engine::initial<double> const& from,
+    std::function<bool(index_type)> const& goes_on = [](index_type) { return true; }) {
+    return engine::walk_in_whole_steps(
+        what, method, T, from, [&] { return engine::walker_of(alone(what, method, T)); }, goes_on);
+}
+
+/// Against the engine, at every point. Rounding grows linearly along motions that are regular.
+void agrees(engine::problem const& what, std::string const& method, engine::points<double> const& T, engine::initial<double> const& from) {
+    CAPTURE(method);
+    auto const d = static_cast<std::size_t>(from.q0.size());
+    auto const whole = walked(what, method, T, from);
+    REQUIRE(whole.has_value());
+    auto const motion = alone(what, method, T);
+    CHECK(whole->t == motion->times());
+    CHECK_FALSE(whole->interrupted);
+    REQUIRE(whole->q.size() == d * whole->t.size());
+    REQUIRE(whole->p.size() == whole->q.size());
+    std::size_t i = 0;
+    double largest = 0;
+    bool all_near = true;
+    std::vector<vector> positions;
+    motion->walk(from, [&](double, vector const& q, vector const& p) {
+        Eigen::Map<vector const> const x(whole->q.data() + d * i, q.size()), y(whole->p.data() + d * i, p.size());
+        largest = std::max({largest, q.cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
+        double const off = std::max((x - q).cwiseAbs().maxCoeff(), (y - p).cwiseAbs().maxCoeff());
+        all_near = all_near and off <= 16 * static_cast<double>(i + 1) * epsilon<double>() * largest;
+        positions.emplace_back(x);
+        ++i;
+        return true;
+    });
+    CHECK(i == whole->t.size());
+    CHECK(all_near);
+    if (method != "verlet" and method != "kahan-li-8")
+        CHECK(motion->residual(from, positions) <= 64 * epsilon<double>() * (largest + largest / 0.046) / 0.046);
+}
+
+} // namespace
+
+TEST_CASE("every method, from velocities, momenta and second positions, on equal and other steps") {
+    kept_here const cache;
+    auto const pendulum = stated("v[0]^2/2 - (1 - cos(q[0]))", 1);
+    auto const plane = stated("dot(v, v)/2 - dot(q, q)/2 - q[0]^2*q[1] + q[1]^3/3", 2);
+    engine::initial<double> const swinging{vector::Constant(1, 0.5), second_datum::velocity, vector::Constant(1, 0.25)};
+    engine::initial<double> const going_round{Eigen::Vector2d(0.1, -0.05), second_datum::velocity, Eigen::Vector2d(0.05, 0.1)};
+    for (std::string const method : {"order-one", "order-one-left", "mid-point", "verlet", "kahan-li-8"}) {
+        agrees(pendulum, method, equal, swinging);
+        agrees(plane, method, equal, going_round);
+        if (method != "kahan-li-8") agrees(pendulum, method, uneven(), swinging);
+    }
+    agrees(plane, "verlet", equal, {going_round.q0, second_datum::momentum, going_round.other});
+    agrees(pendulum, "mid-point", equal, {swinging.q0, second_datum::next_position, vector::Constant(1, 0.515)});
+    agrees(stated("dot(v, v)/2 - sum(i, 0, 5, (1 + i)*q[i]^2/2)", 6, {"cos(t)/8", "0", "0", "0", "0", "sin(t/4)/16"}), "mid-point", equal,
+           {vector::LinSpaced(6, 0, 0.5), second_datum::velocity, vector::LinSpaced(6, 0.25, 0)});
+}
+
+TEST_CASE("who stops it gets the points before, and is told how many there are") {
+    kept_here const cache;
+    auto const oscillator = stated("v[0]^2/2 - q[0]^2/2", 1);
+    engine::initial<double> const from{vector::Constant(1, 1), second_datum::velocity, vector::Constant(1, 0)};
+    auto const whole = walked(oscillator, "mid-point", equal, from);
+    REQUIRE(whole.has_value());
+    index_type told = 0;
+    auto const part = walked(oscillator, "mid-point", equal, from, [&](index_type done) {
+        told = done;
+        return false;
+    });
+    REQUIRE(part.has_value());
+    CHECK(part->interrupted);
+    CHECK(0 < told);
+    CHECK(told < steps);
+    REQUIRE(part->t.size() == static_cast<std::size_t>(told) + 1);
+    CHECK(part->q == std::vector(whole->q.begin(), whole->q.begin() + told + 1));
+    CHECK(part->p == std::vector(whole->p.begin(), whole->p.begin() + told + 1));
+}
+
+TEST_CASE("nothing where the engine has to say why, or has more to do") {
+    kept_here const cache;
+    vector const one = vector::Constant(1, 1);
+    engine::initial<double> const from{one, second_datum::velocity, one};
+    auto const is_walked = [&](engine::problem const& what, char const* method) { return walked(what, method, equal, from).has_value(); };
+    CHECK(is_walked(stated("v[0]^2/2 - q[0]^2/2", 1), "mid-point"));
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 - q[0]^2/2", 1), "gauss-4"));
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 + 10*q[0]^3/3", 1), "mid-point"));  // runs away
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 + 1/(q[0] - 1)", 1), "order-one")); // begins at a pole
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 - abs(q[0])", 1), "mid-point"));    // branches
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 - q[0]^2/2", 2), "mid-point"));     // two coordinates, and one is given
+    CHECK_FALSE(is_walked(stated("v[0] - q[0]^2/2", 1), "order-one"));         // no mass
+    engine::problem damped = stated("v[0]^2/2 - q[0]^2/2", 1);
+    damped.damping.push_back({0.2, 0.5});
+    CHECK_FALSE(is_walked(damped, "mid-point"));
+    engine::set_machine_code(engine::machine_code::off);
+    CHECK_FALSE(is_walked(stated("v[0]^2/2 - q[0]^2/2", 1), "mid-point"));
+}
+
+} // namespace whole_steps_tests
