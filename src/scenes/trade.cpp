@@ -80,7 +80,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
     for (c.steps = first; c.steps <= 1 << 22; c.steps = next_number(c.steps, many_digits ? 2 : 4)) {
         try {
             numbers end;
-            double const seconds = fastest([&] { end = position_at_end(what, c); });
+            double const seconds = fastest([&] { end = position_at_end(what, c); }, std::min(0.2, 50 * budget));
             double const error = static_cast<double>(distance(end, reference.position));
             if (std::isfinite(error) and error < 1)
                 keep(points, {c.embedding + (c.history.empty() ? "" : ", " + c.history) + (c.scalar == "double" ? "" : ", " + c.scalar),

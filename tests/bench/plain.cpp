@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // Lagrangians of many degrees of freedom written as plain lambdas, of which nothing is said but their formula: a coupled oscillator with
-// d = 6 and 12 (h = 0.01), and a chain of 1000 with walls, quartic springs and Eigen vectors of dynamic size (h = 0.1).
+// d = 6 and 12 (h = 0.01), and a chain of 1000 with walls, quartic springs and Eigen vectors of dynamic size (h = 0.1). And what it costs
+// to judge them: residuals, energies, slopes between states.
 #include <array>
+#include <iomanip>
+#include <iostream>
 
 #include "by_hand.hpp"
 #include "hilger/hilger.hpp"
+#include "scenes/measure.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -77,12 +81,35 @@ void race_of(std::string const& name, long steps) {
           {"iteration from six velocities", mid_point_by_iteration<System>, true}});
 }
 
+/// Microseconds a step of the mid-point: walked, and walked with what is asked of its states.
+template <class System>
+void judged(char const* name, hilger::index_type steps) {
+    auto const first = System::start();
+    Eigen::VectorXd const q = Eigen::Map<Eigen::Matrix<double, System::d, 1> const>(first.data()), p = Eigen::VectorXd::Zero(q.size());
+    auto const path = hilger::embed(System::L, hilger::mid_point).along(hilger::uniform(0.0, System::h, steps), q, p);
+    double kept = 0;
+    auto const row = [&](char const* what, auto const& work) {
+        std::cout << "  " << std::left << std::setw(60) << what << std::right << std::fixed << std::setprecision(1) << std::setw(10)
+                  << program::fastest([&] { kept += work(); }) * 1e6 / static_cast<double>(steps) << " us\n";
+    };
+    std::cout << '\n' << name << '\n';
+    row("walked", [&] { return hilger::record(path).states.back().q(0); });
+    row("and its equation: largest_residual", [&] { return hilger::largest_residual(path); });
+    row("and its energy: drift_along", [&] { return hilger::drift_along(path, hilger::energy(System::L)).largest; });
+    row("and slopes between its states: dense_output", [&] { return hilger::dense_output(path)(0.5 * System::h).q(0); });
+    std::cout << std::defaultfloat << std::setprecision(6) << "  (" << kept << ")\n";
+}
+
 } // namespace
 
 void plain_lambdas() {
     race_of<coupled<6>, Eigen::Matrix<double, 6, 1>>("Coupled oscillator, d = 6", 200'000);
     race_of<coupled<12>, Eigen::Matrix<double, 12, 1>>("Coupled oscillator, d = 12", 100'000);
     race_of<springs<1000>, Eigen::VectorXd>("Chain of 1000", 3'000);
+    std::cout << "\nWhat judging costs, microseconds a step\n";
+    judged<coupled<6>>("Coupled oscillator, d = 6", 1000);
+    judged<springs<30>>("Chain of 30", 300);
+    judged<springs<1000>>("Chain of 1000", 30);
 }
 
 } // namespace bench

@@ -40,8 +40,9 @@ inline std::string largest_of(std::string const& array, int n) {
     return text;
 }
 
-/// d becomes K^-1 d, with the rows of the largest pivots; `regular` says of which lanes.
-inline std::string elimination(int n, std::string const& in) {
+/// d becomes K^-1 d, with the rows of the largest pivots; `regular` says of which lanes. Of one member rows are exchanged in a branch that
+/// is seldom taken, for what follows does not wait for it.
+inline std::string elimination(int n, std::string const& in, bool one) {
     std::string text;
     auto const K = [](int j, int k) { return element("K", j, k); };
     auto const line = [&](std::string const& what) { text += in + what + ";\n"; };
@@ -49,13 +50,15 @@ inline std::string elimination(int n, std::string const& in) {
     for (int k = 0; k < n; ++k) {
         for (int j = k + 1; j < n; ++j) {
             text += in + "{\n" + in + "    const mask swap = size_of(" + K(j, k) + ") > size_of(" + K(k, k) + ");\n" + in +
-                    "    lanes above;\n";
+                    "    lanes above;\n" + (one ? in + "    if (swap[0]) {\n" : "");
             auto const exchange = [&](std::string const& a, std::string const& b) {
-                text +=
-                    in + "    above = " + a + ", " + a + " = either(swap, " + b + ", above), " + b + " = either(swap, above, " + b + ");\n";
+                std::string const first = one ? b : "either(swap, " + b + ", above)",
+                                  second = one ? "above" : "either(swap, above, " + b + ")";
+                text += in + "    above = " + a + ", " + a + " = " + first + ", " + b + " = " + second + ";\n";
             };
             for (int m = k; m < n; ++m) exchange(K(k, m), K(j, m));
             exchange(element("d", k), element("d", j));
+            if (one) text += in + "    }\n";
             text += in + "}\n";
         }
         line("least = " + (k == 0 ? "size_of(" + K(0, 0) + ")" : "smaller(least, size_of(" + K(k, k) + "))"));
@@ -77,8 +80,9 @@ inline std::string elimination(int n, std::string const& in) {
 
 class lane_part : hilger::detail::node_equation {
 public:
-    lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name)
-        : node_equation(what, b, symbol::variable("h")), name_(std::move(name)) {
+    /// Of one member, who is in all lanes, or of several.
+    lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name, bool one)
+        : node_equation(what, b, symbol::variable("h")), name_(std::move(name)), one_(one) {
         w_ = constant("w", w_);
     }
     /// In y: nothing is guessed.
@@ -150,7 +154,7 @@ private:
             rest = "larger(" + rest + ", size_of(r" + std::to_string(k) + "))";
         }
         for (int k = 0; k < N; ++k) text += in + element("d", k) + " = r" + std::to_string(k) + ";\n";
-        text += elimination(N, in);
+        text += elimination(N, in, one_);
         text += in + "const lanes rest = " + sum + ";\n" + in + "*lost |= ~done & ~(regular & (rest - rest == 0.0));\n";
         for (int k = 0; k < N; ++k) {
             std::string const dk = element("d", k), gk = element("g", k), yk = element("y", k);
@@ -226,9 +230,9 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
     }
     [[nodiscard]] bool is_there(std::size_t k) const { return not D_[k].is(0); }
     [[nodiscard]] static std::string slope(int j, int k) { return "D" + std::to_string(j) + "_" + std::to_string(k); }
-    /// What a lane that is done keeps.
+    /// What a lane that is done keeps while others go on.
     [[nodiscard]] std::string kept(std::string const& old, std::string const& made) const {
-        return linear_ ? made : "either(done, " + old + ", " + made + ")";
+        return linear_ or one_ ? made : "either(done, " + old + ", " + made + ")";
     }
     /// Where the position is that at the end, g was not needed until now.
     [[nodiscard]] std::string force_at_the_end() const {
@@ -239,6 +243,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
     }
 
     std::string name_;
+    bool one_;
 };
 
 } // namespace engine

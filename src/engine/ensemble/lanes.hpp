@@ -22,6 +22,8 @@ public:
     static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T, bool one = false);
 
     [[nodiscard]] int width() const { return width_; }
+    /// All of T.
+    [[nodiscard]] std::vector<double> const& times() const { return times_; }
 
     /// Where a member begins: without p, from p = dL/dv. Without that, v is what its velocity is guessed to be.
     struct start {

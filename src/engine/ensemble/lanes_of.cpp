@@ -119,18 +119,19 @@ EACH(cos)
 EACH(exp)
 static inline lanes lanes_pow(lanes x, double n) { return all(pow(x[0], n)); })";
 
-// The numbers of a state in their order; m is behind all else.
-constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][guesses][$n], m[brought + 1];
+// The numbers of a state in their order; m is behind all else. Velocities are there twice, so that the last ones are always in a row.
+constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][2][guesses][$n], m[brought + 1];
     (void)v;
     memcpy(q, x, sizeof q);
     memcpy(p, x + width * $n, sizeof p);
-    memcpy(v, x + width * 2 * $n, sizeof v);
+    for (int part = 0; part < parts; ++part)
+        for (int copy = 0; copy < 2; ++copy) memcpy(v[part][copy], x + width * $n * (2 + part * guesses), sizeof v[part][copy]);
     memcpy(m, x + width * (2 + parts * guesses) * $n, sizeof(lanes) * brought);
 )";
 constexpr char const* beginning = R"(
 void begin(double time, double *x)
 {
-$state    const lanes t = all(time), *y = v[0][0];
+$state    const lanes t = all(time), *y = v[0][0][0];
     (void)t;
     (void)y;
 $momenta    memcpy(x + width * $n, p, sizeof p);
@@ -142,18 +143,19 @@ void walk(long begin, long n, const double *times, double step, double *x, long 
     (void)kept_q;
     (void)kept_p;
 $state    const long most = step > 0.0 ? guesses : 2;
+    long now = begin % guesses;
     mask lost;
     memcpy(&lost, lost_lanes, sizeof lost);
     for (long i = begin; i < begin + n && !are_all(lost); ++i) {
         const double h = step > 0.0 ? step : times[i + 1] - times[i];
         const double *of = through[i + 1 < most ? i : most - 1];
-        const long now = i % guesses;
         double t = times[i];
         (void)of;
-$parts$keeping    }
+$parts$keeping        now = now + 1 == guesses ? 0 : now + 1;
+    }
     memcpy(x, q, sizeof q);
     memcpy(x + width * $n, p, sizeof p);
-    memcpy(x + width * 2 * $n, v, sizeof v);
+    for (int part = 0; part < parts; ++part) memcpy(x + width * $n * (2 + part * guesses), v[part][0], sizeof v[part][0]);
     memcpy(lost_lanes, &lost, sizeof lost);
 }
 )";
@@ -161,8 +163,7 @@ constexpr char const* one_part = R"(        {
             const double share = $share * h;
             lanes y[$n] = {{0}};
 $guess            part_$kind(all(t), all(share), m, q, p, y, &lost);
-            memcpy(v[$part][now], y, sizeof y);
-            t += share;
+$remember            t += share;
         }
 )";
 constexpr char const* keeping = R"(        if (kept_q) {
@@ -171,8 +172,17 @@ constexpr char const* keeping = R"(        if (kept_q) {
             kept_p += $n;
         }
 )";
-constexpr char const* guess = R"(            for (int j = 0; j < most; ++j)
-                for (int k = 0; k < $n; ++k) y[k] += of[j] * v[$part][(now + guesses - 1 - j) % guesses][k];
+// From the newest velocity back. Most steps are equal ones, and there the compiler knows how many there are.
+constexpr char const* guess = R"(            lanes (*newest)[$n] = v[$part][0] + now + guesses - 1;
+            if (most == guesses)
+                for (int j = 0; j < guesses; ++j)
+                    for (int k = 0; k < $n; ++k) y[k] += of[j] * newest[-j][k];
+            else
+                for (int j = 0; j < 2; ++j)
+                    for (int k = 0; k < $n; ++k) y[k] += of[j] * newest[-j][k];
+)";
+constexpr char const* remember = R"(            memcpy(v[$part][0][now], y, sizeof y);
+            memcpy(v[$part][1][now], y, sizeof y);
 )";
 
 /// The numbers of the polynomials that guesses are made with.
@@ -206,7 +216,7 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
                                                               : "bN2v"}});
     std::vector<bool> is_linear;
     for (std::size_t k = 0; k < of.kinds.size(); ++k) {
-        lane_part const part(what, of.kinds[k], "part_" + std::to_string(k));
+        lane_part const part(what, of.kinds[k], "part_" + std::to_string(k), one);
         text += '\n' + part.text(of.parts.size() <= 2);
         is_linear.push_back(part.is_linear());
     }
@@ -218,6 +228,7 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
     std::string parts;
     for (std::size_t k = 0; k < of.parts.size(); ++k)
         parts += filled(one_part, {{"$guess", is_linear[of.parts[k].kind] ? "" : guess},
+                                   {"$remember", is_linear[of.parts[k].kind] ? "" : remember},
                                    {"$share", hilger::detail::c_spelling::number(of.parts[k].share)},
                                    {"$part", std::to_string(k)},
                                    {"$kind", std::to_string(of.parts[k].kind)}});

@@ -16,7 +16,7 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
     auto const begin = start_of(alone, {from, {}});
     if (not begin) return {};
     states_in_whole_steps made;
-    made.t = times_of(T);
+    made.t = code->times();
     auto const steps = static_cast<hilger::index_type>(made.t.size()) - 1;
     made.q.resize(d * made.t.size());
     made.p = made.q;
