@@ -139,6 +139,12 @@ TEST_CASE("small components beside large ones keep their digits") {
     }
 }
 
+TEST_CASE("what would take the compiler minutes is nothing for lanes") {
+    kept_here const cache;
+    CHECK(bool(lanes::of(stated("v[0]^2/2 - sum(i, 1, 20, cos(i*q[0])/i^2)", 1), "mid-point", equal) != nullptr));
+    CHECK(bool(lanes::of(stated("v[0]^2/2 - sum(i, 1, 2000, cos(i*q[0])/i^2)", 1), "mid-point", equal) == nullptr));
+}
+
 TEST_CASE("lanes do not know of each other, and who fails loses nobody else") {
     kept_here const cache;
     auto const what = stated("v[0]^2/2 + 10*q[0]^3/3 - cos(q[0])", 1);

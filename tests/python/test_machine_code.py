@@ -8,11 +8,12 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
 import hilger as h
-from hilger import _core
+from hilger import _core, solving
 
 epsilon = np.finfo(float).eps
 METHODS = (h.order_one, h.midpoint, h.gauss(4), h.verlet, h.theta(0.3))
@@ -139,20 +140,24 @@ class MachineCode(unittest.TestCase):
                 h.solve(h.variation(oscillator, T), q0=1, v0=0, compiled=how)
 
     def test_whole_steps_of_long_runs(self):
-        """A million steps take them without being asked for; progress and pickles are as they were."""
+        """Many steps take them without being asked for; progress and pickles are as they were."""
         x, u = h.variables("x u")
-        EL = h.variation(h.Lagrangian(u**2 / 2 - x**2 / 2, x, u), h.uniform(0, 0.001, 1_000_000))
+        N = 100_000
+        EL = h.variation(h.Lagrangian(u**2 / 2 - x**2 / 2, x, u), h.uniform(0, 0.01, N))
         told = []
-        long_one = h.solve(EL, q0=1, v0=0, progress=told.append)
-        self.assertTrue(long_one.compiled)
-        self.assertEqual(told[-1], 1_000_000)
+        self.assertEqual(solving.LONG, 10_000_000)
+        with unittest.mock.patch.object(solving, "LONG", N):
+            long_one = h.solve(EL, q0=1, v0=0, progress=told.append)
+            short_one = h.solve(h.variation(EL.lagrangian, h.uniform(0, 0.01, N - 1)), q0=1, v0=0)
+            engine = h.solve(EL, q0=1, v0=0, compiled=False)
+        self.assertEqual([x.compiled for x in (long_one, short_one, engine)], [True, False, False])
+        self.assertEqual(told[-1], N)
         self.assertEqual(told, sorted(told))
-        w = 2 / 0.001 * np.arctan(0.0005)  # the frequency of the mid-point rule
-        np.testing.assert_allclose(long_one.q, np.cos(w * 0.001 * np.arange(1_000_001)), rtol=0, atol=1e6 * epsilon)
-        short = h.variation(EL.lagrangian, h.uniform(0, 0.001, 999))
-        self.assertFalse(h.solve(short, q0=1, v0=0).compiled)
-        again = pickle.loads(pickle.dumps(h.solve(short, q0=1, v0=0, compiled=True)))
+        w = 2 / 0.01 * np.arctan(0.005)  # the frequency of the mid-point rule
+        np.testing.assert_allclose(long_one.q, np.cos(w * 0.01 * np.arange(N + 1)), rtol=0, atol=N * epsilon)
+        again = pickle.loads(pickle.dumps(h.solve(EL, q0=1, v0=0, compiled=True)))
         self.assertTrue(again.compiled)
+        self.assertTrue(np.array_equal(again.q, long_one.q))
 
     def test_where_nothing_can_be_kept_or_compiled(self):
         program = (

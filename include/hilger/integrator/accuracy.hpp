@@ -151,6 +151,11 @@ private:
     index_type walked_ = 0;
 };
 
+/// Galerkin's embedding with so many Gauss nodes, as a name that depends on the scalar: what does not is made where this header is read,
+/// by everybody who includes it.
+template <class S, int Stages>
+inline constexpr auto const& gauss_of = galerkin<Stages, gauss>;
+
 } // namespace detail
 
 /// The motion of L(q, v) or L(t, q, v), or of with_force(L, f), from (q0, v0) over [a, b]. @throws error::invalid_parameter where the
@@ -175,11 +180,11 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
     if constexpr (std::is_floating_point_v<S>) {
         if (best == cheapest::mid_point) return run(mid_point, "mid-point", 2);
-        if (best == cheapest::gauss_4) return run(galerkin<4, gauss>, "Galerkin, 4 Gauss nodes", 8);
+        if (best == cheapest::gauss_4) return run(detail::gauss_of<S, 4>, "Galerkin, 4 Gauss nodes", 8);
     } else {
-        if (best == cheapest::gauss_16) return run(galerkin<16, gauss>, "Galerkin, 16 Gauss nodes", 32);
+        if (best == cheapest::gauss_16) return run(detail::gauss_of<S, 16>, "Galerkin, 16 Gauss nodes", 32);
     }
-    return run(galerkin<8, gauss>, "Galerkin, 8 Gauss nodes", 16);
+    return run(detail::gauss_of<S, 8>, "Galerkin, 8 Gauss nodes", 16);
 }
 template <class F, class S>
 auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, accuracy const& goal) {

@@ -28,7 +28,8 @@ template <class Problem>
 class kept_derivatives {
     struct kept {
         std::atomic_flag is_taken;
-        void const* states = nullptr; ///< what kind of them the node is of
+        void const* states = nullptr; ///< what kind of them the node is of, and of how many components
+        int dimension = 0;
         std::shared_ptr<void> node;
     };
     struct taking {
@@ -54,9 +55,10 @@ public:
             own.evaluate(what_, t, q, v, which);
             return use(std::as_const(own));
         }
-        if (kept_->states != &kind_of_states<V>) {
+        if (int const d = shape<V>::dimension(q); kept_->states != &kind_of_states<V> or kept_->dimension != d) {
             kept_->node = std::make_shared<node>();
             kept_->states = &kind_of_states<V>;
+            kept_->dimension = d;
         }
         auto& known = *static_cast<node*>(kept_->node.get());
         known.evaluate(what_, t, q, v, which);

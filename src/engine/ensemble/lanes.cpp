@@ -135,7 +135,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
             return {};
         }
     });
-    if (text.empty()) return nullptr;
+    if (text.empty() or text.size() > (one ? most_letters_for_one : most_letters)) return nullptr;
     auto const library = compiled(text, here.options);
     if (not library) return nullptr;
     std::unique_ptr<lanes> made(new lanes);

@@ -16,8 +16,10 @@ std::vector<double> times_of(points<double> const& T);
 class lanes {
 public:
     static constexpr int most_coordinates = 6; ///< more are not kept in registers
+    /// Letters of C: more take the compiler seconds, then minutes, and one member is faster in the engine.
+    static constexpr std::size_t most_letters = 64'000, most_letters_for_one = 32'000;
     /// Compiles and waits for it. Nothing where the method has more than one node in a part of its step, the problem a memory, a formula
-    /// branches or more than a few coordinates, or where machine code is off or there is no compiler.
+    /// branches, more than a few coordinates or thousands of operations, or where machine code is off or there is no compiler.
     /// For `one` member it is in all lanes of a narrow register.
     static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T, bool one = false);
 

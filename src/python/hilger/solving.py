@@ -14,7 +14,7 @@ from .scales import digits
 from .solutions import AccurateSolution, Solution, StepFailure, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
-LONG = 1_000_000  # steps from which on their machine code is made without being asked for
+LONG = 10_000_000  # steps, from which on to make machine code of them takes less than it wins
 
 
 def direct() -> str:
@@ -80,9 +80,9 @@ def solve(
     (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
 
     `compiled=True` makes machine code of whole steps, by the system's C compiler and in some tenths of a second the first time, where
-    solve_many has lanes: order_one, order_one_left, midpoint, verlet and kahan_li_8 of up to six coordinates in double, without a memory and
-    branches. They take the time of the same system in C++, and agree with what `compiled=False` makes to rounding. Where nothing is said
-    they are for a million steps and more; `x.compiled` says which they were.
+    solve_many has lanes: order_one, order_one_left, midpoint, verlet and kahan_li_8 of up to six coordinates in double, without a memory,
+    branches and formulas of more than some hundred operations. They take the time of the same system in C++, and agree with what `compiled=False` makes to rounding. Where nothing is said
+    they are for ten million steps and more; `x.compiled` says which they were.
 
     Raises StepFailure, whose `solution` has what was reached, and the errors of this module for input that has no meaning.
     """

@@ -88,6 +88,13 @@ TEST_CASE("one thing keeps a formula for each kind of state that it is asked wit
     for (int round = 0; round < 2; ++round) {
         CHECK(kept.by_v(0.0, q, v) == gradient_second(row{}, q, v));
         CHECK(kept.by_v(Q(0), x, y) == gradient_second(row{}, x, y));
+        dynamic const longer = numbers<dynamic>(9, 1), its_velocity = numbers<dynamic>(9, 2);
+        CHECK(kept.by_q(0.0, longer, its_velocity) == gradient_first(row{}, longer, its_velocity));
+    }
+    auto const E = energy(row{});
+    for (int const d : {6, 9, 5}) {
+        state<double, dynamic> const at{0, numbers<dynamic>(d, 3), numbers<dynamic>(d, 4)};
+        CHECK(E(at) == energy(row{})(at));
     }
     // who asks while it is being asked has a formula of its own
     kept.at(0.0, q, v, detail::wanted::forces_only, [&](auto const& node) {
