@@ -46,12 +46,7 @@ std::vector<seen> walked(lanes const& code, std::vector<lanes::start> const& fro
 }
 constexpr index_type steps = 60;
 engine::points<double> const equal{0.25, 0.0625, steps, {}};
-engine::points<double> uneven() {
-    engine::points<double> T{0, 0, steps, {}};
-    for (index_type i = 0; i <= steps; ++i)
-        T.given.push_back(0.25 + 0.0625 * (static_cast<double>(i) + 0.25 * std::sin(static_cast<double>(i))));
-    return T;
-}
+engine::points<double> uneven() { return testing::uneven(steps); }
 
 /// Each lane against the same problem alone: positions and momenta to the rounding of the steps between, and the equation of it.
 void check_lanes(engine::problem const& what, std::string const& method, engine::points<double> const& T, double size, double growth = 16) {

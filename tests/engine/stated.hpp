@@ -2,6 +2,7 @@
 // Problems in text, and a folder for what is compiled of them.
 #pragma once
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -44,6 +45,14 @@ inline engine::problem stated(std::string const& L, int d, std::vector<std::stri
     for (auto const& f : force) components.emplace_back(text::read(f, "the force"), words, "the force");
     if (not force.empty()) made.force.emplace(components);
     return made;
+}
+
+/// Points whose distances are from 3/4 to 5/4 of 1/16.
+inline engine::points<double> uneven(index_type steps) {
+    engine::points<double> T{0, 0, steps, {}};
+    for (index_type i = 0; i <= steps; ++i)
+        T.given.push_back(0.25 + 0.0625 * (static_cast<double>(i) + 0.25 * std::sin(static_cast<double>(i))));
+    return T;
 }
 
 } // namespace hilger::testing

@@ -18,12 +18,7 @@ namespace {
 
 constexpr index_type steps = 5000; // more than are made at once
 engine::points<double> const equal{0.25, 0.0625, steps, {}};
-engine::points<double> uneven() {
-    engine::points<double> T{0, 0, steps, {}};
-    for (index_type i = 0; i <= steps; ++i)
-        T.given.push_back(0.25 + 0.0625 * (static_cast<double>(i) + 0.25 * std::sin(static_cast<double>(i))));
-    return T;
-}
+engine::points<double> uneven() { return testing::uneven(steps); }
 std::shared_ptr<engine::motion<double> const> alone(engine::problem const& what, std::string const& method,
                                                     engine::points<double> const& T) {
     auto made = engine::embedded_in_one_step(what, method, T);

@@ -52,6 +52,16 @@ static inline int are_all(mask m)
     return all_of_them != 0;
 }
 $each
+EACH(sqrt)
+EACH(tan)
+EACH(sinh)
+EACH(cosh)
+EACH(tanh)
+EACH(atan)
+EACH(cbrt)
+EACH(expm1)
+EACH(erf)
+$others
 #define sqrt lanes_sqrt
 #define tan lanes_tan
 #define sinh lanes_sinh
@@ -68,7 +78,7 @@ $each
 )";
 
 // Functions of the lanes: of several members, and of one that is in all of them.
-constexpr char const* of_several = R"(#define EACH(f)                                        \
+constexpr char const* each_of_several = R"(#define EACH(f)                                        \
     static inline lanes lanes_##f(lanes x)             \
     {                                                  \
         double in[width], out[width];                  \
@@ -76,17 +86,8 @@ constexpr char const* of_several = R"(#define EACH(f)                           
         for (int k = 0; k < width; ++k) out[k] = f(in[k]); \
         memcpy(&x, out, sizeof x);                     \
         return x;                                      \
-    }
-EACH(sqrt)
-EACH(tan)
-EACH(sinh)
-EACH(cosh)
-EACH(tanh)
-EACH(atan)
-EACH(cbrt)
-EACH(expm1)
-EACH(erf)
-#if defined(__x86_64__) && defined(__GLIBC__)
+    })";
+constexpr char const* others_of_several = R"(#if defined(__x86_64__) && defined(__GLIBC__)
 extern lanes _ZGV$isa_sin(lanes), _ZGV$isa_cos(lanes), _ZGV$isa_exp(lanes);
 static inline lanes lanes_sin(lanes x) { return _ZGV$isa_sin(x); }
 static inline lanes lanes_cos(lanes x) { return _ZGV$isa_cos(x); }
@@ -104,17 +105,8 @@ static inline lanes lanes_pow(lanes x, double n)
     memcpy(&x, out, sizeof x);
     return x;
 })";
-constexpr char const* of_one = R"(#define EACH(f) static inline lanes lanes_##f(lanes x) { return all(f(x[0])); }
-EACH(sqrt)
-EACH(tan)
-EACH(sinh)
-EACH(cosh)
-EACH(tanh)
-EACH(atan)
-EACH(cbrt)
-EACH(expm1)
-EACH(erf)
-EACH(sin)
+constexpr char const* each_of_one = "#define EACH(f) static inline lanes lanes_##f(lanes x) { return all(f(x[0])); }";
+constexpr char const* others_of_one = R"(EACH(sin)
 EACH(cos)
 EACH(exp)
 static inline lanes lanes_pow(lanes x, double n) { return all(pow(x[0], n)); })";
@@ -209,7 +201,8 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
     for (auto const& formulas : {symbol_list{here.L}, here.g, here.p, here.gq, here.gv, here.pq, here.pv})
         if (not is_everywhere_smooth(formulas)) return {};
     std::string const n = std::to_string(N);
-    std::string text = filled(prelude, {{"$each", one ? of_one : of_several},
+    std::string text = filled(prelude, {{"$each", one ? each_of_one : each_of_several},
+                                        {"$others", one ? others_of_one : others_of_several},
                                         {"$width", std::to_string(width)},
                                         {"$isa", width == 8   ? "eN8v"
                                                  : width == 4 ? "dN4v"
