@@ -87,6 +87,23 @@ bool goes_on(py::object const& progress, std::size_t done) {
     }
 }
 
+/// goes_on every tenth of a second, of what runs while other threads of Python may.
+class looking {
+public:
+    explicit looking(py::object const& progress) : progress_(progress) {}
+    bool operator()(std::size_t done) {
+        if (coarse_now() - last_ < 0.1) return true;
+        py::gil_scoped_acquire const here;
+        bool const on = goes_on(progress_, done);
+        last_ = coarse_now();
+        return on;
+    }
+
+private:
+    py::object const& progress_;
+    double last_ = coarse_now();
+};
+
 /// (t, q, p, why it stopped, whether it was interrupted)
 template <class S>
 py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
@@ -99,16 +116,13 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
     std::exception_ptr unexpected;
     {
         py::gil_scoped_release const others_run;
-        auto last_look = coarse_now();
+        looking look(progress);
         try {
             path.walk(from, [&](S const& time, engine::vector<S> const& x, engine::vector<S> const& y) {
                 t.push_back(time);
                 q.insert(q.end(), x.data(), x.data() + d);
                 p.insert(p.end(), y.data(), y.data() + d);
-                if (coarse_now() - last_look < 0.1) return true;
-                py::gil_scoped_acquire const here;
-                interrupted = not goes_on(progress, t.size() - 1);
-                last_look = coarse_now();
+                interrupted = not look(t.size() - 1);
                 return not interrupted;
             });
         } catch (hilger::error::exception const& why) {
@@ -197,22 +211,19 @@ void add_motion(py::module_& m, char const* name) {
         });
 }
 
-/// The same as walk by steps that are machine code as a whole; None where there are none, or one fails.
-py::object walk_in_whole_steps(engine::problem const& what, std::string const& method, engine::points<double> const& T,
-                               crossing<double>::given const& q0, std::string const& other_is, crossing<double>::given const& other,
-                               py::object const& progress) {
+/// The same as walk, which makes the first step where one is needed, by steps that are machine code as a whole; None where there are none,
+/// or one fails.
+py::object walk_in_whole_steps(engine::motion<double> const& path, engine::problem const& what, std::string const& method,
+                               engine::points<double> const& T, crossing<double>::given const& q0, std::string const& other_is,
+                               crossing<double>::given const& other, py::object const& progress) {
     auto const from = initial_of<double>(q0, other_is, other);
+    auto const alone = [&] { return [&](auto const& start, auto const& keep) { path.walk(start, keep); }; };
     std::optional<engine::states_in_whole_steps> made;
     {
         py::gil_scoped_release const others_run;
-        auto last_look = coarse_now();
-        auto const alone = [&] { return engine::walker_of(engine::make_motion<double>(what, method, T)); };
-        made = engine::walk_in_whole_steps(what, method, T, from, alone, [&](hilger::index_type done) {
-            if (coarse_now() - last_look < 0.1) return true;
-            py::gil_scoped_acquire const here;
-            last_look = coarse_now();
-            return goes_on(progress, static_cast<std::size_t>(done));
-        });
+        looking look(progress);
+        made = engine::walk_in_whole_steps(what, method, T, from, alone,
+                                           [&](hilger::index_type done) { return look(static_cast<std::size_t>(done)); });
     }
     if (not made) return py::none();
     if (not made->interrupted) made->interrupted = not goes_on(progress, made->t.size() - 1);
@@ -282,18 +293,18 @@ void add_motions(py::module_& m) {
         }))
         .def_property_readonly("lanes", [](engine::cast const& all) { return all.together ? all.together->width() : 1; });
     m.def("walk_all", &walk_all);
-    m.def("walk_in_whole_steps", [](engine::problem const& what, std::string const& method,
+    m.def("walk_in_whole_steps", [](engine::motion<double> const& path, engine::problem const& what, std::string const& method,
                                     std::tuple<double, double, hilger::index_type> const& T, crossing<double>::given const& q0,
                                     std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {
         auto const [start, step, steps] = T;
-        return walk_in_whole_steps(what, method, {start, step, steps, {}}, q0, other_is, other, progress);
+        return walk_in_whole_steps(path, what, method, {start, step, steps, {}}, q0, other_is, other, progress);
     });
-    m.def("walk_in_whole_steps", [](engine::problem const& what, std::string const& method, std::tuple<std::vector<double>> const& T,
-                                    crossing<double>::given const& q0, std::string const& other_is, crossing<double>::given const& other,
-                                    py::object const& progress) {
+    m.def("walk_in_whole_steps", [](engine::motion<double> const& path, engine::problem const& what, std::string const& method,
+                                    std::tuple<std::vector<double>> const& T, crossing<double>::given const& q0,
+                                    std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {
         auto const& given = std::get<0>(T);
-        return walk_in_whole_steps(what, method, {0, 0, static_cast<hilger::index_type>(given.size()) - 1, given}, q0, other_is, other,
-                                   progress);
+        return walk_in_whole_steps(path, what, method, {0, 0, static_cast<hilger::index_type>(given.size()) - 1, given}, q0, other_is,
+                                   other, progress);
     });
     m.def("set_machine_code", [](std::string const& how) {
         using engine::machine_code;

@@ -125,7 +125,7 @@ def solve(
     made = None
     try:
         if compiled and kind == "double":
-            made = _core.walk_in_whole_steps(equation._stated(history), equation.method.name, equation._points(), *start, bar)
+            made = _core.walk_in_whole_steps(motion, equation._stated(history), equation.method.name, equation._points(), *start, bar)
         t, q, p, stopped, interrupted = made or motion.walk(*start, bar)
     except _core.Error as why:
         if str(why).startswith("the step from"):
