@@ -36,21 +36,20 @@ slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V>
     }();
     return {std::move(v), std::move(p)};
 }
-} // namespace detail
-
-/// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
-template <class F, class Force, class S, class V>
-slopes<V> slopes_at(problem<F, Force> const& mechanics, state<S, V> const& x) {
-    return detail::slopes_by(detail::kept_derivatives(mechanics), x);
-}
-
 /// Refused: the force of a history is not in the state.
 template <class Damped, class S, class V>
     requires requires(Damped const& d) { d.mechanics, d.damping; }
-slopes<V> slopes_at(Damped const&, state<S, V> const& x) {
+slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x) {
     static_assert(sizeof(Damped) == 0, "the slopes of a flow with fractional damping come from its history: give dense_output the path, "
                                        "dense_output(flow.along(T, q0, p0))");
     return {x.q, x.p};
+}
+} // namespace detail
+
+/// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
+template <class Problem, class S, class V>
+slopes<V> slopes_at(Problem const& mechanics, state<S, V> const& x) {
+    return detail::slopes_by(detail::kept_derivatives(mechanics), x);
 }
 
 namespace detail {
@@ -121,11 +120,8 @@ public:
         if (states_.size() < 2)
             error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
         slopes_.reserve(states_.size());
-        if constexpr (requires { detail::slopes_by(detail::kept_derivatives(mechanics), states_.front()); }) {
-            detail::kept_derivatives const kept(mechanics);
-            for (auto const& x : states_) slopes_.push_back(detail::slopes_by(kept, x));
-        } else
-            slopes_.push_back(slopes_at(mechanics, states_.front())); // which says why not
+        detail::kept_derivatives const kept(mechanics);
+        for (auto const& x : states_) slopes_.push_back(detail::slopes_by(kept, x));
     }
     /// @throws what walking throws, and slopes_at
     template <class Path>

@@ -73,9 +73,18 @@ public:
     V by_v(S const& t, V const& q, V const& v) const {
         return at(t, q, v, wanted::momenta_only, [&](auto const& node) { return vector_like(q, [&](int k) { return node.by_v(k); }); });
     }
-    /// All of it, as expand_at has it.
+    /// All of it, as expand_at has it; of states that are not traced it is that.
     template <class S, class V>
     node_table<V> expand(S const& t, V const& q, V const& v) const {
+        if constexpr (not is_traced_at<Problem, V>)
+            return expand_at(what_, t, q, v);
+        else
+            return expand_traced(t, q, v);
+    }
+
+private:
+    template <class S, class V>
+    node_table<V> expand_traced(S const& t, V const& q, V const& v) const {
         return at(t, q, v, wanted::with_seconds, [&](auto const& node) {
             int const d = shape<V>::dimension(q);
             auto const block = [&](block_number number) {
@@ -93,8 +102,6 @@ public:
             return node_table<V>{std::move(e), block(block_vq)};
         });
     }
-
-private:
     template <class V, class Component>
     static V vector_like(V const& q, Component const& component) {
         V x = zero_like(q);

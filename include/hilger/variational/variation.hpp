@@ -161,12 +161,8 @@ public:
     constexpr auto residual_slope(X const& x, index_type k, detail::kept_derivatives<problem_with<Force>> const& kept) const {
         using V = value_of<X>;
         using S = typename Root::scalar_type;
-        auto const seconds = action_.at_nodes(x, [kept](auto const& t, auto const& q, auto const& v) {
-            if constexpr (detail::is_traced_at<problem_with<Force>, V>)
-                return kept.expand(S(t), V(q), V(v));
-            else
-                return detail::expand_at(kept.what(), t, V(q), V(v));
-        });
+        auto const seconds =
+            action_.at_nodes(x, [kept](auto const& t, auto const& q, auto const& v) { return kept.expand(t, V(q), V(v)); });
         detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
         auto const a = action_.position[unit];
         auto const b = action_.velocity[unit];
