@@ -12,6 +12,8 @@ add_executable(hilger ${sources} ${not_optimised})
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set_source_files_properties(${not_optimised} extremes/smallest.cpp
     PROPERTIES COMPILE_OPTIONS -Og COMPILE_DEFINITIONS HILGER_DEBUG SKIP_PRECOMPILE_HEADERS ON)
+elseif(HILGER_TEST_EVERYTHING)
+  set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # they include what they use
 endif()
 precompile_as(hilger extremes)
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include <Eigen/LU>
+
 #include "hilger/boundary/equation.hpp"
 #include "hilger/variational/given_state.hpp"
 
