@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "engine/motions.hpp"
+#include "engine/small.hpp"
 
 namespace engine {
 
 made composed(problem const& what, std::string const& method, points<double> const& T) {
     return with_mechanics(what, [&](auto const& mechanics) -> made {
-        if (method == "verlet") return on_scale(hilger::symmetrized(hilger::embed(mechanics, hilger::order_one)), T, method);
+        auto const by = [&](auto const& make) { return embedded_small(mechanics, make, T, method); };
+        if (method == "verlet") return by([](auto const& L) { return hilger::symmetrized(hilger::embed(L, hilger::order_one)); });
         if (method == "kahan-li-8")
-            return on_scale(hilger::compose(hilger::kahan_li<8>, hilger::embed(mechanics, hilger::mid_point)), T, method);
+            return by([](auto const& L) { return hilger::compose(hilger::kahan_li<8>, hilger::embed(L, hilger::mid_point)); });
         return nullptr;
     });
 }

@@ -5,9 +5,10 @@ namespace engine {
 
 made embedded_in_one_step(problem const& what, std::string const& method, points<double> const& T) {
     return with_mechanics(what, [&](auto const& mechanics) -> made {
-        if (method == "order-one") return on_scale(hilger::embed(mechanics, hilger::order_one), T, method);
-        if (method == "order-one-left") return on_scale(hilger::embed(mechanics, hilger::order_one_left), T, method);
-        if (method == "mid-point") return embedded_small(mechanics, hilger::mid_point, T, method);
+        auto const by = [&](auto const& how) { return embedded_small_by(mechanics, how, T, method); };
+        if (method == "order-one") return by(hilger::order_one);
+        if (method == "order-one-left") return by(hilger::order_one_left);
+        if (method == "mid-point") return by(hilger::mid_point);
         return nullptr;
     });
 }

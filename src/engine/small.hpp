@@ -1,89 +1,27 @@
 // SPDX-License-Identifier: BSL-1.0
-// Problems of few coordinates: the same steps as of vectors of any size, with states of a size that the compiler knows, which it keeps in
-// registers. L is what the traced formula says, there and then.
+// Problems of few coordinates: the same steps as of vectors of any size, with states of a size that the compiler knows.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <mutex>
-#include <optional>
 
 #include "engine/motions.hpp"
+#include "engine/small_lagrangian.hpp"
 
 namespace engine {
 
-/// Where in a node's values the derivatives of an L of D coordinates are.
-template <int D>
-class small_table {
-    using V = Eigen::Matrix<double, D, 1>;
-
-public:
-    template <class Node>
-    explicit small_table(Node const& node) {
-        qq_.fill(zero);
-        qv_ = vv_ = qq_;
-        auto const& at = node.places();
-        std::copy(at.by_q.begin(), at.by_q.end(), by_q_.begin());
-        std::copy(at.by_v.begin(), at.by_v.end(), by_v_.begin());
-        for (auto const& [block, to] : {std::pair{hilger::detail::block_qq, &qq_}, std::pair{hilger::detail::block_qv, &qv_},
-                                        std::pair{hilger::detail::block_vv, &vv_}})
-            for (auto const& e : at.entries[block]) (*to)[static_cast<std::size_t>(e.column * D + e.row)] = e.place;
-        on_ = {at.degree(hilger::detail::block_qq), at.degree(hilger::detail::block_vv), not at.entries[hilger::detail::block_qv].empty()};
-    }
-    template <class Node>
-    void read(Node const& node, hilger::expansion<V>& e) const {
-        e.on = on_;
-        auto const value = [&](int place) { return place == zero ? 0.0 : node.value(place); };
-        for (int k = 0; k < D; ++k) e.by_q(k) = node.value(by_q_[static_cast<std::size_t>(k)]);
-        for (int k = 0; k < D; ++k) e.by_v(k) = node.value(by_v_[static_cast<std::size_t>(k)]);
-        for (int k = 0; k < D * D; ++k) {
-            auto const at = static_cast<std::size_t>(k);
-            e.qq.data()[k] = value(qq_[at]);
-            e.qv.data()[k] = value(qv_[at]);
-            e.vv.data()[k] = value(vv_[at]);
-        }
-    }
-
-private:
-    static constexpr int zero = -1;
-    std::array<int, D> by_q_, by_v_;
-    std::array<int, static_cast<std::size_t>(D*D)> qq_, qv_, vv_;
-    hilger::dependence on_;
-};
-
-/// L with its derivatives. For one trajectory at a time: it computes where it has computed before.
-template <int D>
-class small_lagrangian {
-    using V = Eigen::Matrix<double, D, 1>;
-
-public:
-    explicit small_lagrangian(free_problem of) : of_(std::move(of)) {}
-    [[nodiscard]] hilger::expansion<V> expand(double t, V const& q, V const& v) const {
-        if (node_.evaluate(of_, t, q, v, hilger::detail::wanted::with_seconds) or not table_) table_.emplace(node_);
-        hilger::expansion<V> e;
-        table_->read(node_, e);
-        return e;
-    }
-
-private:
-    free_problem of_;
-    mutable hilger::detail::traced_node<free_problem, V> node_;
-    mutable std::optional<small_table<D>> table_;
-};
-
-/// Walks with small states; all else is asked of the motion of any size.
-template <int D, class Embedding, class Flow, class Scale>
+/// Walks with small states; all else is asked of the motion of any size. Make makes a flow of a Lagrangian.
+template <int D, class Make, class Flow, class Scale>
 class small_motion final : public motion_of<double, Flow, Scale> {
     using any_size = motion_of<double, Flow, Scale>;
     using V = Eigen::Matrix<double, D, 1>;
     using seen = std::function<bool(double const&, vector<double> const&, vector<double> const&)>;
 
 public:
-    small_motion(free_problem const& of, Embedding how, Scale T, std::string name)
-        : any_size(hilger::embed(of, how), std::move(T), std::move(name)), how_(std::move(how)), lagrangian_(of) {}
+    small_motion(free_problem const& of, Make make, Scale T, std::string name)
+        : any_size(make(of), std::move(T), std::move(name)), make_(std::move(make)), lagrangian_(of.lagrangian) {}
     void walk(initial<double> const& from, seen const& keep) const override {
         if (from.q0.size() != D or from.other.size() != D) return any_size::walk(from, keep); // which says so
-        auto const flow = hilger::embed(known_at(from), how_);
+        auto const flow = make_(known_at(from));
         V const q0 = from.q0, other = from.other;
         switch (from.is) {
         case second_datum::momentum:
@@ -91,7 +29,10 @@ public:
         case second_datum::velocity:
             return pass(flow.along(this->T_, hilger::initial_velocity<V>{q0, other}), keep);
         case second_datum::next_position:
-            return pass(flow.along(this->T_, hilger::initial_positions<V>{q0, other}), keep);
+            if constexpr (starts_from_two_positions<Flow>)
+                return pass(flow.along(this->T_, hilger::initial_positions<V>{q0, other}), keep);
+            else
+                return any_size::walk(from, keep);
         }
     }
 
@@ -106,29 +47,28 @@ private:
         }
     }
     /// The Lagrangian for one walk. It is traced at the first one, and others begin with what is known.
-    [[nodiscard]] small_lagrangian<D> known_at(initial<double> const& from) const {
+    [[nodiscard]] small_lagrangian<double, D> known_at(initial<double> const& from) const {
         std::lock_guard const lock(tracing_);
         if (not is_traced_)
             (void)lagrangian_.expand(this->T_.min(), V(from.q0), V(from.is == second_datum::velocity ? from.other : from.q0));
         is_traced_ = true;
         return lagrangian_;
     }
-    Embedding how_;
-    small_lagrangian<D> lagrangian_;
+    Make make_;
+    small_lagrangian<double, D> lagrangian_;
     mutable std::mutex tracing_;
     mutable bool is_traced_ = false;
 };
 
-/// A motion of the problem, with small states where it is small, free and on a uniform scale.
-template <class Mechanics, class Embedding>
-made embedded_small(Mechanics const& mechanics, Embedding const& how, points<double> const& T, std::string const& name) {
+/// The motion of the flow that make(L) is of the problem, with small states where it is small, free and on a uniform scale.
+template <class Mechanics, class Make>
+made embedded_small(Mechanics const& mechanics, Make const& make, points<double> const& T, std::string const& name) {
     if constexpr (std::same_as<Mechanics, free_problem>)
         if (T.is_uniform()) {
             auto const with = [&]<int D>(std::integral_constant<int, D>) -> made {
                 auto const scale = hilger::uniform(T.start, T.step, T.steps);
-                using flow = decltype(hilger::embed(mechanics, how));
-                return std::make_unique<small_motion<D, Embedding, flow, std::remove_cvref_t<decltype(scale)>>>(mechanics, how, scale,
-                                                                                                                name);
+                using flow = decltype(make(mechanics));
+                return std::make_unique<small_motion<D, Make, flow, std::remove_cvref_t<decltype(scale)>>>(mechanics, make, scale, name);
             };
             switch (mechanics.lagrangian.formula().words().dimension()) {
             case 1:
@@ -141,7 +81,13 @@ made embedded_small(Mechanics const& mechanics, Embedding const& how, points<dou
                 break;
             }
         }
-    return on_scale(hilger::embed(mechanics, how), T, name);
+    return on_scale(make(mechanics), T, name);
+}
+/// The same of an embedding.
+template <class Mechanics, class Embedding>
+made embedded_small_by(Mechanics const& mechanics, Embedding const& how, points<double> const& T, std::string const& name) {
+    auto const make = [how](auto const& L) { return hilger::embed(L, how); };
+    return embedded_small(mechanics, make, T, name);
 }
 
 } // namespace engine

@@ -45,8 +45,8 @@ class MachineCode(unittest.TestCase):
                 EL = h.variation(L, h.uniform(0, 0.05, 1200), method)
                 h.machine_code("off")
                 interpreted = h.solve(EL, q0=q0, v0=v0)
-                h.machine_code("at once")
                 before = _core.formulas_in_machine_code()
+                h.machine_code("at once")
                 compiled = h.solve(EL, q0=q0, v0=v0)
                 with self.subTest(L=L, method=method):
                     self.assertGreater(_core.formulas_in_machine_code(), before)

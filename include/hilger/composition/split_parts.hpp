@@ -4,11 +4,9 @@
 #pragma once
 
 #include "hilger/inlining.hpp"
-#include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/step/separable.hpp"
 #include "hilger/step/small_node.hpp"
-#include "hilger/variational/node_derivatives.hpp"
 
 namespace hilger::detail {
 
@@ -110,101 +108,32 @@ public:
     }
     static S overflow(V const& q, V const& p) { return S((q - q).sum() + (p - p).sum()); }
 };
-/// The same of a system that says so, of any size.
+/// The same of a system that says so, of a formula that is traced, and of a Lagrangian with derivatives of its own (step/separable.hpp).
 template <class Problem, class S, class V>
 class large_parts : public whole_vectors<S, V> {
 public:
     large_parts(Problem const& what, V const& like) : of_(what, like) {}
-    bool velocity(Problem const&, V const&, V const& p, V& v) const {
+    bool velocity(Problem const& what, V const& q, V const& p, V& v) {
+        if (not has_parts(what, q)) return false;
         of_.velocity(p, v);
         return true;
     }
-    bool force(Problem const& what, V const& q, V& g) { return of_.force(what, S(0), q, g); }
+    bool force(Problem const& what, V const& q, V& g) { return has_parts(what, q) and of_.force(what, S(0), q, g); }
 
 private:
+    bool has_parts(Problem const& what, V const& q) {
+        if (known_ == unknown) known_ = of_.inspect(what, state<S, V>{S(0), q, q}) ? there : not_there;
+        return known_ == there;
+    }
+    enum { unknown, there, not_there } known_ = unknown;
     separable<Problem, S, V> of_;
-};
-/// The same of a Lagrangian whose formula is traced, and says whether it has these parts: second derivatives by q and v that are not there,
-/// and by v twice that never change. One with branches, or that reads the time, is left to its flows.
-template <class Problem, class S, class V>
-class traced_parts : public whole_vectors<S, V> {
-    using s = shape<V>;
-
-public:
-    traced_parts(Problem const&, V const& like) : at_rest_(zero_like(like)) {}
-    bool velocity(Problem const& what, V const& q, V const& p, V& v) {
-        if (not is_known_) learn(what, q);
-        if (not has_parts_) return false;
-        v = p - at_rest_;
-        if (is_diagonal_)
-            v.array() *= inverse_.array();
-        else
-            mass_.solve(v);
-        return true;
-    }
-    bool force(Problem const& what, V const& q, V& g) {
-        if (not is_known_) learn(what, q);
-        if (not has_parts_) return false;
-        int const d = s::dimension(q);
-        std::copy_n(q.data(), d, node_.arguments());
-        (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
-        node_.put_by_q(S(1), g);
-        return true;
-    }
-
-private:
-    static bool reads_time(Problem const& what) {
-        using F = std::remove_cvref_t<decltype(what.lagrangian)>;
-        if constexpr (requires { what.lagrangian.reads_time(); })
-            return what.lagrangian.reads_time();
-        else
-            return is_timed<F, no_force, S, V>;
-    }
-    /// At v = 0, where the arguments of the formula stay.
-    void learn(Problem const& what, V const& q) {
-        is_known_ = true;
-        if (reads_time(what)) return;
-        (void)node_.evaluate(what, S(0), q, zero_like(q), wanted::with_seconds);
-        auto const& at = node_.places();
-        if (node_.has_branches() or not at.entries[block_qv].empty() or not at.constant[block_vv]) return;
-        for (int k = 0; k < s::dimension(q); ++k) at_rest_(k) = node_.by_v(k);
-        has_parts_ = weigh(at.entries[block_vv], s::dimension(q));
-    }
-    /// M^-1, or the factors of M. False where it is singular.
-    template <class Entries>
-    bool weigh(Entries const& entries, int d) {
-        is_diagonal_ = std::all_of(entries.begin(), entries.end(), [](auto const& e) { return e.row == e.column; });
-        if (is_diagonal_) {
-            inverse_ = zero_like(at_rest_);
-            for (auto const& e : entries) {
-                if (node_.value(e.place) == S(0)) return false;
-                inverse_(e.row) = S(1) / node_.value(e.place);
-            }
-            return static_cast<int>(entries.size()) == d;
-        }
-        std::vector<std::pair<int, int>> pattern;
-        for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
-        mass_.prepare(d, pattern);
-        mass_.set_zero();
-        for (auto const& e : entries) mass_[mass_.place(e.row, e.column)] = node_.value(e.place);
-        return mass_.factorize();
-    }
-    node_derivatives<Problem, V> node_;
-    bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
-    V at_rest_, inverse_; ///< a; M^-1 where M is diagonal
-    patterned_matrix<S> mass_;
 };
 
 /// Whether L may turn out to have these parts.
 template <class F, class S, class V>
-inline constexpr bool may_split = [] {
-    if constexpr (is_traced_state<V>)
-        return node_derivatives<problem<F, no_force>, V>::has_room;
-    else
-        return not is_timed<F, no_force, S, V>;
-}();
+inline constexpr bool may_split = not always_reads_time<F, S, V>;
 template <class Problem, class S, class V>
-using split_parts = std::conditional_t<is_mechanical<decltype(Problem::lagrangian)>, large_parts<Problem, S, V>,
-                                       std::conditional_t<is_traced_state<V>, traced_parts<Problem, S, V>, small_parts<Problem, S, V>>>;
+using split_parts =
+    std::conditional_t<is_traced_state<V> or has_own_derivatives<Problem, V>, large_parts<Problem, S, V>, small_parts<Problem, S, V>>;
 
 } // namespace hilger::detail

@@ -162,7 +162,7 @@ private:
         return true;
     }
     /// What has few components is in registers while a step is made; what has many stays in its place.
-    using room = std::conditional_t<large, vector&, vector>;
+    using room = std::conditional_t<is_traced_state<V>, vector&, vector>;
 
     parts parts_;
     S h_;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "hilger/differentiation/derivatives_of_graph.hpp"
@@ -61,6 +63,35 @@ struct traced_formula {
             if (g.on & (on_position | on_velocity)) compared(g.outcome, (g.on & on_velocity) != 0);
     }
 };
+/// The formulas without branches of one callable, one of each scalar: for what is made at run time and stepped again and again. Copies of
+/// the callable share it, and several threads may ask.
+class kept_formulas {
+public:
+    /// The one there is, or what `make` makes.
+    template <class S, class Make>
+    std::shared_ptr<traced_formula<S> const> of(Make const& make) {
+        std::lock_guard const lock(changes_);
+        int const now = translator<S>::generation();
+        for (auto const& one : all_)
+            if (one.scalar == &kind<S> and one.generation == now) return std::static_pointer_cast<traced_formula<S> const>(one.formula);
+        auto const made = std::make_shared<traced_formula<S> const>(make());
+        std::erase_if(all_, [](auto const& one) { return one.scalar == &kind<S>; });
+        if (made->guards.empty()) all_.push_back({&kind<S>, now, made});
+        return made;
+    }
+
+private:
+    template <class S>
+    static constexpr char kind = 0;
+    std::mutex changes_;
+    struct kept {
+        void const* scalar;
+        int generation;
+        std::shared_ptr<void const> formula;
+    };
+    std::vector<kept> all_;
+};
+
 /// The derivatives of L, and of the components of a force where there is one, in the graph that they are nodes of: second derivatives by
 /// the arguments that `seconds_by` says.
 template <class S>

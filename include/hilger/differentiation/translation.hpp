@@ -24,6 +24,11 @@ public:
         static std::atomic<translator*> one = nullptr;
         return one;
     }
+    /// Changes when another translator, or other translations, are wanted: what was translated before is then not used any more.
+    static std::atomic<int>& generation() {
+        static std::atomic<int> number = 0;
+        return number;
+    }
 
 protected:
     ~translator() = default;

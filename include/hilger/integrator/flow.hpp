@@ -63,7 +63,8 @@ public:
         static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
         /// Control values inside the step, and it may be that forces at the nodes are all there is to iterate.
-        static constexpr bool inner = not std::is_void_v<table> and (is_mechanical<F> or not detail::is_traced_state<V>);
+        static constexpr bool inner =
+            not std::is_void_v<table> and (is_mechanical<F> or std::same_as<Force, no_force> or not detail::is_traced_state<V>);
         static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
             if constexpr (not detail::is_local<E> or not detail::is_on_one_step<E>)
                 return detail::no_step<S, V>{};

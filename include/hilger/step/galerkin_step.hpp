@@ -49,9 +49,9 @@ public:
     }
     void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
+        if (way_ == by_forces) known_ = 0; // those at other distances do not continue
         way_ = undecided;
         inspected_ = false;
-        known_ = 0;
         equation_.prepare(t, h);
     }
     [[nodiscard]] S const& h() const { return h_; }
@@ -73,7 +73,10 @@ public:
     void advance(Problem const& what, state<S, V>& x) {
         if (not inspected_) {
             bool const has_parts = not exact and separable_.inspect(what, x);
-            if (way_ == undecided) way_ = has_parts ? by_forces : by_equation;
+            if (way_ == undecided) {
+                way_ = has_parts ? by_forces : by_equation;
+                if (has_parts) known_ = 0;
+            }
             inspected_ = true;
         }
         if (way_ == by_forces) {
@@ -134,10 +137,14 @@ private:
         S farthest(-1);
         std::uint64_t const compared = comparisons_made();
         for (;;) {
-            for (std::size_t k = 0; k < N; ++k) {
-                room_ = x.q + D_[k];
-                is_separable = separable_.force(what, x.t, room_, F_[k]) and is_separable;
-            }
+            if constexpr (separable_type::has_forces) {
+                for (std::size_t k = 0; k < N; ++k) before_[k] = x.q + D_[k]; // room, until it is filled below
+                is_separable = separable_.forces(what, x.t, before_.data(), F_.data(), N) and is_separable;
+            } else
+                for (std::size_t k = 0; k < N; ++k) {
+                    room_ = x.q + D_[k];
+                    is_separable = separable_.force(what, x.t, room_, F_[k]) and is_separable;
+                }
             if constexpr (has_step_force<Extra>)
                 for (V& f : F_) f = f + extra_force_;
             if (not is_separable) return progress::going;

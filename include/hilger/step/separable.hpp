@@ -2,12 +2,19 @@
 // The parts of a Lagrangian L = v.Mv/2 + a.v - U(q) with a constant mass: v = M^-1 (p - a), and dL/dq = -U'(q) whatever the velocity is.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
 #include "hilger/inlining.hpp"
 #include "hilger/linear/elimination.hpp"
+#include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/gradients.hpp"
+#include "hilger/variational/node_derivatives.hpp"
 
 namespace hilger::detail {
 
@@ -32,9 +39,20 @@ public:
     HILGER_ALWAYS_INLINE void solve(V const& f, V& v) const { times_inverse(f, v); }
     /// f = dL/dq at q. False where L turns out to have other parts there.
     HILGER_ALWAYS_INLINE bool force(Problem const& what, S const& t, V const& q, V& f) {
+        if constexpr (has_forces)
+            return forces(what, t, &q, &f, 1);
+        else {
+            std::uint64_t const compared = comparisons_made();
+            dependence const on = gradients_at(what, t, q, at_rest_, f, unused_);
+            return is_separable(on) and comparisons_made() == compared;
+        }
+    }
+    /// The same at n positions, of a callable that has a function for that.
+    static constexpr bool has_forces = requires(Problem const& p, S const& t, V const* q, V* f) { p.lagrangian.forces(t, q, f, 1); };
+    bool forces(Problem const& what, S const& t, V const* q, V* f, std::size_t n) {
+        for (std::size_t k = 0; k < n; ++k) tally<S>::add(work::force);
         std::uint64_t const compared = comparisons_made();
-        dependence const on = gradients_at(what, t, q, at_rest_, f, unused_);
-        return is_separable(on) and comparisons_made() == compared;
+        return is_separable(what.lagrangian.forces(t, q, f, n)) and comparisons_made() == compared;
     }
 
 private:
@@ -42,14 +60,17 @@ private:
     HILGER_ALWAYS_INLINE void times_inverse(V const& f, V& v) const {
         if constexpr (s::is_scalar)
             v = inverse_ * f;
+        else if (is_diagonal_)
+            v = diagonal_.cwiseProduct(f);
         else
             v.noalias() = inverse_ * f;
     }
     template <class F>
     bool inspected(problem<F, no_force> const& what, state<S, V> const& x) {
-        if constexpr (is_timed<F, no_force, S, V>)
+        if constexpr (always_reads_time<F, S, V>)
             return false; // the mass might change with time
         else {
+            if (reads_time_in<S, V>(what.lagrangian)) return false;
             branch_watch const watch;
             auto const e = hilger::expand(at_time{what.lagrangian, x.t}, x.q, zero_like(x.q));
             if (not is_separable(e.on) or watch.saw_any()) return false;
@@ -60,6 +81,8 @@ private:
             } else {
                 inverse_ = e.vv;
                 if (not invert(inverse_)) return false;
+                diagonal_ = inverse_.diagonal();
+                is_diagonal_ = inverse_.isDiagonal(S(0));
             }
             return true;
         }
@@ -69,8 +92,85 @@ private:
         return false;
     }
     block_of<V> inverse_;
-    V at_rest_; ///< a; and a velocity as good as any
+    bool is_diagonal_ = false;
+    V diagonal_; ///< of the inverse
+    V at_rest_;  ///< a; and a velocity as good as any
     V room_, unused_;
+};
+
+/// Of a Lagrangian whose formula is traced, and says whether it has these parts: second derivatives by q and v that are not there, and by v
+/// twice that never change. One with branches, or that reads the time, has none.
+template <class F, class S, class V>
+    requires(is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>)
+class separable<problem<F, no_force>, S, V> {
+    using what_type = problem<F, no_force>;
+    using s = shape<V>;
+
+public:
+    separable(what_type const&, V const& like) : at_rest_(zero_like(like)) {}
+    bool inspect(what_type const& what, state<S, V> const& x) { return inspect(what, x.q); }
+    bool inspect(what_type const& what, V const& q) {
+        if (not is_known_) learn(what, q);
+        return has_parts_;
+    }
+    static constexpr bool has_forces = false;
+    template <class R>
+    void velocity(R const& p, V& v) {
+        v = p - at_rest_;
+        divide(v);
+    }
+    void solve(V const& f, V& v) {
+        v = f;
+        divide(v);
+    }
+    bool force(what_type const& what, S const&, V const& q, V& f) {
+        int const d = s::dimension(q);
+        std::copy_n(q.data(), d, node_.arguments());
+        (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
+        node_.put_by_q(S(1), f);
+        return true;
+    }
+
+private:
+    void divide(V& v) {
+        if (is_diagonal_)
+            v.array() *= inverse_.array();
+        else
+            mass_.solve(v);
+    }
+    /// At v = 0, where the arguments of the formula stay.
+    void learn(what_type const& what, V const& q) {
+        is_known_ = true;
+        if (reads_time_in<S, V>(what.lagrangian)) return;
+        (void)node_.evaluate(what, S(0), q, zero_like(q), wanted::with_seconds);
+        auto const& at = node_.places();
+        if (node_.has_branches() or not at.entries[block_qv].empty() or not at.constant[block_vv]) return;
+        for (int k = 0; k < s::dimension(q); ++k) at_rest_(k) = node_.by_v(k);
+        has_parts_ = weigh(at.entries[block_vv], s::dimension(q));
+    }
+    /// M^-1, or the factors of M. False where it is singular.
+    template <class Entries>
+    bool weigh(Entries const& entries, int d) {
+        is_diagonal_ = std::all_of(entries.begin(), entries.end(), [](auto const& e) { return e.row == e.column; });
+        if (is_diagonal_) {
+            inverse_ = zero_like(at_rest_);
+            for (auto const& e : entries) {
+                if (node_.value(e.place) == S(0)) return false;
+                inverse_(e.row) = S(1) / node_.value(e.place);
+            }
+            return static_cast<int>(entries.size()) == d;
+        }
+        std::vector<std::pair<int, int>> pattern;
+        for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
+        mass_.prepare(d, pattern);
+        mass_.set_zero();
+        for (auto const& e : entries) mass_[mass_.place(e.row, e.column)] = node_.value(e.place);
+        return mass_.factorize();
+    }
+    traced_node<what_type, V> node_;
+    bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
+    V at_rest_, inverse_; ///< a; M^-1 where M is diagonal
+    patterned_matrix<S> mass_;
 };
 
 /// Of a system that says so, of any size.
@@ -82,6 +182,7 @@ public:
     separable(what_type const& what, V const& like) : mass_(what.lagrangian.mass(), like.size()), room_(like.size() + 1) {
         what.lagrangian.potential().check(like.size());
     }
+    static constexpr bool has_forces = false;
     bool inspect(what_type const&, state<S, V> const&) { return true; }
     template <class R>
     void velocity(R const& p, V& v) const {

@@ -5,6 +5,7 @@
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
 #pragma once
 
+#include "hilger/differentiation/trace.hpp"
 #include "hilger/text/read.hpp"
 #include "hilger/text/stated.hpp"
 
@@ -24,6 +25,8 @@ public:
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
+    /// What is traced of it.
+    [[nodiscard]] hilger::detail::kept_formulas& kept() const { return *kept_; }
 
 private:
     /// @throws error::mismatch
@@ -32,6 +35,7 @@ private:
             error::raise<error::mismatch>(of_.source(), " has ", of_.words().dimension(), " coordinates, and the state has ", d);
     }
     stated of_;
+    std::shared_ptr<hilger::detail::kept_formulas> kept_ = std::make_shared<hilger::detail::kept_formulas>();
 };
 
 /// f(t, q, v), a formula for each component.

@@ -32,7 +32,7 @@ public:
             by_q_ = by_v_ = s::zero(d);
             on_ = gradients_at(problem<F, no_force>{what.lagrangian, {}}, t, q, v, by_q_, by_v_);
             watch.forget(); // it is no part of the step
-            says_all_ = not is_timed<F, Force, S, V>;
+            says_all_ = not reads_time_in<S, V>(what.lagrangian) and not is_timed<no_force, Force, S, V>;
         }
         dependence on;
         if (is_first or which == wanted::with_seconds) {

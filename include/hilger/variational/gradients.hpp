@@ -19,13 +19,28 @@ inline constexpr bool is_timed = [] {
     };
 }();
 
+/// Whether L takes the time and cannot say that it does not read it: a formula in text takes it always, and can.
+template <class F, class S, class V>
+inline constexpr bool always_reads_time = is_timed<F, no_force, S, V> and not requires(F const& f) {
+    f.reads_time();
+};
+template <class S, class V, class F>
+bool reads_time_in(F const& lagrangian) {
+    if constexpr (requires { lagrangian.reads_time(); })
+        return lagrangian.reads_time();
+    else
+        return is_timed<F, no_force, S, V>;
+}
+
 /// by_q = dL/dq + force and by_v = dL/dv at (t, q, v), and how L depends on q and v as far as this evaluation tells.
 template <class F, class Force, class S, class V>
 HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
     using s = shape<V>;
     tally<scalar_of<V>>::add(work::force);
     dependence on{dependence::no_polynomial, dependence::no_polynomial, true};
-    if constexpr (requires { at_time{what.lagrangian, t}.expand(q, v); }) {
+    if constexpr (requires { what.lagrangian.gradients(t, q, v, by_q, by_v); })
+        on = what.lagrangian.gradients(t, q, v, by_q, by_v);
+    else if constexpr (requires { at_time{what.lagrangian, t}.expand(q, v); }) {
         auto const e = at_time{what.lagrangian, t}.expand(q, v);
         by_q = e.by_q;
         by_v = e.by_v;

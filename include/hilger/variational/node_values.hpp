@@ -17,6 +17,7 @@ template <class S, class Derived>
 class node_values {
 public:
     [[nodiscard]] S const& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
+    [[nodiscard]] std::vector<S> const& values() const { return values_; }
     [[nodiscard]] S const& by_q(int k) const { return value(self().places().by_q[static_cast<std::size_t>(k)]); }
     [[nodiscard]] S const& by_v(int k) const { return value(self().places().by_v[static_cast<std::size_t>(k)]); }
 

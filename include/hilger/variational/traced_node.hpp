@@ -84,6 +84,7 @@ public:
         return is_new;
     }
     [[nodiscard]] derivative_places const& places() const { return now_->places; }
+    [[nodiscard]] evaluation<S> const& how() const { return now_->how; }
     /// Whether the formula holds where comparisons come out as they did.
     [[nodiscard]] bool has_branches() const { return now_ != nullptr and not now_->guards.empty(); }
 
@@ -100,7 +101,11 @@ private:
     }
     void learn(Problem const& what, S const& t, V const& q, V const& v) {
         time_ = t;
-        known_.push_back(std::make_shared<traced_formula<S> const>(trace_problem(what, t, q, v)));
+        auto const traced_here = [&] { return trace_problem(what, t, q, v); };
+        if constexpr (not has_force<Problem> and requires { what.lagrangian.kept(); })
+            known_.push_back(what.lagrangian.kept().template of<S>(traced_here));
+        else
+            known_.push_back(std::make_shared<traced_formula<S> const>(traced_here()));
         take(known_.back());
     }
     /// The formula that holds at (q, v): one that is known, or a new one.

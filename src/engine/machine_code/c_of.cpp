@@ -2,6 +2,8 @@
 // Rows of equal operations are loops, all others a line each. Numbers are read from their places: a compiler that saw them would fold, and
 // round otherwise than the library of functions does.
 #include <algorithm>
+#include <concepts>
+#include <vector>
 
 #include "engine/machine_code/machine_code.hpp"
 
@@ -89,5 +91,57 @@ private:
 } // namespace
 
 std::string c_of(evaluation const& what) { return writer(what).text(); }
+
+template <class S>
+std::string c_of_node(hilger::detail::evaluation<S> const& what, int d, std::vector<int> const& places, std::size_t first) {
+    using evaluation = hilger::detail::evaluation<S>;
+    constexpr int most_places = 1000;
+    std::string const scalar = std::same_as<S, float> ? "float " : "double ";
+    if (what.size() > most_places) return {};
+    std::vector<bool> is_local(static_cast<std::size_t>(what.size()), false);
+    auto const operand = [&](int place) {
+        if (is_local[static_cast<std::size_t>(place)]) return 'v' + std::to_string(place);
+        if (place < d) return "q" + std::to_string(place);
+        if (place < 2 * d) return "w" + std::to_string(place - d);
+        return place == 2 * d ? std::string("t") : at(place);
+    };
+    auto const lines = [&](std::initializer_list<typename evaluation::part> parts, std::size_t results, std::string const& to) {
+        std::fill(is_local.begin(), is_local.end(), false);
+        std::string text;
+        for (auto const p : parts)
+            what.for_each_round(p, [&](auto const& r) {
+                for (int i = 0; i < r.count; ++i) {
+                    text += "    const " + scalar + "v" + std::to_string(r.out + i) + " = " +
+                            written(r.what->name, operand(r.a[i]), operand(r.b[i]), is_of_one(r.what->name)) + ";\n";
+                    is_local[static_cast<std::size_t>(r.out + i)] = true;
+                }
+            });
+        for (std::size_t k = 0; k < results; ++k)
+            text += "    to[" + to + std::to_string(k) + "] = " + (places[k] < 0 ? "0" : operand(places[k])) + ";\n";
+        return text;
+    };
+    std::string const n = std::to_string(d);
+    std::string arguments, nodes;
+    for (int k = 0; k < d; ++k) {
+        std::string const c = std::to_string(k);
+        arguments +=
+            "    const " + scalar + "q" + c + " = q[" + c + "], w" + c + " = v[" + c + "];\n    (void)q" + c + ", (void)w" + c + ";\n";
+        nodes +=
+            "    const " + scalar + "q" + c + " = q[" + n + " * i + " + c + "], w" + c + " = 0;\n    (void)q" + c + ", (void)w" + c + ";\n";
+    }
+    std::string const head = "(const " + scalar + "*restrict x, " + scalar + "t, const " + scalar + "*restrict q, ",
+                      unused = "    (void)x;\n    (void)t;\n";
+    auto const function = [&](char const* name, std::string const& body) {
+        return std::string("void ") + name + head + "const " + scalar + "*restrict v, " + scalar + "*restrict to)\n{\n" + unused +
+               arguments + body + "}\n";
+    };
+    return "#include <tgmath.h>\n" + function("first", lines({evaluation::shared, evaluation::momenta, evaluation::forces}, first, "")) +
+           function("all", lines({evaluation::shared, evaluation::momenta, evaluation::forces, evaluation::seconds}, places.size(), "")) +
+           function("force", lines({evaluation::shared, evaluation::forces}, static_cast<std::size_t>(d), "")) + "void many" + head +
+           scalar + "*restrict to, long n)\n{\n" + unused + "    for (long i = 0; i < n; ++i) {\n" + nodes +
+           lines({evaluation::shared, evaluation::forces}, static_cast<std::size_t>(d), n + " * i + ") + "    }\n}\n";
+}
+template std::string c_of_node(hilger::detail::evaluation<double> const&, int, std::vector<int> const&, std::size_t);
+template std::string c_of_node(hilger::detail::evaluation<float> const&, int, std::vector<int> const&, std::size_t);
 
 } // namespace engine

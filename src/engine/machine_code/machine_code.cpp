@@ -22,29 +22,49 @@ using functions = std::array<translation::function, translation::functions>;
 /// Nothing is folded and no two functions are joined to a third one: it would round differently.
 std::vector<std::string> const options{"-O2", "-ftree-vectorize", "-fno-builtin-sin", "-fno-builtin-cos"};
 
+/// Loops over nodes are made vectors of. Two components of one are not, where they were written one by one: the processor would wait.
+std::vector<std::string> node_options() {
+    std::vector<std::string> all{"-O3",
+                                 "-fno-tree-slp-vectorize",
+                                 "-fno-math-errno",
+                                 "-fno-trapping-math",
+                                 "-fno-builtin-sin",
+                                 "-fno-builtin-cos",
+                                 "-fno-builtin-sinf",
+                                 "-fno-builtin-cosf"};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) all.emplace_back("-mavx2");
+#endif
+    return all;
+}
+
 class compiler final : public hilger::detail::translator<double> {
 public:
     void translate(evaluation const& what, translation& to) override {
+        if (how_.load() == machine_code::off) return;
+        std::string text = c_of(what);
+        if (text.empty()) return;
+        if (auto const* made = library(std::move(text), options)) use(*made, to);
+    }
+    c_library const* library(std::string text, std::vector<std::string> const& how_to_compile) {
         auto const how = how_.load();
-        if (how == machine_code::off) return;
+        if (how == machine_code::off) return nullptr;
         std::unique_lock lock(busy_, std::defer_lock);
         if (how == machine_code::at_once)
             lock.lock();
         else if (not lock.try_lock())
-            return;
-        std::string text = c_of(what);
-        if (text.empty()) return;
+            return nullptr;
         auto const [found, is_new] = jobs_.try_emplace(text, nullptr);
-        if (is_new) found->second = std::make_unique<c_library>(std::move(text), options);
+        if (is_new) found->second = std::make_unique<c_library>(std::move(text), how_to_compile);
         switch (found->second->look(how == machine_code::at_once)) {
-        case c_library::status::working:
-        case c_library::status::failed:
-            return;
+        case c_library::status::done:
+            ++translated_;
+            return found->second.get();
         case c_library::status::no_compiler:
             say_once();
-            return;
-        case c_library::status::done:
-            use(*found->second, to);
+            return nullptr;
+        default:
+            return nullptr;
         }
     }
     /// Forgets what it has looked at.
@@ -69,7 +89,6 @@ private:
             if (made[k] == nullptr) return;
         }
         to.set(made);
-        ++translated_;
     }
     std::atomic<machine_code> how_ = machine_code::off;
     std::atomic<int> translated_ = 0;
@@ -89,6 +108,7 @@ void set_machine_code(machine_code how) {
     auto& one = the_compiler();
     one.set(how);
     hilger::detail::translator<double>::installed() = &one;
+    ++hilger::detail::translator<double>::generation();
 }
 void prepare_machine_code() {
     static bool const once = [] {
@@ -97,6 +117,10 @@ void prepare_machine_code() {
         return true;
     }();
     (void)once;
+}
+c_library const* machine_code_of(std::string text) {
+    prepare_machine_code();
+    return the_compiler().library(std::move(text), node_options());
 }
 machine_code wanted_machine_code() {
     prepare_machine_code();

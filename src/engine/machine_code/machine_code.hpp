@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hilger/differentiation/evaluation.hpp"
 
@@ -13,10 +14,21 @@ namespace engine {
 /// be too long.
 std::string c_of(hilger::detail::evaluation<double> const& what);
 
+/// C99 of derivatives of d coordinates at a node: void first(const double *x, double t, const double *q, const double *v, double *to) puts
+/// the first so many of `places`, which are no second derivatives, one after the other, and void all(...) all of them; x is the values,
+/// where numbers are read, and -1 stands for a zero. void force(...), as these, puts the first d of them,
+/// which are forces, and void many(const double *x, double t, const double *q, double *to, long n) the same for n positions and v = 0. In
+/// double, or all of it in float. Nothing where that would be too long.
+template <class S>
+std::string c_of_node(hilger::detail::evaluation<S> const& what, int d, std::vector<int> const& places, std::size_t first);
+
+class c_library;
 enum class machine_code { off, on, at_once };
 /// Whether formulas that are traced from now on become machine code when they are evaluated often; at_once waits for the compiler. The
 /// environment says so too where nobody else does: HILGER_MACHINE_CODE=off. Where there is no compiler one line on stderr says so.
 void set_machine_code(machine_code how);
+/// What becomes of such a text, for the length of the process; nothing while it is not ready, and where there is none.
+c_library const* machine_code_of(std::string text);
 /// As the environment says, unless it was set.
 void prepare_machine_code();
 [[nodiscard]] machine_code wanted_machine_code();
