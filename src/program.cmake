@@ -3,8 +3,7 @@
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp)
 # Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
-set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp scenes/stated_in_digits.cpp
-  scenes/viscoelastic_beam.cpp)
+set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp scenes/viscoelastic_beam.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 list(FILTER sources EXCLUDE REGEX "/(demo|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
@@ -30,16 +29,22 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ does not see that what Boost.odeint copies is not read before it is written.
   set_source_files_properties(scenes/peers.cpp PROPERTIES COMPILE_OPTIONS "-Wno-maybe-uninitialized;-Wno-uninitialized")
 endif()
-# What a system has in many digits is a file of its own: at -O3 and -O1 the compiler takes minutes for it, and its time goes into loops
-# over digits.
-foreach(system IN ITEMS pendulum kepler henon_heiles planetary)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/many_digits/${system}.cpp)
+# What problems in files have in states of each small size, and in each number of digits, is a file of its own, for it takes its time. Of
+# many digits the time goes into loops over them.
+foreach(dimension IN ITEMS 1 2 3)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/small_${dimension}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT
-    "#include \"compiled_once.hpp\"\n#include \"scenes/path_walk.hpp\"\n#include \"scenes/systems.hpp\"\nnamespace program {\nPROGRAM_MANY_DIGITS(, ${system}_system)\n}\n")
-  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    "#include \"scenes/stated_small.hpp\"\nPROGRAM_SMALL(double, ${dimension})\nPROGRAM_SMALL(float, ${dimension})\n")
+  target_sources(hilger PRIVATE ${source})
+endforeach()
+foreach(numbers IN ITEMS double float hilger::float50 hilger::float100)
+  string(REPLACE hilger:: "" name ${numbers})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/in_${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT
+    "#include \"compiled_once.hpp\"\n#include \"scenes/stated_walk.hpp\"\nPROGRAM_IN_NUMBERS(, ${numbers})\n")
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND numbers MATCHES "hilger")
     set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -Og SKIP_PRECOMPILE_HEADERS ON)
   endif()
-  set_source_files_properties(${source} PROPERTIES UNITY_GROUP many_digits)
   target_sources(hilger PRIVATE ${source})
 endforeach()
 # Scenes in files travel inside the program, under their names with - for _.
@@ -56,5 +61,4 @@ file(CONFIGURE OUTPUT problems_in_files.hpp CONTENT
   "#include <utility>\ninline constexpr std::pair<char const*, char const*> problems_in_files[]{\n@texts@};\n" @ONLY)
 # Scenes have their methods in common.
 set_target_properties(hilger PROPERTIES UNITY_BUILD ${HILGER_UNITY_TESTS} UNITY_BUILD_MODE GROUP)
-set_source_files_properties(scenes/henon_heiles.cpp scenes/kepler.cpp scenes/pendulum.cpp PROPERTIES UNITY_GROUP plane)
 install(TARGETS hilger COMPONENT program)

@@ -6,10 +6,8 @@
 
 #include "from_file.hpp"
 #include "hilger/hilger.hpp"
-#include "outer_solar_system_data.hpp"
 #include "scene.hpp"
 #include "structures.hpp"
-#include "systems.hpp"
 
 namespace program {
 
@@ -19,20 +17,6 @@ auto scale_of(scene const& s) { return hilger::uniform(hilger::interval{s.t0, s.
 void head(std::ostream& out, scene const& s) { hilger::write_heading(out << '\n' << s.name << ", h = " << scale_of(s).h() << '\n'); }
 
 /// Implicit; and explicit where the system lets it be.
-template <class System>
-void tell(std::ostream& out, char const* name, System const& system) {
-    scene const& s = scene_named(name);
-    auto const L = system.template lagrangian<double>();
-    auto const start = system.template start<double>();
-    auto const row = [&](char const* method, auto const& flow) {
-        auto const path = flow.along(scale_of(s), start.q0, hilger::momentum_of(L, start.q0, start.v0));
-        out << hilger::requirements_row{method, hilger::requirements_of(path)};
-    };
-    head(out, s);
-    row("mid-point", hilger::embed(L, hilger::mid_point));
-    row("verlet", hilger::stoermer_verlet(L));
-}
-/// The same of a problem in text.
 void tell_stated(std::ostream& out, scene const& s) {
     auto const& L = s.stated->of.lagrangian;
     hilger::initial_velocity<engine::vector<double>> const from{numbers_of(s.stated->q), numbers_of(s.stated->v)};
@@ -68,11 +52,6 @@ void tell_boundary(std::ostream& out) {
 
 void list_costs(std::ostream& out) {
     out << "A step of each, counted: what is computed, solved, and kept beside the state\n";
-    tell(out, "pendulum", pendulum_system{});
-    tell(out, "kepler", kepler_system{});
-    tell(out, "henon-heiles", henon_heiles_system{});
-    std::istringstream built_in(outer_solar_system_csv);
-    tell(out, "outer-solar-system", planetary_system{read_solar_system(built_in, "the built-in data")});
     for (scene const& s : all_scenes())
         if (s.stated and s.stated->of.damping.empty() and not s.stated->of.force) tell_stated(out, s);
     viscoelastic_beam_system const beam;

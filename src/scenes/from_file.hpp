@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <typeindex>
 
 #include "engine/ensemble/ensemble.hpp"
 #include "scene.hpp"
@@ -17,9 +20,10 @@ struct named_formula {
 /// A problem in text with its data, digits in the place of numbers.
 struct stated_problem {
     engine::problem of;
-    std::vector<std::string> q, v;                  ///< initial, one for each coordinate
-    std::string start, end;                         ///< of T
-    std::vector<named_formula> conserved, observed; ///< beside the energy
+    std::vector<std::string> q, v;                                    ///< initial, one for each coordinate
+    std::string start, end;                                           ///< of T
+    std::vector<named_formula> conserved, observed;                   ///< beside the energy
+    mutable std::map<std::type_index, std::shared_ptr<void>> known{}; ///< what one walk leaves for the next one
     /// Whether the energy is constant.
     [[nodiscard]] bool conserves_energy() const {
         return not of.force and of.damping.empty() and not of.lagrangian.formula().reads(hilger::text::meaning::role::time);

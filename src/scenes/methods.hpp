@@ -13,15 +13,12 @@ namespace program {
 inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "blanes-moan-4", "kahan-li-8",
                                          "kahan-li-8+", "gauss-4",   "gauss-6",    "gauss-8", "gauss-16"};
 
-/// What a system has in many digits beside mid-point, and alone in 100: what is compiled there takes its time.
-enum class in_many_digits { gauss, composition };
-
 /// Calls use(flow) with the method of that name on L, where the scalar has it.
-template <class S, in_many_digits Wide, class L, class Use>
+template <class S, class L, class Use>
 void with_method(std::string const& name, L const& l, Use const& use) {
     using namespace hilger;
     constexpr bool is_double = std::is_same_v<S, double>, many_digits = not std::is_floating_point_v<S>;
-    if constexpr (not std::is_same_v<S, float100>) {
+    if constexpr (not std::is_same_v<S, float100>) { // what is compiled there takes its time
         if (name == "mid-point") use(embed(l, mid_point));
     }
     if constexpr (is_double) {
@@ -33,12 +30,12 @@ void with_method(std::string const& name, L const& l, Use const& use) {
         if (name == "gauss-6") use(embed(l, galerkin<6, gauss>));
         if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
     }
-    if constexpr (is_double or (Wide == in_many_digits::composition and many_digits)) {
+    if constexpr (is_double or many_digits) {
         if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
     }
     if constexpr (not many_digits) {
         if (name == "gauss-4") use(embed(l, galerkin<4, gauss>));
-    } else if constexpr (Wide == in_many_digits::gauss) {
+    } else {
         if (name == "gauss-16") use(embed(l, galerkin<16, gauss>));
     }
 }

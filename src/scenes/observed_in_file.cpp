@@ -3,7 +3,7 @@
 //   units = "s"                                                            of the interval
 //   conserved = { "angular momentum" = "x*v_y - y*v_x" }                   formulas whose change is a column, as the energy's is
 //   observed = { height = "-l*cos(q)" }                                    formulas that are columns
-//   pictures = [ { title = "Path", x = "x", y = "y", equal = true } ]      columns by their names; y may be a list, x is else t
+//   pictures = [ { title = "Path", x = "x", y = "y", equal = true } ]      columns by their names; y may be a list, and x too; x is else t
 //   reference = { embedding = "gauss-8", steps = 4000 }                    whose end `hilger trade` measures with, or
 //   exact = { position = ["0.5", "1/3"], source = "...", error = 1e-30 }   the position at the end of the interval
 // Nothing in it is a command: of a picture only names and titles come from the file, in single quotes, where gnuplot replaces nothing.
@@ -48,17 +48,26 @@ public:
             else
                 curves.push_back(y);
             if (curves.empty()) file_.refuse(y, "a picture has a y, the name of a column or a list of such");
-            auto const* x = one.get("x");
+            std::vector<toml::node const*> abscissas;
+            if (auto const* x = one.get("x")) {
+                if (auto const* names = x->as_array())
+                    for (auto const& name : *names) abscissas.push_back(&name);
+                else
+                    abscissas.push_back(x);
+                if (abscissas.size() != 1 and abscissas.size() != curves.size())
+                    file_.refuse(x, "x is the name of a column, or a list of as many as y has");
+            }
             bool equal = false;
             if (auto const* e = one.get("equal")) {
                 if (not e->is_boolean()) file_.refuse(e, "equal is true or false: whether x and y have one scale");
                 equal = *e->value<bool>();
             }
             auto const* title = one.get("title");
-            std::vector<std::size_t> columns;
+            std::vector<std::size_t> columns, by;
             for (auto const* c : curves) columns.push_back(column(*c, "y"));
-            plot(title != nullptr ? file_.heading(title->source().begin, file_.text_of(*title, "title")) : "", x ? column(*x, "x") : 0,
-                 columns, equal);
+            for (auto const* c : abscissas) by.push_back(column(*c, "x"));
+            if (by.empty()) by.push_back(0);
+            plot(title != nullptr ? file_.heading(title->source().begin, file_.text_of(*title, "title")) : "", by, columns, equal);
         }
     }
     void measure() const {
@@ -97,9 +106,9 @@ private:
     void usual_pictures() const {
         std::vector<std::size_t> positions;
         for (int k = 1; k <= std::min(s_.dimension, 6); ++k) positions.push_back(static_cast<std::size_t>(k));
-        plot("Positions", 0, positions, false);
+        plot("Positions", {0}, positions, false);
         for (std::size_t k = 0; k < s_.columns.size(); ++k)
-            if (s_.columns[k] == "energy error") plot("Energy error", 0, {k}, false);
+            if (s_.columns[k] == "energy error") plot("Energy error", {0}, {k}, false);
     }
     [[nodiscard]] std::size_t column(toml::node const& n, char const* key) const {
         std::string const name = file_.text_of(n, key);
@@ -109,14 +118,15 @@ private:
         for (auto const& c : s_.columns) known += (known.empty() ? "" : ", ") + c;
         file_.refuse(&n, "there is no column '" + name + "': there are " + known);
     }
-    /// One plot, by gnuplot's numbers of columns, from 1.
-    void plot(std::string const& title, std::size_t x, std::vector<std::size_t> const& y, bool equal) const {
-        std::string const units = x == 0 and not s_.units.empty() ? " / " + s_.units : "";
-        s_.picture += "set title '" + title + "'; set size " + (equal ? "ratio -1" : "noratio") + "; set xlabel '" + s_.columns[x] + units +
-                      "'; set ylabel '" + (y.size() == 1 ? s_.columns[y[0]] : "") + "'\nplot ";
-        for (std::size_t const c : y)
-            s_.picture += (c == y[0] ? "<rows> using " : ", <rows> using ") + std::to_string(x + 1) + ':' + std::to_string(c + 1) +
-                          " with lines " + (y.size() == 1 ? "notitle" : "title '" + s_.columns[c] + "'");
+    /// One plot, by gnuplot's numbers of columns, from 1; of all y over one x, or of each over its own.
+    void plot(std::string const& title, std::vector<std::size_t> const& x, std::vector<std::size_t> const& y, bool equal) const {
+        std::string const units = x[0] == 0 and not s_.units.empty() ? " / " + s_.units : "";
+        s_.picture += "set title '" + title + "'; set size " + (equal ? "ratio -1" : "noratio") + "; set xlabel '" +
+                      (x.size() == 1 ? s_.columns[x[0]] : "") + units + "'; set ylabel '" + (y.size() == 1 ? s_.columns[y[0]] : "") +
+                      "'\nplot ";
+        for (std::size_t k = 0; k < y.size(); ++k)
+            s_.picture += (k == 0 ? "<rows> using " : ", <rows> using ") + std::to_string(x[x.size() == 1 ? 0 : k] + 1) + ':' +
+                          std::to_string(y[k] + 1) + " with lines " + (y.size() == 1 ? "notitle" : "title '" + s_.columns[y[k]] + "'");
         s_.picture += '\n';
     }
     toml_file const& file_;

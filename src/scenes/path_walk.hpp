@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// A walk along any trajectory of hilger's, and the scene that a system makes with the methods. A system has, for each scalar S,
-//   lagrangian<S>()            any Lagrangian L(q, v)
-//   start<S>()                 initial position and velocity
-//   invariants(L, x)           what should be constant, a vector of numbers, at a state x
+// A walk along any trajectory of hilger's.
 #pragma once
 
 #include <iomanip>
 #include <optional>
 #include <sstream>
 
-#include "methods.hpp"
+#include "hilger/hilger.hpp"
 #include "scene.hpp"
 
 namespace program {
@@ -34,8 +31,7 @@ class path_walk final : public walk {
 
 public:
     path_walk(Path path, Observe observe)
-        : path_(std::move(path)), observe_(std::move(observe)), at_(std::as_const(path_).begin()), start_(observe_(*at_)),
-          largest_(start_.size(), 0) {}
+        : path_(std::move(path)), observe_(std::move(observe)), at_(std::as_const(path_).begin()), first_(*at_) {}
 
     void advance(hilger::index_type steps) override {
         hilger::index_type const last = std::min(path_.scale().last(), at_.number() + steps);
@@ -54,9 +50,10 @@ public:
         std::string text = digits_of(x.t);
         for (int k = 0; k < s::dimension(x.q); ++k) text += ',' + digits_of(S(s::component(x.q, k)));
         for (int k = 0; k < s::dimension(x.p); ++k) text += ',' + digits_of(S(s::component(x.p, k)));
+        auto const& start = start_of_all();
         auto const now = observe_(x);
         for (std::size_t k = 0; k < now.size(); ++k) {
-            auto const change = static_cast<double>(S(now[k] - start_[k]));
+            auto const change = static_cast<double>(S(now[k] - start[k]));
             largest_[k] = std::max(largest_[k], std::abs(change));
             text += ',' + digits_of(change);
         }
@@ -69,9 +66,13 @@ public:
         for (int k = 0; k < s::dimension(at_->q); ++k) x.emplace_back(s::component(at_->q, k));
         return x;
     }
-    [[nodiscard]] std::vector<double> drift() const override { return largest_; }
+    [[nodiscard]] std::vector<double> drift() const override {
+        (void)start_of_all();
+        return largest_;
+    }
     bool save(std::ostream& out) const override {
         if constexpr (keeps) {
+            (void)start_of_all();
             for (double const x : largest_) out << std::hexfloat << x << '\n';
             hilger::write_checkpoint(out, path_, at_.checkpoint());
         }
@@ -79,6 +80,7 @@ public:
     }
     void load(std::istream& in, std::string const& source) override {
         if constexpr (keeps) {
+            (void)start_of_all();
             for (double& x : largest_) {
                 std::string word;
                 std::getline(in, word);
@@ -90,52 +92,25 @@ public:
     }
 
 private:
+    /// What is observed at the first point. It is looked at when somebody asks for rows: that may take longer than to walk.
+    auto const& start_of_all() const {
+        if (not start_) {
+            start_.emplace(observe_(first_));
+            largest_.assign(start_->size(), 0);
+        }
+        return *start_;
+    }
     Path path_;
     Observe observe_;
     std::optional<hilger::resumed<Path>> resumed_;
     iterator at_;
-    decltype(std::declval<Observe const&>()(*std::declval<iterator const&>())) start_;
+    std::remove_cvref_t<decltype(*std::declval<iterator const&>())> first_;
+    mutable std::optional<decltype(std::declval<Observe const&>()(*std::declval<iterator const&>()))> start_;
     mutable std::vector<double> largest_;
 };
 template <class Path, class Observe>
 std::unique_ptr<walk> walk_along(Path path, Observe observe) {
     return std::make_unique<path_walk<Path, Observe>>(std::move(path), std::move(observe));
-}
-
-/// The walk of a system by c.embedding in numbers S; nothing where there is no such method.
-template <class S, class System>
-std::unique_ptr<walk> begin_in(System const& system, configuration const& c, double t0, double t1) {
-    std::unique_ptr<walk> result;
-    auto const L = system.template lagrangian<S>();
-    auto const start = system.template start<S>();
-    auto const T = hilger::uniform(hilger::interval<S>{S(t0), S(t1)}, c.steps);
-    with_method<S, in_many_digits::gauss>(c.embedding, L, [&](auto const& flow) {
-        result = walk_along(flow.along(T, start.q0, hilger::momentum_of(L, start.q0, start.v0)),
-                            [system, L](auto const& x) { return system.invariants(L, x); });
-    });
-    return result;
-}
-
-/// In 50 and 100 digits, which src/program.cmake has compiled for each system by itself.
-#define PROGRAM_MANY_DIGITS(keyword, System)                                                                                               \
-    keyword template std::unique_ptr<walk> begin_in<hilger::float50>(System const&, configuration const&, double, double);                 \
-    keyword template std::unique_ptr<walk> begin_in<hilger::float100>(System const&, configuration const&, double, double);
-
-/// The scene that a system makes with all methods, T being [t0, t1] in equal steps.
-template <class System>
-scene scene_of(System const& system, scene made) {
-    made.embeddings.assign(method_names.begin(), method_names.end());
-    made.scalars = {"double", "float", "50-digits", "100-digits"};
-    made.begin = [system, name = made.name, t0 = made.t0, t1 = made.t1](configuration const& c) {
-        std::unique_ptr<walk> result = c.scalar == "double"      ? begin_in<double>(system, c, t0, t1)
-                                       : c.scalar == "float"     ? begin_in<float>(system, c, t0, t1)
-                                       : c.scalar == "50-digits" ? begin_in<hilger::float50>(system, c, t0, t1)
-                                                                 : begin_in<hilger::float100>(system, c, t0, t1);
-        if (not result)
-            hilger::error::raise<hilger::error::invalid_parameter>("the scene ", name, " has no ", c.embedding, " in ", c.scalar);
-        return result;
-    };
-    return made;
 }
 
 } // namespace program

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "peers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include <boost/numeric/odeint.hpp>
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 
+#include "engine/small_lagrangian.hpp"
+#include "from_file.hpp"
+#include "hilger/step/separable.hpp"
 #include "measure.hpp"
-#include "outer_solar_system_data.hpp"
 #if PROGRAM_HAS_GSL
 #include "peers_gsl.hpp"
 #endif
-#include "solar_system.hpp"
 
 namespace program {
 
@@ -21,18 +22,48 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
+/// q'' = M^-1 dL/dq, of the formula that is stepped here too, in states of D coordinates or, where D is 0, of any number.
 template <std::size_t D>
-using vector = std::array<double, D>;
-
-/// q'' = acceleration(q), with everything that a hand-written program would do.
-template <std::size_t D, class Acceleration>
-class second_order {
-    using phase = vector<2 * D>;
+class acceleration {
+    using L = std::conditional_t<D == 0, hilger::text::stated_lagrangian, engine::small_lagrangian<double, static_cast<int>(D)>>;
+    using V = Eigen::Matrix<double, D == 0 ? Eigen::Dynamic : static_cast<int>(D), 1>;
+    using problem = hilger::problem<L, hilger::no_force>;
 
 public:
-    second_order(Acceleration a, vector<D> const& q, vector<D> const& v, double t1) : acceleration_(a), q_(q), v_(v), t1_(t1) {}
+    acceleration(hilger::text::stated_lagrangian const& of, V const& q)
+        : of_{L(of), {}}, parts_(of_, q), q_(q), force_(q), rate_(q), is_there_(parts_.inspect(of_, {0.0, q, q})) {}
+    /// Whether L = v.Mv/2 - U(q).
+    [[nodiscard]] bool is_there() const { return is_there_; }
+    void operator()(double const* q, double* a) {
+        std::copy_n(q, q_.size(), q_.data());
+        (void)parts_.force(of_, 0.0, q_, force_);
+        parts_.solve(force_, rate_);
+        std::copy_n(rate_.data(), q_.size(), a);
+    }
+
+private:
+    problem of_;
+    hilger::detail::separable<problem, double, V> parts_;
+    V q_, force_, rate_;
+    bool is_there_;
+};
+
+template <std::size_t D>
+class second_order {
+    template <std::size_t N>
+    using numbers = std::conditional_t<D == 0, std::vector<double>, std::array<double, N>>;
+    using vector = numbers<D>;
+    using phase = numbers<2 * D>;
+
+public:
+    explicit second_order(stated_problem const& of)
+        : acceleration_(of.of.lagrangian, numbers_of(of.q)), d_(of.q.size()), q_(taken(numbers_of(of.q))), v_(taken(numbers_of(of.v))) {
+        auto const T = points_of(of, 1);
+        t1_ = T.step;
+    }
 
     std::vector<peer_run> run() {
+        if (not acceleration_.is_there()) return {};
         for (int half_digits = 6; half_digits <= 30; ++half_digits) {
             double const tolerance = std::pow(10.0, -half_digits / 2.0);
             adaptive("dopri5", tolerance,
@@ -56,10 +87,10 @@ public:
                 return x;
             });
             fixed("mclachlan-sb3a-4", steps, [&, steps] {
-                std::pair<vector<D>, vector<D>> x(q_, v_);
-                odeint::symplectic_rkn_sb3a_m4_mclachlan<vector<D>> stepper;
+                std::pair<vector, vector> x(q_, v_);
+                odeint::symplectic_rkn_sb3a_m4_mclachlan<vector> stepper;
                 for (int i = 0; i < steps; ++i) stepper.do_step(force(), x, 0.0, t1_ / steps);
-                phase both;
+                phase both = start();
                 std::copy(x.first.begin(), x.first.end(), both.begin());
                 return both;
             });
@@ -68,24 +99,28 @@ public:
     }
 
 private:
+    static vector taken(engine::vector<double> const& x) {
+        vector y{};
+        if constexpr (D == 0) y.resize(static_cast<std::size_t>(x.size()));
+        std::copy(x.begin(), x.end(), y.begin());
+        return y;
+    }
     [[nodiscard]] phase start() const {
-        phase x;
+        phase x{};
+        if constexpr (D == 0) x.resize(2 * d_);
         std::copy(q_.begin(), q_.end(), x.begin());
-        std::copy(v_.begin(), v_.end(), x.begin() + D);
+        std::copy(v_.begin(), v_.end(), x.begin() + static_cast<std::ptrdiff_t>(d_));
         return x;
     }
-    [[nodiscard]] auto field() const {
+    [[nodiscard]] auto field() {
         return [this](phase const& x, phase& rate, double) { first_order(x.data(), rate.data()); };
     }
-    void first_order(double const* x, double* rate) const {
-        vector<D> q, a;
-        std::copy_n(x, D, q.begin());
-        acceleration_(q, a);
-        std::copy_n(x + D, D, rate);
-        std::copy(a.begin(), a.end(), rate + D);
+    void first_order(double const* x, double* rate) {
+        acceleration_(x, rate + d_);
+        std::copy_n(x + d_, d_, rate);
     }
-    [[nodiscard]] auto force() const {
-        return [this](vector<D> const& q, vector<D>& a) { acceleration_(q, a); };
+    [[nodiscard]] auto force() {
+        return [this](vector const& q, vector& a) { acceleration_(q.data(), a.data()); };
     }
     template <class Make>
     void adaptive(char const* name, double tolerance, Make const& make) {
@@ -100,40 +135,17 @@ private:
         phase x{};
         try {
             double const seconds = fastest([&] { x = run(); });
-            if (std::isfinite(x[0])) runs_.push_back({name, parameter, seconds, std::vector<double>(x.begin(), x.begin() + D)});
+            auto const end = x.begin() + static_cast<std::ptrdiff_t>(d_);
+            if (std::isfinite(x[0])) runs_.push_back({name, parameter, seconds, std::vector<double>(x.begin(), end)});
         } catch (std::exception const&) { // a tolerance that the method cannot keep
         }
     }
-    Acceleration acceleration_;
-    vector<D> q_, v_;
-    double t1_;
+    acceleration<D> acceleration_;
+    std::size_t d_;
+    vector q_, v_;
+    double t1_ = 0;
     std::vector<peer_run> runs_;
 };
-template <std::size_t D, class Acceleration>
-std::vector<peer_run> run_all(Acceleration a, vector<D> const& q, vector<D> const& v, double t1) {
-    return second_order<D, Acceleration>(a, q, v, t1).run();
-}
-
-std::vector<peer_run> planets() {
-    std::istringstream built_in(outer_solar_system_csv);
-    solar_system const s = read_solar_system(built_in, "the built-in data");
-    vector<dimension> q, v;
-    for (int k = 0; k < dimension; ++k) q[static_cast<std::size_t>(k)] = s.q(k), v[static_cast<std::size_t>(k)] = s.v(k);
-    std::array<double, bodies> m;
-    for (std::size_t i = 0; i < bodies; ++i) m[i] = solar_system::gravity * s.mass(3 * static_cast<int>(i));
-    auto const acceleration = [m](vector<dimension> const& x, vector<dimension>& a) {
-        a.fill(0);
-        for (std::size_t i = 0; i < bodies; ++i)
-            for (std::size_t j = i + 1; j < bodies; ++j) {
-                double const dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1], dz = x[3 * j + 2] - x[3 * i + 2];
-                double const r2 = dx * dx + dy * dy + dz * dz, i3 = 1 / (r2 * std::sqrt(r2));
-                double const mi = m[i] * i3, mj = m[j] * i3;
-                a[3 * i] += mj * dx, a[3 * i + 1] += mj * dy, a[3 * i + 2] += mj * dz;
-                a[3 * j] -= mi * dx, a[3 * j + 1] -= mi * dy, a[3 * j + 2] -= mi * dz;
-            }
-    };
-    return run_all<dimension>(acceleration, q, v, 20'000);
-}
 
 /// u'' + D^(1/2) u + u = 1 as the system D^(1/2) y_1 = y_2, ..., D^(1/2) y_4 = 1 - y_1 - y_2 (u = y_1, u' = y_3), by the
 /// predictor-corrector of Diethelm, Ford and Freed, whose sums go over all of the past.
@@ -167,22 +179,23 @@ double predictor_corrector(int steps, double t1) {
 
 } // namespace
 
-std::vector<peer_run> run_peers(std::string const& scene) {
-    if (scene == "pendulum") return run_all<1>([](vector<1> const& q, vector<1>& a) { a[0] = -std::sin(q[0]); }, {1.5}, {0}, 100);
-    if (scene == "kepler")
-        return run_all<2>(
-            [](vector<2> const& q, vector<2>& a) {
-                double const r2 = q[0] * q[0] + q[1] * q[1], i3 = 1 / (r2 * std::sqrt(r2));
-                a[0] = -q[0] * i3, a[1] = -q[1] * i3;
-            },
-            {0.4, 0}, {0, 2}, 50);
-    if (scene == "henon-heiles")
-        return run_all<2>(
-            [](vector<2> const& q, vector<2>& a) { a[0] = -q[0] - 2 * q[0] * q[1], a[1] = -q[1] - q[0] * q[0] + q[1] * q[1]; }, {0, 0.1},
-            {0.49, 0}, 100);
-    if (scene == "outer-solar-system") return planets();
+std::vector<peer_run> run_peers(scene const& what) {
+    if (what.stated) {
+        auto const& one = *what.stated;
+        if (one.of.force or not one.of.damping.empty()) return {};
+        switch (what.dimension) {
+        case 1:
+            return second_order<1>(one).run();
+        case 2:
+            return second_order<2>(one).run();
+        case 3:
+            return second_order<3>(one).run();
+        default:
+            return second_order<0>(one).run();
+        }
+    }
     std::vector<peer_run> runs;
-    if (scene == "fractional-oscillator")
+    if (what.name == "fractional-oscillator")
         for (int steps = 128; steps <= 1 << 14; steps *= 2) {
             double u = 0;
             double const seconds = fastest([&] { u = predictor_corrector(steps, 15); });

@@ -62,7 +62,7 @@ struct scene {
     std::shared_ptr<stated_problem const> stated; ///< of what a file states
 };
 
-/// All scenes, in the order in which they are listed: those in C++, then those of examples/problems.
+/// All scenes, in the order in which they are listed: those of examples/problems, then those in C++.
 std::vector<scene> const& all_scenes();
 /// The scene of this name, or the one that a file my.toml states. @throws hilger::error::invalid_parameter that lists the names there are,
 /// hilger::error::unreadable

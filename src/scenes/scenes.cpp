@@ -38,15 +38,9 @@ void complete(std::string& chosen, std::string const& usual, std::vector<std::st
 
 std::vector<scene> const& all_scenes() {
     static std::vector<scene> const all = [] {
-        std::vector<scene> made{pendulum(),
-                                kepler(),
-                                henon_heiles(),
-                                outer_solar_system(),
-                                fractional_oscillator(),
-                                bagley_torvik(),
-                                viscoelastic_beam(),
-                                fractional_dirichlet()};
+        std::vector<scene> made;
         for (auto const& [name, content] : problems_in_files) made.push_back(scene_from_text(content, std::string(name) + ".toml"));
+        for (auto* const in_cpp : {fractional_oscillator, bagley_torvik, viscoelastic_beam, fractional_dirichlet}) made.push_back(in_cpp());
         return made;
     }();
     return all;

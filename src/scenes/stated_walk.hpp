@@ -2,6 +2,7 @@
 // Systems in text, along the trajectories that all others have, in any scalar.
 #pragma once
 
+#include "engine/small_lagrangian.hpp"
 #include "from_file.hpp"
 #include "histories.hpp"
 #include "methods.hpp"
@@ -18,7 +19,8 @@ public:
     explicit observed(stated_problem what)
         : what_(std::move(what)), derivatives_({what_.of.lagrangian, {}}), energy_(hilger::energy(what_.of.lagrangian)) {}
     template <class State>
-    std::vector<S> operator()(State const& x) const {
+    std::vector<S> operator()(State const& of) const {
+        any_size const x = of_any_size(of);
         std::vector<S> all;
         if (what_.conserves_energy()) all.push_back(energy_(x));
         evaluate(what_.conserved, x, all);
@@ -27,13 +29,17 @@ public:
     template <class State>
     std::vector<S> shown(State const& x) const {
         std::vector<S> all;
-        evaluate(what_.observed, x, all);
+        evaluate(what_.observed, of_any_size(x), all);
         return all;
     }
 
 private:
+    using any_size = hilger::state<S, engine::vector<S>>;
     template <class State>
-    void evaluate(std::vector<named_formula> const& formulas, State const& x, std::vector<S>& to) const {
+    static any_size of_any_size(State const& x) {
+        return {x.t, x.q, x.p};
+    }
+    void evaluate(std::vector<named_formula> const& formulas, any_size const& x, std::vector<S>& to) const {
         if (formulas.empty()) return;
         auto const v = hilger::detail::velocity_by(derivatives_, x.t, x.q, x.p);
         for (auto const& f : formulas) to.push_back(f.of.value(x.t, x.q, v));
@@ -74,19 +80,48 @@ void with_flow(engine::problem const& of, configuration const& c, Use const& use
             if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
         }
     } else
-        with_method<S, in_many_digits::composition>(c.embedding, of.lagrangian, use);
+        with_method<S>(c.embedding, of.lagrangian, use);
 }
+/// The walk of a free problem of D coordinates, with states of that size, in double or float.
+template <class S, int D>
+std::unique_ptr<walk> begin_small(stated_problem const& what, configuration const& c);
 
+/// What make() makes for the first walk, for all of them.
+template <class T, class Make>
+T const& known_to(stated_problem const& what, Make const& make) {
+    auto& kept = what.known[typeid(T)];
+    if (not kept) kept = std::make_shared<T>(make());
+    return *static_cast<T const*>(kept.get());
+}
+/// What all walks in numbers S begin with.
+template <class S>
+struct beginning {
+    engine::vector<S> q, v;
+    S start, end;
+    observed<S> seen;
+    [[nodiscard]] auto scale(hilger::index_type steps) const { return hilger::uniform(hilger::interval<S>{start, end}, steps); }
+};
+template <class S>
+beginning<S> const& beginning_of(stated_problem const& what) {
+    return known_to<beginning<S>>(what, [&] {
+        auto const number = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
+        return beginning<S>{numbers_of<S>(what.q), numbers_of<S>(what.v), number(what.start), number(what.end), observed<S>(what)};
+    });
+}
 template <class S>
 std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c) {
     std::unique_ptr<walk> made;
-    auto const end = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
-    auto const T = hilger::uniform(hilger::interval<S>{end(what.start), end(what.end)}, c.steps);
+    auto const& begin = beginning_of<S>(what);
     with_flow<S>(what.of, c, [&](auto const& flow) {
-        hilger::initial_velocity<engine::vector<S>> const from{numbers_of<S>(what.q), numbers_of<S>(what.v)};
-        made = walk_along(flow.along(T, from), observed<S>(what));
+        hilger::initial_velocity<engine::vector<S>> const from{begin.q, begin.v};
+        made = walk_along(flow.along(begin.scale(c.steps), from), begin.seen);
     });
     return made;
 }
 
 } // namespace program
+
+/// In numbers S, compiled in a file of its own.
+#define PROGRAM_IN_NUMBERS(keyword, S)                                                                                                     \
+    keyword template std::unique_ptr<program::walk> program::begin_in_numbers<S>(program::stated_problem const&,                           \
+                                                                                 program::configuration const&);

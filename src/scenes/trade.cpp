@@ -204,7 +204,7 @@ int run_trade(trade_options const& options) {
                             climb(what, {embedding, scalar, history, 0}, reference, options.budget, points);
                         bar.advance();
                     }
-            for (auto const& run : run_peers(what.name)) {
+            for (auto const& run : run_peers(what)) {
                 numbers const end(run.position.begin(), run.position.end());
                 double const error = static_cast<double>(distance(end, reference.position));
                 if (error < 1)

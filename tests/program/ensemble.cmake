@@ -95,6 +95,6 @@ says("q,v\n1,two\n" "wrong.csv, line 2: a number was expected, as 1, 0.5 or 1/3,
 says("q,v\n" "'wrong.csv' has no members: below the names there is a row for each")
 run(1 wrong nowhere.csv)
 expect("cannot read members from 'nowhere.csv'")
-execute_process(COMMAND ${hilger} run kepler --ensemble members.csv --out wrong WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+execute_process(COMMAND ${hilger} run viscoelastic-beam --ensemble members.csv --out wrong WORKING_DIRECTORY ${out} RESULT_VARIABLE result
   ERROR_VARIABLE said)
-expect("--ensemble is for problems in files, as my.toml, and kepler is a scene of the program")
+expect("--ensemble is for problems in files, as my.toml, and viscoelastic-beam is a scene of the program")

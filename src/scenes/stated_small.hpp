@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSL-1.0
+// Free problems of few coordinates. Each number of them is compiled in a file of its own, which takes its time (src/program.cmake).
+#pragma once
+
+#include "stated_walk.hpp"
+
+namespace program {
+
+template <class S, int D>
+std::unique_ptr<walk> begin_small(stated_problem const& what, configuration const& c) {
+    using V = Eigen::Matrix<S, D, 1>;
+    auto const& begin = beginning_of<S>(what);
+    auto const& L = known_to<engine::small_lagrangian<S, D>>(what, [&] { return engine::small_lagrangian<S, D>(what.of.lagrangian); });
+    std::unique_ptr<walk> made;
+    with_method<S>(c.embedding, L, [&](auto const& flow) {
+        made = walk_along(flow.along(begin.scale(c.steps), hilger::initial_velocity<V>{begin.q, begin.v}), begin.seen);
+    });
+    return made;
+}
+
+} // namespace program
+
+#define PROGRAM_SMALL(S, D) template std::unique_ptr<program::walk> program::begin_small<S, D>(stated_problem const&, configuration const&);
