@@ -96,8 +96,8 @@ T const& known_to(stated_problem const& what, Make const& make) {
 /// What all walks in numbers S begin with.
 template <class S>
 struct beginning {
-    engine::vector<S> q, v;
     S start, end;
+    engine::vector<S> q, p;
     observed<S> seen;
     [[nodiscard]] auto scale(hilger::index_type steps) const { return hilger::uniform(hilger::interval<S>{start, end}, steps); }
 };
@@ -105,17 +105,17 @@ template <class S>
 beginning<S> const& beginning_of(stated_problem const& what) {
     return known_to<beginning<S>>(what, [&] {
         auto const number = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
-        return beginning<S>{numbers_of<S>(what.q), numbers_of<S>(what.v), number(what.start), number(what.end), observed<S>(what)};
+        S const start = number(what.start);
+        auto const q = numbers_of<S>(what.q);
+        auto const p = hilger::momentum_of(hilger::detail::at_time{what.of.lagrangian, start}, q, numbers_of<S>(what.v));
+        return beginning<S>{start, number(what.end), q, p, observed<S>(what)};
     });
 }
 template <class S>
 std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c) {
     std::unique_ptr<walk> made;
     auto const& begin = beginning_of<S>(what);
-    with_flow<S>(what.of, c, [&](auto const& flow) {
-        hilger::initial_velocity<engine::vector<S>> const from{begin.q, begin.v};
-        made = walk_along(flow.along(begin.scale(c.steps), from), begin.seen);
-    });
+    with_flow<S>(what.of, c, [&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.q, begin.p), begin.seen); });
     return made;
 }
 
