@@ -128,8 +128,8 @@ private:
         if (node_.evaluate(of_, t, q, v, which) or not table_) table_.emplace(node_);
         table_->read(node_, x, which == wanted::with_seconds ? table::size : table::firsts);
         if (node_.has_branches()) return;
-        constexpr int often = 512;
-        bool const is_often = ++interpreted_ % often == 0;
+        bool const is_often = ++interpreted_ == next_look_;
+        if (is_often) next_look_ *= 2; // where there is no compiler, to look takes as long as to interpret
         std::lock_guard const lock(found_->changes);
         if (is_often and found_->all == nullptr) found_->all = look_for_machine_code();
         compiled_ = found_->all;
@@ -150,7 +150,7 @@ private:
     std::shared_ptr<found> found_ = std::make_shared<found>();
     mutable hilger::detail::traced_node<problem_type, V> node_;
     mutable std::optional<table> table_;
-    mutable int interpreted_ = 0;
+    mutable long long interpreted_ = 0, next_look_ = 512;
     mutable std::shared_ptr<functions const> compiled_;
 };
 
