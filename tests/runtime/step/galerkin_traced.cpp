@@ -15,14 +15,17 @@ namespace {
 using fixed = Eigen::Vector4d;
 using dynamic = Eigen::VectorXd;
 
-/// Springs; a mass that is not diagonal, a term linear in v, and where it is coupled, a mass that depends on the position.
-template <bool IsCoupled>
+/// Springs; a mass that is not diagonal and a term linear in v; and a mass that depends on the position, or on the velocity.
+enum class kind { constant_mass, coupled, not_quadratic };
+template <kind Kind>
 constexpr auto lagrangian_of = [](auto const& q, auto const& v) {
     auto const spring = [](auto const& r) { return r * r / 2 + r * r * r * r / 8; };
     auto const L = v.squaredNorm() / 2 + v(0) * v(1) / 3 + v(2) / 5 - spring(q(1) - q(0)) - spring(q(2) - q(1)) - spring(q(3) - q(2)) -
                    q(0) * q(0) / 2 - q(3) * q(3) / 4;
-    if constexpr (IsCoupled)
+    if constexpr (Kind == kind::coupled)
         return L + q(1) * q(1) * v(3) * v(3) / 4;
+    else if constexpr (Kind == kind::not_quadratic)
+        return L + v(3) * v(3) * v(3) * v(3) / 8;
     else
         return L;
 };
@@ -56,11 +59,12 @@ TEST_CASE("traced Galerkin steps are those of jets") {
         agrees(of, galerkin<3, gauss>, uneven());
         agrees(of, galerkin<3, gauss>, uniform(0.0, 0.5, 24)); // iterations of forces converge slowly, or not
     };
-    both(lagrangian_of<false>);
-    both(lagrangian_of<true>);
+    both(lagrangian_of<kind::constant_mass>);
+    both(lagrangian_of<kind::coupled>);
+    agrees(lagrangian_of<kind::not_quadratic>, galerkin<3, gauss>, uniform(0.0, 0.0625, 60));
 }
 TEST_CASE("with a constant mass forces alone are evaluated, and no second derivatives in the steps") {
-    auto const flow = embed(lagrangian_of<false>, galerkin<3, gauss>);
+    auto const flow = embed(lagrangian_of<kind::constant_mass>, galerkin<3, gauss>);
     auto const need = requirements_of(flow.along(uniform(0.0, 0.0625, 60), dynamic(q0), dynamic(p0)));
     CHECK(need.second_derivatives == 0);
     CHECK(need.factorizations == 0);
@@ -72,8 +76,8 @@ TEST_CASE("runs of traced Galerkin steps are resumed bit for bit") {
         CHECK(differences(flow.along(uneven(), dynamic(q0), dynamic(p0)), 17) == 0);
         CHECK(differences(flow.along(uniform(0.0, 0.5, 24), dynamic(q0), dynamic(p0)), 5) == 0);
     };
-    both(lagrangian_of<false>);
-    both(lagrangian_of<true>);
+    both(lagrangian_of<kind::constant_mass>);
+    both(lagrangian_of<kind::coupled>);
 }
 
 } // namespace galerkin_traced_tests
