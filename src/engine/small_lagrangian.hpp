@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The Lagrangian of a problem of few coordinates, for states of a size that the compiler knows, which it keeps in registers: it has its
-// derivatives from the traced formula, and once there is machine code of that, from two functions of numbers alone.
+// derivatives from the traced formula, and once there is machine code of that, from functions of numbers alone.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/machine_code/c_library.hpp"
@@ -135,7 +137,8 @@ private:
         compiled_ = found_->all;
     }
     [[nodiscard]] std::shared_ptr<functions const> look_for_machine_code() const {
-        auto const* const made = machine_code_of(c_of_node(node_.how(), D, table_->places(), table::firsts));
+        std::string text = c_of_node(node_.how(), D, table_->places(), table::firsts);
+        auto const* const made = text.empty() ? nullptr : machine_code_of(std::move(text));
         if (made == nullptr) return nullptr;
         auto const find = [&](char const* name, auto& to) { to = reinterpret_cast<std::remove_cvref_t<decltype(to)>>(made->find(name)); };
         auto all = std::make_shared<functions>();
@@ -144,7 +147,8 @@ private:
         find("force", all->force);
         find("many", all->many);
         all->numbers = node_.values();
-        return all;
+        bool const is_whole = all->first != nullptr and all->all != nullptr and all->force != nullptr and all->many != nullptr;
+        return is_whole ? all : nullptr;
     }
     problem_type of_;
     std::shared_ptr<found> found_ = std::make_shared<found>();

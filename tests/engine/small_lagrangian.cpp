@@ -112,6 +112,16 @@ TEST_CASE("a formula with branches is told of on each of them, and never machine
     }
     CHECK(watch.saw_any());
 }
+TEST_CASE("a formula that is too long to be functions of numbers goes on as it is") {
+    kept_here const here;
+    std::string L = "v[0]^2/2";
+    for (int k = 1; k < 400; ++k) L += " - cos(q[0]*" + std::to_string(k) + ")/" + std::to_string(k);
+    auto const of = stated(L, 1).lagrangian;
+    set_machine_code(machine_code::off);
+    auto const interpreted = said<double, 1>(of, 0);
+    set_machine_code(machine_code::at_once);
+    CHECK(interpreted == said<double, 1>(of, 2000));
+}
 TEST_CASE("a formula in text is traced once for all that copies of it are asked") {
     auto const L = stated("v[0]^2/2 + cos(q[0])", 1).lagrangian;
     int traced = 0;
