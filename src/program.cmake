@@ -5,7 +5,7 @@ file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp
 # compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
 set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp scenes/viscoelastic_beam.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-list(FILTER sources EXCLUDE REGEX "/(demo|numbers|engines.*)[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
 add_executable(hilger ${sources} ${not_optimised})
 if(CMAKE_BUILD_TYPE STREQUAL "Release")

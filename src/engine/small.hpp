@@ -64,23 +64,16 @@ private:
 template <class Mechanics, class Make>
 made embedded_small(Mechanics const& mechanics, Make const& make, points<double> const& T, std::string const& name) {
     if constexpr (std::same_as<Mechanics, free_problem>)
-        if (T.is_uniform()) {
-            auto const with = [&]<int D>(std::integral_constant<int, D>) -> made {
-                auto const scale = hilger::uniform(T.start, T.step, T.steps);
-                using flow = decltype(make(mechanics));
-                return std::make_unique<small_motion<D, Make, flow, std::remove_cvref_t<decltype(scale)>>>(mechanics, make, scale, name);
-            };
-            switch (mechanics.lagrangian.formula().words().dimension()) {
-            case 1:
-                return with(std::integral_constant<int, 1>{});
-            case 2:
-                return with(std::integral_constant<int, 2>{});
-            case 3:
-                return with(std::integral_constant<int, 3>{});
-            default:
-                break;
-            }
-        }
+        if (T.is_uniform())
+            return with_small_size(mechanics.lagrangian.formula().words().dimension(), [&]<int D>(std::integral_constant<int, D>) -> made {
+                if constexpr (D > 0) {
+                    auto const scale = hilger::uniform(T.start, T.step, T.steps);
+                    using flow = decltype(make(mechanics));
+                    return std::make_unique<small_motion<D, Make, flow, std::remove_cvref_t<decltype(scale)>>>(mechanics, make, scale,
+                                                                                                               name);
+                } else
+                    return on_scale(make(mechanics), T, name);
+            });
     return on_scale(make(mechanics), T, name);
 }
 /// The same of an embedding.

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,21 @@
 #include "hilger/variational/node_derivatives.hpp"
 
 namespace engine {
+
+/// use(std::integral_constant<int, d>()) of a size that has small states, 1 to 3, and of 0 for any other.
+template <class Use>
+decltype(auto) with_small_size(int d, Use const& use) {
+    switch (d) {
+    case 1:
+        return use(std::integral_constant<int, 1>());
+    case 2:
+        return use(std::integral_constant<int, 2>());
+    case 3:
+        return use(std::integral_constant<int, 3>());
+    default:
+        return use(std::integral_constant<int, 0>());
+    }
+}
 
 /// Where in a node's values the derivatives of an L of D coordinates are: dL/dq, dL/dv and three blocks of second derivatives, column by
 /// column.

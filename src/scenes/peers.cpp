@@ -183,16 +183,7 @@ std::vector<peer_run> run_peers(scene const& what) {
     if (what.stated) {
         auto const& one = *what.stated;
         if (one.of.force or not one.of.damping.empty()) return {};
-        switch (what.dimension) {
-        case 1:
-            return second_order<1>(one).run();
-        case 2:
-            return second_order<2>(one).run();
-        case 3:
-            return second_order<3>(one).run();
-        default:
-            return second_order<0>(one).run();
-        }
+        return engine::with_small_size(what.dimension, [&]<int D>(std::integral_constant<int, D>) { return second_order<D>(one).run(); });
     }
     std::vector<peer_run> runs;
     if (what.name == "fractional-oscillator")

@@ -30,18 +30,14 @@ std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration con
     engine::prepare_machine_code();
     if (c.scalar == "50-digits") return begin_in_numbers<hilger::float50>(what, c);
     if (c.scalar == "100-digits") return begin_in_numbers<hilger::float100>(what, c);
-    auto const in = [&]<class S>(S) -> std::unique_ptr<walk> {
-        if (what.of.damping.empty() and not what.of.force) switch (what.of.lagrangian.formula().words().dimension()) {
-            case 1:
-                return begin_small<S, 1>(what, c);
-            case 2:
-                return begin_small<S, 2>(what, c);
-            case 3:
-                return begin_small<S, 3>(what, c);
-            default:
-                break;
-            }
-        return begin_in_numbers<S>(what, c);
+    int const d = what.of.force or not what.of.damping.empty() ? 0 : what.of.lagrangian.formula().words().dimension();
+    auto const in = [&]<class S>(S) {
+        return engine::with_small_size(d, [&]<int D>(std::integral_constant<int, D>) {
+            if constexpr (D > 0)
+                return begin_small<S, D>(what, c);
+            else
+                return begin_in_numbers<S>(what, c);
+        });
     };
     return c.scalar == "float" ? in(float()) : in(double());
 }

@@ -3,6 +3,8 @@
 // whatever the velocity is.
 #pragma once
 
+#include <optional>
+
 #include "hilger/inlining.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/step/separable.hpp"
@@ -122,10 +124,10 @@ public:
 
 private:
     bool has_parts(Problem const& what, V const& q) {
-        if (known_ == unknown) known_ = of_.inspect(what, state<S, V>{S(0), q, q}) ? there : not_there;
-        return known_ == there;
+        if (not has_parts_) has_parts_ = of_.inspect(what, state<S, V>{S(0), q, q});
+        return *has_parts_;
     }
-    enum { unknown, there, not_there } known_ = unknown;
+    std::optional<bool> has_parts_; ///< once it was looked at
     separable<Problem, S, V> of_;
 };
 

@@ -108,9 +108,8 @@ class separable<problem<F, no_force>, S, V> {
 
 public:
     separable(what_type const&, V const& like) : at_rest_(zero_like(like)) {}
-    bool inspect(what_type const& what, state<S, V> const& x) { return inspect(what, x.q); }
-    bool inspect(what_type const& what, V const& q) {
-        if (not is_known_) learn(what, q);
+    bool inspect(what_type const& what, state<S, V> const& x) {
+        if (not is_known_) learn(what, x.q);
         return has_parts_;
     }
     static constexpr bool has_forces = false;
