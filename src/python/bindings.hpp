@@ -17,6 +17,7 @@ std::optional<hilger::text::expression> as_expression(py::handle x);
 void add_expressions(py::module_& m);
 void add_problems(py::module_& m);
 void add_motions(py::module_& m);
+void add_ensembles(py::module_& m);
 void add_identities(py::module_& m);
 
 } // namespace bindings

@@ -1,108 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-// Motions in numpy's arrays of double; in rationals and 50 digits numbers travel as text. A walk lets other threads of Python run, looks
-// for an interrupt every tenth of a second, and keeps what there is.
+// Motions, one at a time. A walk lets other threads of Python run, looks for an interrupt every tenth of a second, and keeps what there is.
 #include <chrono>
-#include <ctime>
 #include <future>
 
-#include "bindings.hpp"
-#include "engine/engine.hpp"
+#include "crossing.hpp"
 #include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
 #include "hilger/trajectory/events.hpp"
+#include "looking.hpp"
 
 namespace bindings {
 
 namespace {
-
-/// How numbers come from Python and go there.
-template <class S>
-struct crossing {
-    using given = std::vector<std::string>;
-    static engine::vector<S> vector_of(given const& digits) {
-        engine::vector<S> x(static_cast<Eigen::Index>(digits.size()));
-        for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = number(digits[k]);
-        return x;
-    }
-    static S number(std::string const& digits) {
-        if (auto const x = hilger::text::number_in<S>(digits)) return *x;
-        hilger::error::raise<hilger::error::invalid_parameter>("a number was expected, as 0.1 or 1/3, and here is '", digits, "'");
-    }
-    static py::object array(std::vector<S>&& numbers, int columns) {
-        py::list rows;
-        for (S const& x : numbers) rows.append(word(x));
-        return py::make_tuple(rows, columns);
-    }
-    static py::object word(S const& x) {
-        if constexpr (std::numeric_limits<S>::is_exact)
-            return py::str(x.str());
-        else
-            return py::str(x.str(std::numeric_limits<S>::max_digits10, std::ios::scientific));
-    }
-};
-template <>
-struct crossing<double> {
-    using given = py::array_t<double, py::array::c_style | py::array::forcecast>;
-    static engine::vector<double> vector_of(given const& x) { return Eigen::Map<engine::vector<double> const>(x.data(), x.size()); }
-    static double number(double x) { return x; }
-    /// An array that owns the numbers, not a copy of them.
-    static py::object array(std::vector<double>&& numbers, int columns) {
-        auto* const kept = new std::vector<double>(std::move(numbers));
-        py::capsule const owner(kept, [](void* p) { delete static_cast<std::vector<double>*>(p); });
-        auto const rows = static_cast<py::ssize_t>(kept->size()) / std::max(columns, 1);
-        if (columns == 0) return py::array_t<double>({rows}, kept->data(), owner);
-        return py::array_t<double>({rows, static_cast<py::ssize_t>(columns)}, kept->data(), owner);
-    }
-    static py::object word(double x) { return py::float_(x); }
-};
-
-using matrix = py::array_t<double, py::array::c_style>;
-
-engine::second_datum datum_named(std::string const& what) {
-    using engine::second_datum;
-    return what == "v0" ? second_datum::velocity : what == "p0" ? second_datum::momentum : second_datum::next_position;
-}
-template <class S>
-engine::initial<S> initial_of(typename crossing<S>::given const& q0, std::string const& what, typename crossing<S>::given const& other) {
-    return {crossing<S>::vector_of(q0), datum_named(what), crossing<S>::vector_of(other)};
-}
-
-/// Seconds, to a few milliseconds: steps may take nanoseconds, or seconds.
-double coarse_now() {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Says how far it is, and looks for Ctrl-C. @returns whether it goes on; what else is raised, in `progress` or by a signal's handler, is
-/// thrown
-bool goes_on(py::object const& progress, std::size_t done) {
-    try {
-        if (not progress.is_none()) progress(done);
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        return true;
-    } catch (py::error_already_set const& raised) {
-        if (not raised.matches(PyExc_KeyboardInterrupt)) throw;
-        return false;
-    }
-}
-
-/// goes_on every tenth of a second, of what runs while other threads of Python may.
-class looking {
-public:
-    explicit looking(py::object const& progress) : progress_(progress) {}
-    bool operator()(std::size_t done) {
-        if (coarse_now() - last_ < 0.1) return true;
-        py::gil_scoped_acquire const here;
-        bool const on = goes_on(progress_, done);
-        last_ = coarse_now();
-        return on;
-    }
-
-private:
-    py::object const& progress_;
-    double last_ = coarse_now();
-};
 
 /// (t, q, p, why it stopped, whether it was interrupted)
 template <class S>
@@ -233,66 +142,12 @@ py::object walk_in_whole_steps(engine::motion<double> const& path, engine::probl
                           made->interrupted);
 }
 
-engine::cast cast_of(engine::problem const& what, std::string const& method, bool in_lanes, engine::points<double> const& T) {
-    py::gil_scoped_release const others_run;
-    return engine::make_cast(what, method, T, in_lanes, [method, T](engine::problem const& one) {
-        return engine::walker_of(engine::make_motion<double>(one, method, T));
-    });
-}
-
-/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension. `parameters` has a row for each
-/// member of those that states bring.
-py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const& what, matrix const& other, matrix const& parameters,
-                   hilger::index_type stride, int threads, py::object const& progress) {
-    std::vector<engine::member> from;
-    using row = Eigen::Map<engine::vector<double> const>;
-    for (py::ssize_t k = 0; k < q0.shape(0); ++k) {
-        double const* const own = parameters.data() + k * parameters.shape(1);
-        from.push_back(
-            {{row(q0.data(k, 0), q0.shape(1)), datum_named(what), row(other.data(k, 0), q0.shape(1))}, {own, own + parameters.shape(1)}});
-    }
-    std::atomic<bool> stop = false;
-    std::atomic<hilger::index_type> done = 0;
-    auto running = std::async(std::launch::async, [&] { return engine::walk_all(all, from, stride, threads, stop, done); });
-    bool interrupted = false;
-    for (;;) {
-        {
-            py::gil_scoped_release const others_run;
-            if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
-        }
-        if (interrupted) continue;
-        try {
-            interrupted = not goes_on(progress, static_cast<std::size_t>(done.load()));
-        } catch (...) { // or its members would be waited for
-            stop = true;
-            throw;
-        }
-        if (interrupted) stop = true;
-    }
-    auto made = running.get();
-    if (not interrupted) (void)goes_on(progress, static_cast<std::size_t>(done.load()));
-    auto const cube = [&](std::vector<double>&& numbers) {
-        return crossing<double>::array(std::move(numbers), 0).attr("reshape")(made.members, made.points, made.dimension);
-    };
-    return py::make_tuple(crossing<double>::array(std::move(made.t), 0), cube(std::move(made.q)), cube(std::move(made.p)), made.failures);
-}
-
 } // namespace
 
 void add_motions(py::module_& m) {
     add_motion<double>(m, "Motion");
     add_motion<hilger::Q>(m, "ExactMotion");
     add_motion<hilger::float50>(m, "MotionIn50Digits");
-    py::class_<engine::cast>(m, "Cast")
-        .def(py::init(
-            [](engine::problem const& what, std::string const& method, bool in_lanes, double start, double step, hilger::index_type steps) {
-                return cast_of(what, method, in_lanes, {start, step, steps, {}});
-            }))
-        .def(py::init([](engine::problem const& what, std::string const& method, bool in_lanes, std::vector<double> const& points) {
-            return cast_of(what, method, in_lanes, {0, 0, static_cast<hilger::index_type>(points.size()) - 1, points});
-        }))
-        .def_property_readonly("lanes", [](engine::cast const& all) { return all.together ? all.together->width() : 1; });
-    m.def("walk_all", &walk_all);
     m.def("walk_in_whole_steps", [](engine::motion<double> const& path, engine::problem const& what, std::string const& method,
                                     std::tuple<double, double, hilger::index_type> const& T, crossing<double>::given const& q0,
                                     std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSL-1.0
+// What runs long says how far it is, and looks for an interrupt.
+#pragma once
+
+#include <ctime>
+
+#include "bindings.hpp"
+
+namespace bindings {
+
+/// Seconds, to a few milliseconds: steps may take nanoseconds, or seconds.
+inline double coarse_now() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Says how far it is, and looks for Ctrl-C. @returns whether it goes on; what else is raised, in `progress` or by a signal's handler, is
+/// thrown
+inline bool goes_on(py::object const& progress, std::size_t done) {
+    try {
+        if (not progress.is_none()) progress(done);
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        return true;
+    } catch (py::error_already_set const& raised) {
+        if (not raised.matches(PyExc_KeyboardInterrupt)) throw;
+        return false;
+    }
+}
+
+/// goes_on every tenth of a second, of what runs while other threads of Python may.
+class looking {
+public:
+    explicit looking(py::object const& progress) : progress_(progress) {}
+    bool operator()(std::size_t done) {
+        if (coarse_now() - last_ < 0.1) return true;
+        py::gil_scoped_acquire const here;
+        bool const on = goes_on(progress_, done);
+        last_ = coarse_now();
+        return on;
+    }
+
+private:
+    py::object const& progress_;
+    double last_ = coarse_now();
+};
+
+} // namespace bindings
