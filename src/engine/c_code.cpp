@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "hilger/formula/c_code.hpp"
 
-#include "engine/motions.hpp"
+#include "engine/methods/own.hpp"
 
 namespace engine {
 
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
     if (not what.damping.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
+    auto const lambda = lambda_of<double>(what, method, true);
     int const d = what.lagrangian.formula().words().dimension();
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const written = [&](auto const& how) { return hilger::c_code<vector<double>>(hilger::embed(mechanics, how), name, d); };
         if (method == "order-one") return written(hilger::order_one);
         if (method == "order-one-left") return written(hilger::order_one_left);
         if (method == "mid-point") return written(hilger::mid_point);
-        hilger::error::raise<hilger::error::invalid_parameter>(
-            "C code is written of embeddings with one node in a step, order-one, order-one-left and mid-point, and not of ", method);
+        if (lambda) return written(hilger::text::embedding_at(*lambda));
+        hilger::error::raise<hilger::error::invalid_parameter>("C code is written of embeddings with one node in a step, order-one, "
+                                                               "order-one-left, mid-point, theta and those of operators, and not of ",
+                                                               method);
     });
 }
 

@@ -30,7 +30,7 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;
     if (auto made = embedded_with_inner_points(what, method, T)) return made;
-    if (auto made = embedded_at_lambda(what, method, T)) return made;
+    if (auto made = embedded_with_numbers(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
     if (auto made = between_two_ends(what, method, T)) return made;
     refuse<double>(method, "");

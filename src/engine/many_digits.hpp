@@ -2,7 +2,7 @@
 // What scalars of many digits have: the embeddings in one step.
 #pragma once
 
-#include "engine/motions.hpp"
+#include "engine/methods/own.hpp"
 
 namespace engine {
 
@@ -10,6 +10,7 @@ template <class S>
 std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& method, points<S> const& T, char const* scalar) {
     if (not what.damping.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for numbers of the processor, and not for ", scalar);
+    if (auto made = embedded_by_operators(what, method, T)) return made;
     auto made = with_mechanics(what, [&](auto const& mechanics) -> std::unique_ptr<motion<S>> {
         if (method == "order-one") return on_scale(hilger::embed(mechanics, hilger::order_one), T, method);
         if (method == "order-one-left") return on_scale(hilger::embed(mechanics, hilger::order_one_left), T, method);
@@ -18,7 +19,9 @@ std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& metho
     });
     if (not made)
         hilger::error::raise<hilger::error::invalid_parameter>(
-            "in ", scalar, " the methods are order-one, order-one-left and mid-point, and not '", method, "'");
+            "in ", scalar,
+            " the methods are order-one, order-one-left, mid-point and embeddings, as integral(L(q, Delta_plus[q])), and not '", method,
+            "'");
     return made;
 }
 

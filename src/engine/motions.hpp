@@ -116,7 +116,11 @@ private:
     [[noreturn]] void refuse(char const* why) const {
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }
+
+protected:
     Flow flow_;
+
+private:
     // Their formulas are traced once.
     decltype(hilger::detail::derivatives_of(std::declval<Flow const&>())) derivatives_;
     decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
@@ -152,7 +156,7 @@ auto with_mechanics(problem const& what, Use const& use) {
 using made = std::unique_ptr<motion<double>>;
 made embedded_in_one_step(problem const& what, std::string const& method, points<double> const& T);
 made embedded_with_inner_points(problem const& what, std::string const& method, points<double> const& T);
-made embedded_at_lambda(problem const& what, std::string const& method, points<double> const& T);
+made embedded_with_numbers(problem const& what, std::string const& method, points<double> const& T);
 made between_two_ends(problem const& what, std::string const& method, points<double> const& T);
 made composed(problem const& what, std::string const& method, points<double> const& T);
 made damped(problem const& what, std::string const& method, points<double> const& T);

@@ -19,5 +19,6 @@ void add_problems(py::module_& m);
 void add_motions(py::module_& m);
 void add_ensembles(py::module_& m);
 void add_identities(py::module_& m);
+void add_operators(py::module_& m);
 
 } // namespace bindings

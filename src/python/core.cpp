@@ -35,5 +35,6 @@ PYBIND11_MODULE(_core, m) {
     bindings::add_problems(m);
     bindings::add_motions(m);
     bindings::add_ensembles(m);
+    bindings::add_operators(m);
     bindings::add_identities(m);
 }

@@ -9,7 +9,7 @@
 //   steps = 1000
 //   initial = { q = 1, v = 0 }                       numbers or lists under the names of the coordinates, 0 for all that
 //                                                    stands under one, or formulas of the parameters and of i, which component it is
-//   embedding = "mid-point"
+//   embedding = "mid-point"                          or "theta:0.3", or operators: "integral(L((q + sigma[q])/2, Delta_plus[q]))"
 //   damping = [ { rho = 0.2, alpha = 0.5 } ]         and history = "exponentials"
 // What is looked at, and measured with, is in observed_in_file.cpp.
 #include "from_file.hpp"
@@ -22,7 +22,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "hilger/multiprecision.hpp"
+#include "engine/methods/own.hpp"
 #include "observed_in_file.hpp"
 
 namespace program {
@@ -68,7 +68,12 @@ public:
         s.scalars = scalars_of(what);
         s.usual = {s.embeddings.size() == 1 ? s.embeddings[0] : "mid-point", "double", "",
                    file_.count_of(file_.required("steps"), "steps")};
-        if (auto const* e = file_.get("embedding")) s.usual.embedding = file_.chosen(*e, "embedding", s.embeddings);
+        if (auto const* e = file_.get("embedding")) {
+            std::string const method = file_.text_of(*e, "embedding");
+            if (engine::is_embedding_in_text(method)) (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
+            if (file_.saying_where(e, [&] { return has_embedding(what, method); })) s.embeddings.push_back(method);
+            s.usual.embedding = file_.chosen(*e, "embedding", s.embeddings);
+        }
         if (not what.of.damping.empty()) {
             s.histories = {"exponentials", "exponentials:1e-8", "blocks", "direct"};
             s.usual.history = "exponentials";

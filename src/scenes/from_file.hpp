@@ -38,6 +38,9 @@ scene scene_from_text(std::string_view content, std::string const& path);
 /// The methods and the scalars that a stated problem can be run with, and its way along T; nothing where the scalar has not the method.
 std::vector<std::string> embeddings_of(stated_problem const& what);
 std::vector<std::string> scalars_of(stated_problem const& what);
+/// Whether a method that is no name is one of numbers or operators, theta:0.3 or integral(L(q, Delta_plus[q])), that the problem has.
+/// @throws hilger::error::unreadable, hilger::error::invalid_parameter where something in it is wrong
+bool has_embedding(stated_problem const& what, std::string const& method);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
 /// What digits of numbers spell.
 template <class S = double>

@@ -63,7 +63,8 @@ scene const& scene_named(std::string const& name) {
 
 configuration completed(scene const& what, configuration c) {
     complete(c.scalar, what.usual.scalar, what.scalars, what, "scalar");
-    complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");
+    if (not what.stated or c.embedding.empty() or not has_embedding(*what.stated, c.embedding))
+        complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");
     complete(c.history, what.usual.history, what.histories, what, "history");
     if (c.steps == 0) c.steps = what.usual.steps;
     if (c.steps < 1) hilger::error::raise<hilger::error::invalid_scale>("--steps is a positive number, and it was ", c.steps);

@@ -20,6 +20,10 @@ std::vector<std::string> scalars_of(stated_problem const& what) {
     return {"double", "float", "50-digits", "100-digits"};
 }
 
+bool has_embedding(stated_problem const& what, std::string const& method) {
+    return what.of.damping.empty() and engine::lambda_of<double>(what.of, method, true).has_value();
+}
+
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {
     auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
     auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, steps);

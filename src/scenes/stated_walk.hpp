@@ -2,6 +2,7 @@
 // Systems in text, along the trajectories that all others have, in any scalar.
 #pragma once
 
+#include "engine/methods/own.hpp"
 #include "engine/small_lagrangian.hpp"
 #include "from_file.hpp"
 #include "histories.hpp"
@@ -57,6 +58,12 @@ inline forced with_any_force(engine::problem const& of) {
     return {of.lagrangian, hilger::text::stated_force(none)};
 }
 
+/// Calls use(flow) with the method that is chosen on what moves, L or with a force, where it has a number in it, as theta:0.3 and
+/// embeddings in text have.
+template <class S, class Mechanics, class Use>
+void with_number(engine::problem const& of, configuration const& c, Mechanics const& mechanics, Use const& use) {
+    if (auto const lambda = engine::lambda_of<S>(of, c.embedding, true)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
+}
 /// Calls use(flow) with the one that is chosen, where there is one in numbers S.
 template <class S, class Use>
 void with_flow(engine::problem const& of, configuration const& c, Use const& use) {
@@ -72,6 +79,7 @@ void with_flow(engine::problem const& of, configuration const& c, Use const& use
         }
     } else if (of.force) {
         forced const mechanics{of.lagrangian, *of.force};
+        with_number<S>(of, c, mechanics, use);
         if constexpr (not std::same_as<S, hilger::float100>) {
             if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
         }
@@ -79,8 +87,10 @@ void with_flow(engine::problem const& of, configuration const& c, Use const& use
             if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));
             if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
         }
-    } else
+    } else {
+        with_number<S>(of, c, of.lagrangian, use);
         with_method<S>(c.embedding, of.lagrangian, use);
+    }
 }
 /// The walk of a free problem of D coordinates, with states of that size, in double or float.
 template <class S, int D>

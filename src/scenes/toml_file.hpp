@@ -106,9 +106,12 @@ public:
     }
     [[nodiscard]] hilger::text::stated formula(toml::node const& n, std::shared_ptr<hilger::text::vocabulary const> const& words,
                                                char const* key) const {
-        std::string const content = text_of(n, key);
+        return {hilger::text::read(text_of(n, key), path_, begin_of_text(n)), words, path_};
+    }
+    /// Where the first letter in quotation marks stands.
+    static hilger::text::place begin_of_text(toml::node const& n) {
         auto const at = n.source().begin;
-        return {hilger::text::read(content, path_, {static_cast<int>(at.line), static_cast<int>(at.column) + 1}), words, path_};
+        return {static_cast<int>(at.line), static_cast<int>(at.column) + 1};
     }
     static double number(std::string const& digits) { return *hilger::text::number_in<double>(digits); }
 

@@ -26,6 +26,7 @@ set(order
   "fractional"
   "boundary"
   "formula"
+  "multiprecision.hpp" # text alone computes with numbers of its own: it compares operators exactly
   "text"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.

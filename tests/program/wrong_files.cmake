@@ -38,6 +38,8 @@ says("{ q = 1, v = 0 }" "{ q = 1 }" ", line 4, column 11: the initial values hav
 says("{ q = 1, v = 0 }" "{ q = [1, 2], v = 0 }" ", line 4, column 17: 'q' has 1 initial values, and here are 2")
 says("{ q = 1, v = 0 }" "{ q = 1, v = 0, w = 1 }" ", line 4, column 11: there are initial values of what is no coordinate and no velocity")
 says("steps = 10" "steps = 10\nembedding = \"euler\"" ", line 4, column 13: the embedding is one of order-one, mid-point, mid-point+, verlet, blanes-moan-4, kahan-li-8, kahan-li-8+, gauss-4, gauss-6, gauss-8, gauss-16 here, and not 'euler'")
+says("steps = 10" "steps = 10\nembedding = \"integral(L(q*q, Delta_plus[q]))\"" ", line 4, column 25: an operator is linear in q, and this product is not")
+says("steps = 10" "steps = 10\nembedding = \"integral(L(q, Delta_minus[q]))\"" ", line 4, column 13: what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by integral(L(...)): integral(L(q, Delta_minus[q])) has the other one")
 says("steps = 10" "steps = 10\ndamping = [ { rho = 1, alpha = 3 } ]" ", line 4, column 32: alpha lies between 0 and 2")
 says("steps = 10" "steps = 10\nhistory = \"blocks\"" ", line 4, column 11: a history is for fractional damping, and there is none")
 says("steps = 10" "steps = 10\nforce = [\"v\", \"v\"]" ", line 4, column 9: a force has one formula for each coordinate, and here are 2 for 1")

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "hilger/embedding/embedding.hpp"
@@ -48,6 +49,13 @@ inline constexpr embedding_facts facts_<embedding<A, B, W, Checked>> = [] {
     bool const plain = step::value(A{}, h, constant, 0) == one and step::value(B{}, h, constant, 0) == zero and
                        step::value(B{}, h, end, 0) * step::weight(A{}, B{}, h, 0) == one;
     return embedding_facts{plain, plain and step::value(A{}, h, end, 0) == zero, plain and step::value(A{}, h, start, 0) == zero};
+}();
+/// Numbers that are known at run time only: what is consistent, which is looked at then, has no other velocity than (q_{i+1} - q_i) / h.
+template <linear_map A, linear_map B, class W>
+    requires(has_numbers<A, B>and reads_one_step<A, B>)
+inline constexpr embedding_facts facts_<embedding<A, B, W, true>> = [] {
+    using step = on_one_step<A, B, W, prime_field>;
+    return embedding_facts{step::nodes_ == 1 and step::controls == 2, false, false};
 }();
 } // namespace detail
 template <class E>
@@ -102,7 +110,7 @@ void require_consistent(A const& a, B const& b, S const& h, char const* name) {
 /// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
 template <class S, linear_map A, linear_map B, class W, bool Checked>
 tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
-    if constexpr (Checked and detail::has_numbers<A, B> and ordered_scalar<S>)
+    if constexpr (Checked and detail::has_numbers<A, B> and std::numeric_limits<S>::is_specialized) // symbols cannot be compared
         detail::require_consistent<W>(e.position, e.velocity, h, e.name);
     using step = detail::on_one_step<A, B, W, S>;
     tableau<S> t;

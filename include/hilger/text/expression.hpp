@@ -88,6 +88,8 @@ public:
             error::raise<error::invalid_parameter>("a formula has at most ", deepest, " levels of parts in parts, and this one has more");
         root_ = std::move(made);
     }
+    /// What begins at a node.
+    explicit expression(node::pointer root) : root_(std::move(root)) {}
     static expression number(std::string digits) { return {kind::number, std::move(digits), {}}; }
     static expression variable(std::string name) { return {kind::name, std::move(name), {}}; }
     static expression element(std::string name, expression const& index) { return {kind::element, std::move(name), {index}}; }
@@ -96,6 +98,7 @@ public:
     }
 
     [[nodiscard]] node const& root() const { return *root_; }
+    [[nodiscard]] node::pointer const& shared() const { return root_; }
 
     friend expression operator+(expression const& x, expression const& y) { return {kind::plus, "", {x, y}}; }
     friend expression operator-(expression const& x, expression const& y) { return {kind::minus, "", {x, y}}; }

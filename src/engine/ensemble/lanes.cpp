@@ -9,7 +9,7 @@
 #include "engine/ensemble/lanes_of.hpp"
 #include "engine/machine_code/c_library.hpp"
 #include "engine/machine_code/machine_code.hpp"
-#include "engine/motions.hpp"
+#include "engine/methods/own.hpp"
 
 namespace engine {
 
@@ -76,8 +76,9 @@ auto with_members(problem const& what, Use const& use) {
 }
 
 template <class Mechanics>
-std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string const& method) {
-    symbol const h = symbol::variable("h");
+std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string const& method, std::optional<double> const& lambda) {
+    symbol const h = symbol::variable("h"), one_over_h = symbol(1) / h;
+    if (lambda) return one_node_parts{{{1, 2, {symbol(1 - *lambda), symbol(*lambda)}, {-one_over_h, one_over_h}, {h}, {}}}, {{0, 1}}};
     auto const one = [&](auto const& flow) { return tableau_of(flow.embedding(), h); };
     if (method == "order-one") return one_node_parts{{one(embed(mechanics, hilger::order_one))}, {{0, 1}}};
     if (method == "order-one-left") return one_node_parts{{one(embed(mechanics, hilger::order_one_left))}, {{0, 1}}};
@@ -125,8 +126,9 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
+    auto const lambda = lambda_of<double>(what, method, T.is_uniform());
     std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
-        auto const parts = parts_of(mechanics, method);
+        auto const parts = parts_of(mechanics, method, lambda);
         if (not parts) return {};
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
         try {

@@ -20,6 +20,7 @@ from ._core import (
     NoConvergence,
     NoFormula,
     NotFinite,
+    Operator,
     OutsideDomain,
     Singular,
     Unreadable,
@@ -74,6 +75,7 @@ from .formulas import (
     tanh,
     variables,
 )
+from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
 from .solutions import AccurateSolution, Events, Solution, StepFailure
 from .solving import blocks, direct, exponentials, machine_code, solve

@@ -83,11 +83,13 @@ class Lagrangian:
 
 @dataclass(frozen=True)
 class Method:
-    """An embedding, or a composition of steps."""
+    """An embedding, or a composition of steps: its name, or what is summed, as "integral(L((q + sigma[q])/2, Delta_plus[q]))"."""
 
     name: str
 
     def __post_init__(self) -> None:
+        if "(" in self.name:
+            return  # the equation knows what the names in it mean
         kinds = {name.split(":")[0] + ":" for name in _core.methods if ":" in name}
         if self.name not in _core.methods and not any(self.name.startswith(kind) for kind in kinds):
             raise _core.InvalidParameter(f"there is no method '{self.name}': there are {', '.join(_core.methods)}")
@@ -217,8 +219,11 @@ class Equation:
         return "$\\displaystyle \\begin{gathered}" + " \\\\ ".join(lines) + "\\end{gathered}$"
 
 
-def variation(L: Lagrangian, T: "Uniform | TimeScale", method: Method = midpoint) -> Equation:
-    """The variation of the action of L on T under an embedding. It prints as the equation that is solved."""
+def variation(L: Lagrangian, T: "Uniform | TimeScale", method: "Method | str" = midpoint) -> Equation:
+    """The variation of the action of L on T under an embedding. It prints as the equation that is solved. An embedding of one's own is made
+    of operators, h.embedding(A, B), or is a text, "integral(L((q + sigma[q])/2, Delta_plus[q]))"; parameters of L are known in it."""
+    if isinstance(method, str):
+        method = Method(method)
     for x, kind, what in (
         (L, Lagrangian, "a Lagrangian"),
         (T, (Uniform, TimeScale), "a scale, as h.uniform(0, 0.1, 100),"),
@@ -226,4 +231,5 @@ def variation(L: Lagrangian, T: "Uniform | TimeScale", method: Method = midpoint
     ):
         if not isinstance(x, kind):
             raise TypeError(f"{what} was expected, and here is {x!r}")
+    _core.require_method(L._problem, method.name, isinstance(T, Uniform))
     return Equation(L, T, method)

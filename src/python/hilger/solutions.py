@@ -24,7 +24,7 @@ class StepFailure(_core.Error):
         return StepFailure, (*self.args, self.solution)
 
 
-def _digits_of(kind: str):
+def digits_of(kind: str):
     """What a scalar computes with where Python computes with it."""
     if kind != "50 digits":
         return contextlib.nullcontext()
@@ -43,7 +43,7 @@ def numbers_from(kind: str, made: object) -> np.ndarray:
     else:
         import mpmath
 
-        with _digits_of(kind):
+        with digits_of(kind):
             all_of_them = [mpmath.mpf(x) for x in words]
     array = np.array(all_of_them, dtype=object)
     return array.reshape(-1, columns) if columns else array
@@ -130,7 +130,7 @@ class Solution:
         p, kind, row, scalar = self._momenta(), self.equation.scale.kind(), self._row, self.q.ndim == 1
 
         def value(t, q, p):
-            with _digits_of(kind):
+            with digits_of(kind):
                 y = g(t, q, p)
             if not y - y == 0:
                 raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")

@@ -7,6 +7,7 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/text/lagrangian.hpp"
+#include "hilger/text/stated_embedding.hpp"
 #include "support/random_lagrangian.hpp"
 
 namespace text_steps_tests {
@@ -29,7 +30,14 @@ auto walked(Path const& path) {
 
 } // namespace
 
-TEST_CASE("order-one steps in rationals are those of the same formula in C++") {
+/// Operators on which equations are explicit, as order one: the position is an end of the step.
+std::string explicit_embedding(unsigned seed) {
+    std::string const c = "(" + std::to_string(static_cast<int>(seed % 11) - 5) + "/7)";
+    return seed % 2 == 0 ? "integral(L((1 - " + c + ")*q + " + c + "*q, Delta_plus[q]))"
+                         : "nabla_integral(L(q, " + c + "*rho[Delta_plus[q]] + (1 - " + c + ")*Delta_minus[q]))";
+}
+
+TEST_CASE("explicit steps in rationals under operators in text are those of the same formula in C++ under order one") {
     int whole = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
@@ -37,14 +45,24 @@ TEST_CASE("order-one steps in rationals are those of the same formula in C++") {
         CAPTURE(U.text());
         auto const T = uniform(Q(1, 3), Q(1, 8), 2);
         vector<Q> const q{{Q(1, 2), Q(-2, 3)}}, p{{Q(1, 5), Q(1)}};
-        auto const path = embed(lagrangian{in_text(U)}, order_one).along(T, q, p);
-        auto const here = walked(path), there = walked(embed(lagrangian{typed{&U}}, order_one).along(T, q, p));
-        REQUIRE(here.stopped == there.stopped);
-        REQUIRE(here.states.size() == there.states.size());
-        for (std::size_t i = 0; i < here.states.size(); ++i) CHECK(here.states[i] == there.states[i]);
-        if (here.stopped) continue;
-        ++whole;
-        CHECK(largest_residual(path) == 0);
+        auto const compare = [&](auto const& path, auto const& in_types) {
+            auto const here = walked(path), there = walked(in_types);
+            REQUIRE(here.stopped == there.stopped);
+            REQUIRE(here.states.size() == there.states.size());
+            for (std::size_t i = 0; i < here.states.size(); ++i) CHECK(here.states[i] == there.states[i]);
+            if (here.stopped) return;
+            ++whole;
+            CHECK(largest_residual(path) == 0);
+        };
+        auto const how = text::embedding_in(explicit_embedding(seed));
+        CAPTURE(how.text);
+        text::with_embedding<Q>(how, seed % 4 < 2, [&](auto const& e) {
+            auto const path = embed(lagrangian{in_text(U)}, e).along(T, q, p);
+            if (how.weight == text::sum_weight::delta)
+                compare(path, embed(lagrangian{typed{&U}}, order_one).along(T, q, p));
+            else
+                compare(path, embed(lagrangian{typed{&U}}, order_one_left).along(T, q, p));
+        });
     }
     CHECK(whole > 100);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "engine/small.hpp"
+#include "engine/methods/small.hpp"
 
 namespace engine {
 

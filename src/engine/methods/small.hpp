@@ -9,7 +9,8 @@
 
 namespace engine {
 
-/// Walks with small states; all else is asked of the motion of any size. Make makes a flow of a Lagrangian.
+/// Walks with small states, by the flow that Make makes of a Lagrangian; all else is asked of the motion of any size, which may be derived
+/// of other operators with the same steps.
 template <int D, class Make, class Flow, class Scale>
 class small_motion final : public motion_of<double, Flow, Scale> {
     using any_size = motion_of<double, Flow, Scale>;
@@ -17,8 +18,9 @@ class small_motion final : public motion_of<double, Flow, Scale> {
     using seen = std::function<bool(double const&, vector<double> const&, vector<double> const&)>;
 
 public:
-    small_motion(free_problem const& of, Make make, Scale T, std::string name)
-        : any_size(make(of), std::move(T), std::move(name)), make_(std::move(make)), lagrangian_(of.lagrangian) {}
+    small_motion(Flow of_any_size, Make make, Scale T, std::string name)
+        : any_size(std::move(of_any_size), std::move(T), std::move(name)), make_(std::move(make)),
+          lagrangian_(this->flow_.mechanics().lagrangian) {}
     void walk(initial<double> const& from, seen const& keep) const override {
         if (from.q0.size() != D or from.other.size() != D) return any_size::walk(from, keep); // which says so
         auto const flow = make_(known_at(from));
@@ -60,21 +62,23 @@ private:
     mutable bool is_traced_ = false;
 };
 
-/// The motion of the flow that make(L) is of the problem, with small states where it is small, free and on a uniform scale.
-template <class Mechanics, class Make>
-made embedded_small(Mechanics const& mechanics, Make const& make, points<double> const& T, std::string const& name) {
+/// The motion of a flow of the problem, with small states, in steps of make(L), where it is small, free and on a uniform scale.
+template <class Mechanics, class Flow, class Make>
+made embedded_small(Mechanics const& mechanics, Flow const& flow, Make const& make, points<double> const& T, std::string const& name) {
     if constexpr (std::same_as<Mechanics, free_problem>)
         if (T.is_uniform())
             return with_small_size(mechanics.lagrangian.formula().words().dimension(), [&]<int D>(std::integral_constant<int, D>) -> made {
                 if constexpr (D > 0) {
                     auto const scale = hilger::uniform(T.start, T.step, T.steps);
-                    using flow = decltype(make(mechanics));
-                    return std::make_unique<small_motion<D, Make, flow, std::remove_cvref_t<decltype(scale)>>>(mechanics, make, scale,
-                                                                                                               name);
+                    return std::make_unique<small_motion<D, Make, Flow, std::remove_cvref_t<decltype(scale)>>>(flow, make, scale, name);
                 } else
-                    return on_scale(make(mechanics), T, name);
+                    return on_scale(flow, T, name);
             });
-    return on_scale(make(mechanics), T, name);
+    return on_scale(flow, T, name);
+}
+template <class Mechanics, class Make>
+made embedded_small(Mechanics const& mechanics, Make const& make, points<double> const& T, std::string const& name) {
+    return embedded_small(mechanics, make(mechanics), make, T, name);
 }
 /// The same of an embedding.
 template <class Mechanics, class Embedding>

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSL-1.0
+// Operators and embeddings in text, written as in C++ (operator/local.hpp, variational/action.hpp):
+//   operator_in("(identity + sigma)/2")                                 an operator; products of operators are compositions
+//   embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))")        what L is read with, applied to the unknown q
+//   embedding_in("nabla_integral(L(q, Delta_minus[q]))")                the sum with weights nu
+#pragma once
+
+#include "hilger/text/operator_row.hpp"
+#include "hilger/text/read.hpp"
+
+namespace hilger::text {
+
+/// How a Lagrangian is read on T: L(A q, B q) under a sum (embedding/embedding.hpp).
+struct embedding_formula {
+    operator_formula position, velocity;
+    sum_weight weight = sum_weight::delta;
+    std::string text; ///< as it was written
+    /// The points that either of the two loses.
+    [[nodiscard]] lost_points lost() const { return most(position.lost(), velocity.lost()); }
+};
+
+namespace detail {
+
+class operator_reader {
+    /// A number, an operator, or an operator applied to the unknown.
+    struct meant {
+        enum class kind { number, an_operator, function } is;
+        expression number;
+        operator_formula op;
+    };
+
+public:
+    operator_reader(std::shared_ptr<vocabulary const> words, std::string source) : words_(std::move(words)), source_(std::move(source)) {}
+
+    /// @throws error::unreadable
+    operator_formula as_operator(node::pointer const& n) { return applied(meaning_of(n)); }
+    embedding_formula as_embedding(node::pointer const& n) {
+        bool const nabla = n->name == "nabla_integral";
+        if (n->what != kind::call or (n->name != "integral" and not nabla))
+            refuse(*n, "an embedding is written integral(L(A, B)) or nabla_integral(L(A, B))");
+        bool const right = n->parts.size() == 1 and n->parts[0]->what == kind::call and n->parts[0]->name == "L";
+        if (not right or n->parts[0]->parts.size() != 2)
+            refuse(*n, "what is integrated is L(A, B), a position and a velocity made of q, as in integral(L(q, Delta_plus[q]))");
+        auto const& both = n->parts[0]->parts;
+        return {as_operator(both[0]), as_operator(both[1]), nabla ? sum_weight::nabla : sum_weight::delta, {}};
+    }
+
+private:
+    using is = typename meant::kind;
+    static std::optional<operator_formula> named(std::string const& name) {
+        if (name == "identity") return operator_formula();
+        if (name == "sigma") return operator_formula::shift(side::plus);
+        if (name == "rho") return operator_formula::shift(side::minus);
+        if (name == "Delta_plus") return operator_formula::derivative(side::plus);
+        if (name == "Delta_minus") return operator_formula::derivative(side::minus);
+        if (name == "mu_over_nu") return operator_formula::reweight(sum_weight::delta, sum_weight::nabla);
+        if (name == "nu_over_mu") return operator_formula::reweight(sum_weight::nabla, sum_weight::delta);
+        return {};
+    }
+    meant meaning_of(node::pointer const& n) {
+        switch (n->what) {
+        case kind::name:
+            if (n->name == "q") return {is::function, {}, {}};
+            if (auto const op = named(n->name)) return {is::an_operator, {}, *op};
+            break;
+        case kind::call: // sigma(q) is sigma[q]
+        case kind::element:
+            if (auto const op = named(n->name)) {
+                if (n->parts.size() != 1) refuse(*n, n->name + " acts on one function, as in " + n->name + "[q]");
+                meant inner = meaning_of(n->parts[0]);
+                if (inner.is == is::number) refuse(*n->parts[0], n->name + "[...] acts on q or on an operator, and here is a number");
+                inner.op = *op * inner.op;
+                return inner;
+            }
+            break;
+        case kind::negative: {
+            meant x = meaning_of(n->parts[0]);
+            if (x.is != is::number) {
+                x.op = -x.op;
+                return x;
+            }
+            break;
+        }
+        case kind::plus:
+        case kind::minus: {
+            meant x = meaning_of(n->parts[0]), y = meaning_of(n->parts[1]);
+            if (x.is == is::number and y.is == is::number) break;
+            if ((x.is == is::function) != (y.is == is::function))
+                refuse(*n, "both terms of a sum are made of q, or none is, as in q + sigma[q]");
+            operator_formula const a = applied(x), b = applied(y);
+            return {x.is == is::number ? y.is : x.is, {}, n->what == kind::plus ? a + b : a - b};
+        }
+        case kind::times: {
+            meant x = meaning_of(n->parts[0]), y = meaning_of(n->parts[1]);
+            if (x.is == is::number and y.is == is::number) break;
+            if (x.is == is::function and y.is != is::number) refuse(*n, "an operator is linear in q, and this product is not");
+            if (y.is == is::number) std::swap(x, y);
+            return {y.is, {}, x.is == is::number ? operator_formula::multiple(factor(x.number), y.op) : x.op * y.op};
+        }
+        case kind::over: {
+            meant x = meaning_of(n->parts[0]), y = meaning_of(n->parts[1]);
+            if (x.is == is::number and y.is == is::number) break;
+            if (y.is != is::number) refuse(*n->parts[1], "an operator is divided by a number");
+            expression const one = expression::number("1");
+            return {x.is, {}, operator_formula::multiple(factor(one / y.number), x.op)};
+        }
+        default:
+            break;
+        }
+        bool const is_word = n->what == kind::name or n->what == kind::element;
+        if (is_word and n->name != "pi" and words_->find(n->name) == nullptr)
+            refuse(*n, "'" + n->name + "' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus and parameters");
+        return {is::number, expression(n), {}};
+    }
+    /// 1 + sigma: a number is a multiple of the identity.
+    operator_formula applied(meant const& x) { return x.is == is::number ? operator_formula::multiple(factor(x.number), {}) : x.op; }
+    /// @throws error::unreadable, with the names that are known, where it is no formula of numbers alone
+    stated factor(expression const& e) {
+        stated f(e, words_, source_);
+        for (auto const role : {meaning::role::time, meaning::role::position, meaning::role::velocity})
+            if (f.reads(role)) refuse(e.root(), "a factor is a number, and this one depends on the state");
+        return f;
+    }
+    [[noreturn]] void refuse(node const& n, std::string const& why) const {
+        if (n.at.line == 0) error::raise<error::unreadable>(source_, ": ", why);
+        error::raise<error::unreadable>(source_, ", line ", n.at.line, ", column ", n.at.column, ": ", why);
+    }
+    std::shared_ptr<vocabulary const> words_;
+    std::string source_;
+};
+
+inline std::shared_ptr<vocabulary const> no_words() { return std::make_shared<vocabulary const>(std::vector<coordinate>{}, ""); }
+
+} // namespace detail
+
+/// The operator in a text; parameters in its factors are those of `words`.
+/// @throws error::unreadable with line and column
+inline operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = detail::no_words(),
+                                    std::string const& source = "the operator") {
+    auto const e = read(text, source);
+    return detail::operator_reader(std::move(words), source).as_operator(e.shared());
+}
+/// The embedding in a text; `source` and `from` say in errors where it stands. @throws error::unreadable
+inline embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = detail::no_words(),
+                                      std::string const& source = "the embedding", place from = {1, 1}) {
+    auto const e = read(text, source, from);
+    embedding_formula made = detail::operator_reader(std::move(words), source).as_embedding(e.shared());
+    made.text = text;
+    return made;
+}
+
+/// That L(A q, B q) is L(q, v) in the limit of short steps: A 1 = 1, B 1 = 0, B t = 1, on every uniform scale or on every one.
+/// @throws error::invalid_parameter with the condition that fails
+inline void require_consistent(embedding_formula const& e, bool uniform) {
+    auto const reach = e.lost();
+    auto const check = [&](auto const& A, auto const& B, auto const& tolerance) {
+        using S = std::remove_cvref_t<decltype(A[0])>;
+        detail::endless_scale<S> const T{uniform};
+        S one(0), rest(0), time(0), size(0), t(0);
+        for (index_type k = -1; k >= -reach.front; --k) t = t - T.step(1000 + k);
+        for (std::size_t k = 0; k < A.size(); ++k) {
+            one = one + A[k];
+            rest = rest + B[k];
+            size = size + magnitude(B[k]);
+            time = time + B[k] * t;
+            t = t + T.step(1000 - reach.front + static_cast<index_type>(k));
+        }
+        auto const refuse = [&](char const* what) {
+            error::raise<error::invalid_parameter>("the ", what, ", and that of ", e.text,
+                                                   " not, so that its steps would follow another system");
+        };
+        if (magnitude(S(one - S(1))) > tolerance) refuse("position of an embedding makes 1 of the constant 1");
+        if (magnitude(rest) > tolerance * size) refuse("velocity of an embedding makes 0 of the constant 1");
+        if (magnitude(S(time - S(1))) > tolerance) refuse("velocity of an embedding makes 1 of the function t");
+    };
+    auto const A = detail::exact_row_of(e.position, uniform, reach), B = detail::exact_row_of(e.velocity, uniform, reach);
+    if (A and B) return check(*A, *B, Q(0));
+    check(detail::row_of<float50>(e.position, uniform, reach), detail::row_of<float50>(e.velocity, uniform, reach), float50("1e-40"));
+}
+
+} // namespace hilger::text

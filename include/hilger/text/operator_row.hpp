@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+// What an operator that is known at run time only makes of a generic function on a generic scale, as adjoint/normal_form.hpp does at
+// compile time: (A f)(t_i) = sum_k c_k f(t_{i+k}), with random steps beside t_i. In rationals this decides whether two operators are equal;
+// where a factor is none, as sqrt(2), in 50 digits.
+#pragma once
+
+#include <optional>
+
+#include "hilger/adjoint/normal_form.hpp"
+#include "hilger/multiprecision.hpp"
+#include "hilger/text/operator.hpp"
+
+namespace hilger::text {
+
+namespace detail {
+
+/// A scale without ends.
+template <class S>
+struct endless_scale {
+    using scalar_type = S;
+    bool uniform = false;
+    static constexpr index_type steps() { return 1'000'000; }
+    [[nodiscard]] S step(index_type i) const {
+        return S(static_cast<long long>(hilger::detail::random_element(uniform ? 7 : static_cast<std::uint64_t>(i) + 100).value()));
+    }
+};
+template <class S>
+struct unit_on_endless {
+    endless_scale<S> T;
+    index_type at;
+    [[nodiscard]] endless_scale<S> const& root() const { return T; }
+    [[nodiscard]] S get(index_type i) const { return S(i == at ? 1 : 0); }
+};
+
+/// The numbers c_k, from -reach.front to reach.back.
+template <class S>
+std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach) {
+    operator_in_numbers<S> const op(a);
+    constexpr index_type here = 1000;
+    std::vector<S> row;
+    for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(op.value(unit_on_endless<S>{{uniform}, here + k}, here));
+    return row;
+}
+/// The same in rationals; nothing where a factor is none.
+inline std::optional<std::vector<Q>> exact_row_of(operator_formula const& a, bool uniform, lost_points reach) {
+    try {
+        return row_of<Q>(a, uniform, reach);
+    } catch (error::unreadable const&) {
+        return {};
+    }
+}
+
+} // namespace detail
+
+/// A and B make the same of every function on every scale, or on every uniform one, and lose the same points at the ends.
+inline bool equal(operator_formula const& a, operator_formula const& b, bool uniform = false) {
+    if (not(a.lost() == b.lost())) return false;
+    auto const reach = a.lost();
+    auto const x = detail::exact_row_of(a, uniform, reach), y = detail::exact_row_of(b, uniform, reach);
+    if (x and y) return *x == *y;
+    auto const z = detail::row_of<float50>(a, uniform, reach), w = detail::row_of<float50>(b, uniform, reach);
+    for (std::size_t k = 0; k < z.size(); ++k)
+        if (float50 const size = abs(z[k]) + abs(w[k]); abs(float50(z[k] - w[k])) > size * float50("1e-40")) return false;
+    return true;
+}
+inline bool operator==(operator_formula const& a, operator_formula const& b) { return equal(a, b); }
+
+} // namespace hilger::text

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSL-1.0
+"""Operators composed in Python, and embeddings made of them: the same equations, steps and bits as those that have names."""
+
+import pickle
+import unittest
+from fractions import Fraction
+
+import numpy as np
+
+import hilger as h
+
+pendulum = h.Lagrangian("v^2/2 - (1 - cos(q))")
+springs = h.Lagrangian("(u^2 + v^2/3)/2 - (x^2 + x*y + y^2)/4", "x y", "u v")
+T = h.TimeScale(["0", "1/3", "1", "7/5", "2"])
+
+
+class Operators(unittest.TestCase):
+    def test_algebra(self):
+        self.assertEqual(h.rho * h.Delta_plus, h.Delta_minus)
+        self.assertEqual(h.Delta_plus[h.sigma], h.Delta_plus * h.sigma)
+        self.assertNotEqual(h.Delta_plus * h.sigma, h.sigma * h.Delta_plus)
+        self.assertTrue((h.Delta_plus * h.sigma).equals(h.sigma * h.Delta_plus, uniform=True))
+        self.assertEqual((1 + h.sigma) / 2, Fraction(1, 2) * (h.identity + h.sigma))
+        self.assertEqual(2 - h.rho - 1, h.identity - h.rho)
+        self.assertEqual(h.sigma * 0.1, h.sigma / 10)
+        self.assertNotEqual(h.sigma, 1)
+        for nonsense in (lambda: h.sigma + "x", lambda: 2 / h.sigma, lambda: h.sigma * h.variables("q"), lambda: h.sigma / h.rho, lambda: h.sigma[2]):
+            with self.assertRaises((TypeError, h.Error)):
+                nonsense()
+
+    def test_adjoints(self):
+        self.assertEqual(h.adjoint(h.sigma), h.rho)
+        self.assertEqual(h.adjoint(h.Delta_plus), -h.Delta_minus)
+        A = h.Delta_plus * h.sigma - h.rho / 3
+        # sum of nu Af g = sum of nu f A*g, of the sums of its first term, for what vanishes at the ends
+        T = h.TimeScale([Fraction(k * k + k, 3) for k in range(9)])
+        f, g = ([0, 0, 0, 2, -5, 7, 0, 0, 0], [0, 0, 0, 1, 4, -3, 0, 0, 0])
+        mu = [b - a for a, b in zip(T.points, T.points[1:])] + [0]
+        nu = [0] + mu[:-1]
+
+        def paired(weights, t, x, y):
+            at = {s: (w, z) for s, w, z in zip(T.points, weights, y)}
+            return sum(at[s][0] * z * at[s][1] for s, z in zip(t, x))
+
+        left = paired(mu, *h.apply(A, f, T), g)
+        right = paired(nu, *h.apply(h.adjoint(A), g, T), f)
+        self.assertEqual(left, right)
+        self.assertNotEqual(left, 0)
+
+    def test_application(self):
+        t, y = h.apply(h.Delta_plus, lambda t: t * t, T)
+        self.assertEqual(list(t), [0, Fraction(1, 3), 1, Fraction(7, 5)])
+        self.assertEqual(list(y), [Fraction(1, 3), Fraction(4, 3), Fraction(12, 5), Fraction(17, 5)])
+        t, y = h.apply((h.Delta_plus + h.Delta_minus) / 2, np.sin, h.uniform(0, 0.125, 16))
+        self.assertEqual(t.tolist(), [k / 8 for k in range(1, 16)])
+        self.assertLess(np.abs(y - np.sin(0.125) / 0.125 * np.cos(t)).max(), 16 * np.finfo(float).eps)
+        import mpmath
+
+        t, y = h.apply(h.Delta_plus, [mpmath.mpf(1), mpmath.mpf(4)], h.uniform(mpmath.mpf(0), mpmath.mpf(3), 1))
+        self.assertEqual(list(y), [1])
+        with self.assertRaisesRegex(h.Mismatch, "a value at each of its 5 points, and here are 2"):
+            h.apply(h.sigma, [1, 2], T)
+
+    def test_writing(self):
+        A = (h.identity + h.sigma) / 2
+        self.assertEqual(repr(A), "1/2 f + 1/2 σ[f]")
+        self.assertEqual(A._repr_latex_(), r"$\tfrac{1}{2}\,f + \tfrac{1}{2}\,\sigma\left[f\right]$")
+        self.assertEqual(A.text, "(q + sigma[q])/2")
+        self.assertEqual(pickle.loads(pickle.dumps(A)), A)
+
+
+class Embeddings(unittest.TestCase):
+    pairs = [
+        (h.embedding(h.identity, h.Delta_plus), h.order_one),
+        (h.embedding(h.identity, h.Delta_minus, integral="nabla"), h.order_one_left),
+        (h.embedding((h.identity + h.sigma) / 2, h.Delta_plus), h.midpoint),
+        (h.embedding("2/3*q + sigma[q]/3", "Delta_plus[q]"), h.theta(Fraction(1, 3))),
+    ]
+
+    def test_exact_steps(self):
+        for scale in (T, h.uniform(0, Fraction(1, 4), 5)):
+            for mine, named in self.pairs[:3]:
+                x, y = (h.solve(h.variation(springs, scale, m), q0=[1, 2], v0=[0, 1]) for m in (mine, named))
+                self.assertTrue((x.q == y.q).all() and (x.p == y.p).all())
+                self.assertEqual(x.residual(), 0)
+                z = h.solve(h.variation(springs, scale, mine), q0=list(x.q[0]), qN=list(x.q[-1]))
+                self.assertTrue((z.q == x.q).all())
+
+    def test_double(self):
+        for L, q0, v0 in ((pendulum, 1.0, 0.0), (springs, [1.0, 2.0], [0.0, 1.0])):
+            for mine, named in self.pairs:
+                for equation in (h.variation(L, h.uniform(0, 0.125, 200), m) for m in (mine,)):
+                    x = h.solve(equation, q0=q0, v0=v0)
+                    y = h.solve(h.variation(L, equation.scale, named), q0=q0, v0=v0)
+                    self.assertLess(np.abs(x.q - y.q).max(), 200 * 200 * np.finfo(float).eps)
+                    self.assertLess(x.residual(), 64 * np.finfo(float).eps * np.abs(x.p).max() / 0.125)
+
+    def test_members_and_c(self):
+        mine, named = self.pairs[3]
+        T = h.uniform(0, 0.125, 40)
+        many = h.solve_many(h.variation(pendulum, T, mine), q0=np.linspace(0.1, 2, 9), v0=0.0)
+        for k, q in enumerate(np.linspace(0.1, 2, 9)):
+            one = h.solve(h.variation(pendulum, T, named), q0=q, v0=0.0)
+            self.assertLess(abs(many.q[k][-1] - one.q[-1]), 40 * 40 * np.finfo(float).eps)
+        self.assertIn("int third_step(double h", h.variation(pendulum, T, mine).c_code("third"))
+
+    def test_parameters_forces_and_the_equation(self):
+        L = h.Lagrangian("v^2/2 - q^2/2", lam="1/3")
+        EL = h.variation(L, T, "integral(L((1 - lam)*q + lam*sigma[q], Delta_plus[q]))") + h.force("-v/7")
+        x = h.solve(EL, q0=1, v0=0)
+        self.assertEqual(x.residual(), 0)
+        same = h.solve(h.variation(L, T, self.pairs[3][0]) + h.force("-v/7"), q0=1, v0=0)
+        self.assertEqual(list(x.q), list(same.q))
+        printed = repr(h.variation(L, h.uniform(0, 0.1, 9), self.pairs[2][0]))
+        self.assertIn("1/2 ∂L/∂q(⋆) + 1/2 ρ[∂L/∂q(⋆)] − Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (1/2 q + 1/2 σ[q], Δ₊[q])", printed)
+
+    def test_what_is_none(self):
+        def refused(says, method, error=h.InvalidParameter):
+            with self.assertRaisesRegex(error, says):
+                h.variation(pendulum, T, method)
+
+        refused("reach further", h.embedding(h.identity, (h.Delta_plus + h.Delta_minus) / 2))
+        refused("makes 1 of the constant 1", h.embedding(2 * h.identity, h.Delta_plus))
+        refused("has the other one", h.embedding(h.identity, h.Delta_minus))
+        refused("line 1, column 12: an operator is linear in q", "integral(L(q*q, Delta_plus[q]))", h.Unreadable)
+        refused("there is no method 'midpiont'", "midpiont")
+        with self.assertRaisesRegex(h.InvalidParameter, '"delta" or "nabla"'):
+            h.embedding(h.identity, h.Delta_plus, integral="sum")
+        with self.assertRaisesRegex(TypeError, "the position of an embedding is an operator"):
+            h.embedding(1, h.Delta_plus)
+
+
+if __name__ == "__main__":
+    unittest.main()
