@@ -49,14 +49,14 @@ class Ensemble(unittest.TestCase):
         rng = np.random.default_rng(2)
         q0, v0 = rng.uniform(-0.3, 0.3, (2, 21, 2))
         for T in (h.uniform(0, 0.125, 200), h.TimeScale(list(np.cumsum(0.125 + 0.0625 * np.sin(np.arange(200)))))):
-            for method in (h.midpoint, h.order_one, h.order_one_left, h.verlet, h.kahan_li_8, h.theta(0.5)):
+            for method in (h.midpoint, h.order_one, h.order_one_left, h.verlet, h.kahan_li_8, h.theta(0.5), h.gauss(2)):
                 EL = h.variation(henon_heiles, T, method)
                 alone = h.solve_many(EL, q0=q0, v0=v0, every=1, lanes=False)
                 many = h.solve_many(EL, q0=q0, v0=v0, every=1, threads=1)
                 for other in (h.solve_many(EL, q0=q0, v0=v0, every=1, threads=3), h.solve_many(EL, q0=q0, v0=v0, every=1)):
                     self.assertEqual(many.q.tobytes(), other.q.tobytes())
                     self.assertEqual(many.p.tobytes(), other.p.tobytes())
-                self.assertEqual(many.lanes > 1, method != h.theta(0.5))
+                self.assertEqual(many.lanes > 1, method != h.gauss(2))
                 part = h.solve_many(EL, q0=q0[5:8], v0=v0[5:8], every=200)
                 self.assertEqual(many.q[5:8, -1].tobytes(), part.q[:, -1].tobytes())
                 np.testing.assert_allclose(many.q, alone.q, rtol=0, atol=200 * 16 * epsilon)

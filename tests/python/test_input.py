@@ -67,7 +67,7 @@ class Refused(unittest.TestCase):
                   lambda: h.solve(three.lagrangian, (0, 1), q0=[1, 2, 3], v0=[0, 0], accuracy=1e-3))
 
     def test_kinds(self):
-        self.says(TypeError, "a method, as h.midpoint or h.gauss(4), was expected", lambda: h.variation(L, T, "mid-point"))
+        self.says(TypeError, "a method, as h.midpoint or h.gauss(4), was expected", lambda: h.variation(L, T, 2))
         self.says(TypeError, "a scale, as h.uniform", lambda: h.variation(L, [0, 1, 2]))
         self.says(TypeError, "a Lagrangian was expected", lambda: h.variation("v^2/2", T))
         self.says(TypeError, "the number of steps is a whole number", lambda: h.uniform(0, 0.1, 10.0))
