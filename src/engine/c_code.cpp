@@ -8,7 +8,7 @@ namespace engine {
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
     if (not what.damping.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
-    auto const lambda = lambda_of<double>(what, method, true);
+    auto const lambda = lambda_of<double>(what, method);
     int const d = what.lagrangian.formula().words().dimension();
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const written = [&](auto const& how) { return hilger::c_code<vector<double>>(hilger::embed(mechanics, how), name, d); };

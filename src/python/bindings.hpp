@@ -14,6 +14,7 @@ namespace bindings {
 
 /// A number or a formula of Python as a formula; nothing for what is neither.
 std::optional<hilger::text::expression> as_expression(py::handle x);
+inline py::object not_implemented() { return py::reinterpret_borrow<py::object>(Py_NotImplemented); }
 void add_expressions(py::module_& m);
 void add_problems(py::module_& m);
 void add_motions(py::module_& m);

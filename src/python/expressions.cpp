@@ -35,10 +35,8 @@ void require_finite(py::handle is_finite, py::handle x) {
 }
 /// Of a formula of numbers alone.
 double number_of(expression const& x) {
-    auto const nothing = std::make_shared<hilger::text::vocabulary>(std::vector<hilger::text::coordinate>{}, "");
-    auto const none = [](int) { return 0.0; };
     try {
-        return hilger::text::stated(x, nothing, "the formula").value(0.0, none, none);
+        return hilger::text::stated(x, hilger::text::no_words(), "the formula").number<double>();
     } catch (hilger::error::exception const&) {
         throw py::type_error("a formula of numbers alone is a number, and this one is none: " + text_of(py::str(py::cast(x))));
     }
@@ -78,7 +76,6 @@ std::optional<expression> as_expression(py::handle x) {
 
 namespace {
 
-py::object not_implemented() { return py::reinterpret_borrow<py::object>(Py_NotImplemented); }
 /// A binary operation, and its reflection where the other operand is a number.
 template <class Type>
 void add_operator(Type& type, char const* name, char const* reflected, kind what, bool swap = false) {

@@ -10,11 +10,10 @@ namespace {
 namespace text = hilger::text;
 using text::operator_formula;
 
-py::object not_implemented() { return py::reinterpret_borrow<py::object>(Py_NotImplemented); }
-std::optional<text::stated> number_from(py::handle x) {
+std::optional<text::stated> number_from(py::handle x, bool one_over = false) {
     auto const e = as_expression(x);
     if (not e) return {};
-    return text::stated(*e, text::detail::no_words(), "the factor of an operator");
+    return text::stated(one_over ? text::expression::number("1") / *e : *e, text::no_words(), "the factor of an operator");
 }
 /// An operator, or a number as a multiple of the identity.
 std::optional<operator_formula> operator_from(py::handle x) {
@@ -29,11 +28,7 @@ py::object added(operator_formula const& a, py::handle x, bool minus, bool refle
     return py::cast(reflected ? *b + a : a + *b);
 }
 py::object multiplied(operator_formula const& a, py::handle x, bool over) {
-    if (auto const c = number_from(x)) {
-        auto const one = text::expression::number("1");
-        return py::cast(operator_formula::multiple(
-            over ? text::stated(one / c->formula(), text::detail::no_words(), "the factor of an operator") : *c, a));
-    }
+    if (auto const c = number_from(x, over)) return py::cast(operator_formula::multiple(*c, a));
     if (over or not py::isinstance<operator_formula>(x)) return not_implemented();
     return py::cast(a * x.cast<operator_formula>());
 }
@@ -82,8 +77,7 @@ void add_operators(py::module_& m) {
         .def(
             "adjoint", [](operator_formula const& a) { return a.adjoint(); },
             "The operator B with <A f, g> = <f, B g> for all f that vanish at the ends of T: adjoint(sigma) = rho between the nabla and "
-            "the "
-            "Delta sum, adjoint(Delta_plus) = -Delta_minus. Of a sum it is taken between the sums of its first term.")
+            "the Delta sum, adjoint(Delta_plus) = -Delta_minus. Of a sum it is taken between the sums of its first term.")
         .def_property_readonly(
             "text", [](operator_formula const& a) { return text::text_of(a); }, "As it is written in files, of q.")
         .def("__repr__", [](operator_formula const& a) { return text::written(a, hilger::print_style::terminal); })
@@ -94,9 +88,8 @@ void add_operators(py::module_& m) {
         .def(py::pickle([](operator_formula const& a) { return text::text_of(a); },
                         [](std::string const& kept) { return text::operator_in(kept); }));
     m.def("read_operator", [](std::string const& of) { return text::operator_in(of); });
-    m.def("require_method", [](engine::problem const& what, std::string const& method, bool uniform) {
-        if (engine::is_embedding_in_text(method))
-            hilger::text::with_embedding<double>(engine::own_embedding(what, method), uniform, [](auto const&) {});
+    m.def("require_method", [](engine::problem const& what, std::string const& method) {
+        if (engine::is_embedding_in_text(method)) text::require_one_step(engine::own_embedding(what, method));
     });
 }
 

@@ -23,6 +23,7 @@
 #include <sstream>
 
 #include "engine/methods/own.hpp"
+#include "hilger/multiprecision.hpp"
 #include "observed_in_file.hpp"
 
 namespace program {
@@ -203,11 +204,9 @@ private:
         auto known = std::make_shared<text::vocabulary>(*words);
         if (known->find("i") == nullptr) known->set("i", std::to_string(i));
         text::stated const f = file_.formula(n, known, "an initial value");
-        using role = text::meaning::role;
-        if (f.reads(role::time) or f.reads(role::position) or f.reads(role::velocity))
+        if (f.reads_state())
             file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
-        auto const none = [](int) { return R(0); };
-        R const value = f.value(R(0), none, none);
+        R const value = f.number<R>();
         if (not(abs(value) <= R(std::numeric_limits<double>::max()))) file_.refuse(&n, "this initial value is not a finite number");
         return value.str(std::numeric_limits<R>::max_digits10, std::ios::scientific);
     }

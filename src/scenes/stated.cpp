@@ -21,7 +21,7 @@ std::vector<std::string> scalars_of(stated_problem const& what) {
 }
 
 bool has_embedding(stated_problem const& what, std::string const& method) {
-    return what.of.damping.empty() and engine::lambda_of<double>(what.of, method, true).has_value();
+    return what.of.damping.empty() and engine::lambda_of<double>(what.of, method).has_value();
 }
 
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {

@@ -62,7 +62,7 @@ inline forced with_any_force(engine::problem const& of) {
 /// embeddings in text have.
 template <class S, class Mechanics, class Use>
 void with_number(engine::problem const& of, configuration const& c, Mechanics const& mechanics, Use const& use) {
-    if (auto const lambda = engine::lambda_of<S>(of, c.embedding, true)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
+    if (auto const lambda = engine::lambda_of<S>(of, c.embedding)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
 }
 /// Calls use(flow) with the one that is chosen, where there is one in numbers S.
 template <class S, class Use>

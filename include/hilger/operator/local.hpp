@@ -11,8 +11,9 @@ namespace hilger {
 
 enum class side { plus, minus };
 
+constexpr side opposite_of(side s) { return s == side::plus ? side::minus : side::plus; }
 template <side Side>
-inline constexpr side opposite = Side == side::plus ? side::minus : side::plus;
+inline constexpr side opposite = opposite_of(Side);
 
 namespace detail {
 template <class Base>

@@ -25,8 +25,6 @@ struct lost_points {
 };
 constexpr lost_points most(lost_points a, lost_points b) { return {std::max(a.front, b.front), std::max(a.back, b.back)}; }
 
-constexpr side opposite_of(side s) { return s == side::plus ? side::minus : side::plus; }
-
 class operator_formula {
 public:
     enum class kind {
@@ -55,9 +53,8 @@ public:
     }
     /// c A. @throws error::unreadable when c is no formula of numbers alone
     static operator_formula multiple(stated const& c, operator_formula const& a) {
-        for (auto const role : {meaning::role::time, meaning::role::position, meaning::role::velocity})
-            if (c.reads(role))
-                error::raise<error::unreadable>(c.source(), ": the factor of an operator is a number, and this one depends on the state");
+        if (c.reads_state())
+            error::raise<error::unreadable>(c.source(), ": the factor of an operator is a number, and this one depends on the state");
         node n{kind::multiple};
         n.factor = std::make_shared<stated const>(c);
         n.parts = {a};
@@ -91,6 +88,11 @@ public:
     [[nodiscard]] operator_formula adjoint(sum_weight from, sum_weight to) const;
     /// The same operator on uniform scales, where both weights are the step.
     [[nodiscard]] operator_formula on_equal_steps() const;
+    /// Whether ratios of the weights mu and nu stand in it, as in adjoints between sums of other weights: its values then depend on the
+    /// lengths of both steps beside a point.
+    [[nodiscard]] bool has_weights() const {
+        return is(kind::reweight) or std::any_of(root_->parts.begin(), root_->parts.end(), [](auto const& a) { return a.has_weights(); });
+    }
     /// What A[f] has lost where f has lost some.
     [[nodiscard]] lost_points lost(lost_points f = {}) const;
 
@@ -98,8 +100,7 @@ public:
     static stated stated_number(std::string const& digits) {
         bool const minus = digits.starts_with('-');
         auto const size = expression::number(minus ? digits.substr(1) : digits);
-        static auto const no_words = std::make_shared<vocabulary const>(std::vector<coordinate>{}, "");
-        return stated(minus ? -size : size, no_words, "the number");
+        return stated(minus ? -size : size, no_words(), "the number");
     }
 
 private:
@@ -214,8 +215,7 @@ private:
     std::size_t add(operator_formula const& a) {
         auto const& n = a.root();
         item made{n.what, n.which, n.from, n.to, S(1), 0, 0};
-        auto const none = [](int) { return S(0); };
-        if (n.factor) made.factor = n.factor->value(S(0), none, none);
+        if (n.factor) made.factor = n.factor->template number<S>();
         if (not n.parts.empty()) made.first = add(n.parts[0]);
         if (n.parts.size() > 1) made.second = add(n.parts[1]);
         items_.push_back(std::move(made));

@@ -5,7 +5,7 @@
 //   embedding_in("nabla_integral(L(q, Delta_minus[q]))")                the sum with weights nu
 #pragma once
 
-#include "hilger/text/operator_row.hpp"
+#include "hilger/text/operator.hpp"
 #include "hilger/text/read.hpp"
 
 namespace hilger::text {
@@ -117,8 +117,7 @@ private:
     /// @throws error::unreadable, with the names that are known, where it is no formula of numbers alone
     stated factor(expression const& e) {
         stated f(e, words_, source_);
-        for (auto const role : {meaning::role::time, meaning::role::position, meaning::role::velocity})
-            if (f.reads(role)) refuse(e.root(), "a factor is a number, and this one depends on the state");
+        if (f.reads_state()) refuse(e.root(), "a factor is a number, and this one depends on the state");
         return f;
     }
     [[noreturn]] void refuse(node const& n, std::string const& why) const {
@@ -129,53 +128,22 @@ private:
     std::string source_;
 };
 
-inline std::shared_ptr<vocabulary const> no_words() { return std::make_shared<vocabulary const>(std::vector<coordinate>{}, ""); }
-
 } // namespace detail
 
 /// The operator in a text; parameters in its factors are those of `words`.
 /// @throws error::unreadable with line and column
-inline operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = detail::no_words(),
+inline operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                                     std::string const& source = "the operator") {
     auto const e = read(text, source);
     return detail::operator_reader(std::move(words), source).as_operator(e.shared());
 }
 /// The embedding in a text; `source` and `from` say in errors where it stands. @throws error::unreadable
-inline embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = detail::no_words(),
+inline embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                                       std::string const& source = "the embedding", place from = {1, 1}) {
     auto const e = read(text, source, from);
     embedding_formula made = detail::operator_reader(std::move(words), source).as_embedding(e.shared());
     made.text = text;
     return made;
-}
-
-/// That L(A q, B q) is L(q, v) in the limit of short steps: A 1 = 1, B 1 = 0, B t = 1, on every uniform scale or on every one.
-/// @throws error::invalid_parameter with the condition that fails
-inline void require_consistent(embedding_formula const& e, bool uniform) {
-    auto const reach = e.lost();
-    auto const check = [&](auto const& A, auto const& B, auto const& tolerance) {
-        using S = std::remove_cvref_t<decltype(A[0])>;
-        detail::endless_scale<S> const T{uniform};
-        S one(0), rest(0), time(0), size(0), t(0);
-        for (index_type k = -1; k >= -reach.front; --k) t = t - T.step(1000 + k);
-        for (std::size_t k = 0; k < A.size(); ++k) {
-            one = one + A[k];
-            rest = rest + B[k];
-            size = size + magnitude(B[k]);
-            time = time + B[k] * t;
-            t = t + T.step(1000 - reach.front + static_cast<index_type>(k));
-        }
-        auto const refuse = [&](char const* what) {
-            error::raise<error::invalid_parameter>("the ", what, ", and that of ", e.text,
-                                                   " not, so that its steps would follow another system");
-        };
-        if (magnitude(S(one - S(1))) > tolerance) refuse("position of an embedding makes 1 of the constant 1");
-        if (magnitude(rest) > tolerance * size) refuse("velocity of an embedding makes 0 of the constant 1");
-        if (magnitude(S(time - S(1))) > tolerance) refuse("velocity of an embedding makes 1 of the function t");
-    };
-    auto const A = detail::exact_row_of(e.position, uniform, reach), B = detail::exact_row_of(e.velocity, uniform, reach);
-    if (A and B) return check(*A, *B, Q(0));
-    check(detail::row_of<float50>(e.position, uniform, reach), detail::row_of<float50>(e.velocity, uniform, reach), float50("1e-40"));
 }
 
 } // namespace hilger::text

@@ -54,8 +54,7 @@ inline printed::expression written_parts(operator_formula const& a, printed::exp
     case kind::multiple: {
         auto const inner = part(0, f);
         try {
-            auto const none = [](int) { return Q(0); };
-            if (auto const e = times(inner, n.factor->value(Q(0), none, none))) return *e;
+            if (auto const e = times(inner, n.factor->template number<Q>())) return *e;
         } catch (error::unreadable const&) { // no rational number
         }
         std::string const c = written(n.factor->formula(), 80).value_or("c");

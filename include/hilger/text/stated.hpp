@@ -22,6 +22,16 @@ public:
     [[nodiscard]] expression const& formula() const { return what_; }
     /// Whether one of the names in it stands for the time, or for velocities.
     [[nodiscard]] bool reads(meaning::role role) const;
+    /// Whether it has other values at other states.
+    [[nodiscard]] bool reads_state() const {
+        return reads(meaning::role::time) or reads(meaning::role::position) or reads(meaning::role::velocity);
+    }
+    /// The value of one that does not. @throws error::unreadable where S has no such number, as a root in rationals
+    template <class S>
+    [[nodiscard]] S number() const {
+        auto const none = [](int) { return S(0); };
+        return value(S(0), none, none);
+    }
     [[nodiscard]] std::string const& source() const { return source_; }
     /// How many operations a value takes, and numbers and names it reads: to know what is too long to be shown.
     [[nodiscard]] long long operations() const { return operations_; }

@@ -47,36 +47,76 @@ private:
     bool uniform_;
 };
 
-/// @throws error::invalid_parameter where position and velocity do not read the two ends of one step, are not consistent on uniform scales
-///         or on every one, or read that end of a step that the sum does not count
-inline void require_one_step(embedding_formula const& e, bool uniform) {
-    auto const lost = e.lost();
-    if (lost == lost_points{})
-        error::raise<error::invalid_parameter>("an embedding reads both ends of a step, and ", e.text, " reads the points of T alone");
-    if (lost.front + lost.back > 1)
-        error::raise<error::invalid_parameter>("position and velocity of an embedding read the two ends of one step, and those of ", e.text,
-                                               " reach further: of T they lose ", lost.front, " points at the beginning and ", lost.back,
-                                               " at the end");
-    bool const forward = lost.back == 1;
-    if (forward != (e.weight == sum_weight::delta))
-        error::raise<error::invalid_parameter>(
-            forward ? "what reads t and sigma(t) is summed by integral(L(...)), and what reads rho(t) and t by nabla_integral(L(...)): "
-                    : "what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by integral(L(...)): ",
-            e.text, " has the other one");
-    require_consistent(e, uniform);
-}
+namespace detail {
 
-/// Calls use(embedding) with position and velocity as operators over S. @throws as require_one_step does
+/// Calls use(position, velocity, W()) with the operators over S of an embedding that reads the two ends of one step.
 template <class S, class Use>
-auto with_embedding(embedding_formula const& e, bool uniform, Use const& use) {
-    require_one_step(e, uniform);
-    auto const made = [&]<int Front, int Back, class W>(std::integral_constant<int, Front>, std::integral_constant<int, Back>, W) {
+auto with_operators(embedding_formula const& e, bool uniform, Use const& use) {
+    auto const made = [&]<int Front, int Back, class W>(std::integral_constant<int, Front>, std::integral_constant<int, Back>, W weight) {
         using op = stated_operator<S, Front, Back, W>;
-        return use(embedding<op, op, W, false>{op(e.position, uniform), op(e.velocity, uniform), "the embedding"});
+        return use(op(e.position, uniform), op(e.velocity, uniform), weight);
     };
     using zero = std::integral_constant<int, 0>;
     using one = std::integral_constant<int, 1>;
     return e.weight == sum_weight::delta ? made(zero{}, one{}, delta_weight{}) : made(one{}, zero{}, nabla_weight{});
+}
+/// In rationals, and in 50 digits where a factor is none.
+inline hilger::detail::consistency consistency_of(embedding_formula const& e) {
+    auto const in = [&]<class S>(S const& tolerance) {
+        return with_operators<S>(e, true, [&]<class W>(auto const& a, auto const& b, W) {
+            return hilger::detail::examine<W>(a, b, S(7919), [&](S const& x, S const& y) { return magnitude(S(x - y)) <= tolerance; });
+        });
+    };
+    try {
+        return in(Q(0));
+    } catch (error::unreadable const&) {
+        return in(float50("1e-40"));
+    }
+}
+
+} // namespace detail
+
+/// @throws error::invalid_parameter where position and velocity do not read the two ends of one step, or that end of it that the sum does
+///         not count, or are not consistent (embedding/one_step.hpp)
+inline void require_one_step(embedding_formula const& e) {
+    auto const refuse = [](auto const&... why) { error::raise<error::invalid_parameter>(why...); };
+    auto const lost = e.lost();
+    if (e.position.has_weights() or e.velocity.has_weights())
+        refuse("position and velocity of an embedding read one step, and mu/nu in ", e.text, " is of two");
+    if (lost == lost_points{}) refuse("an embedding reads both ends of a step, and ", e.text, " reads the points of T alone");
+    if (lost.front + lost.back > 1)
+        refuse("position and velocity of an embedding read the two ends of one step, and those of ", e.text,
+               " reach further: of T they lose ", lost.front, " points at the beginning and ", lost.back, " at the end");
+    bool const forward = lost.back == 1;
+    if (forward != (e.weight == sum_weight::delta))
+        refuse(forward ? "what reads t and sigma(t) is summed by integral(L(...)), and what reads rho(t) and t by nabla_integral(L(...)): "
+                       : "what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by integral(L(...)): ",
+               e.text, " has the other one");
+    auto const fails = [&](char const* what) {
+        refuse("the ", what, ", and that of ", e.text, " not, so that its steps would follow another system");
+    };
+    using hilger::detail::consistency;
+    switch (detail::consistency_of(e)) {
+    case consistency::holds:
+    case consistency::weights: // those of both sums add up to the step
+        break;
+    case consistency::position_of_one:
+        return fails("position of an embedding makes 1 of the constant 1");
+    case consistency::velocity_of_one:
+        return fails("velocity of an embedding makes 0 of the constant 1");
+    case consistency::velocity_of_time:
+        return fails("velocity of an embedding makes 1 of the function t");
+    }
+}
+
+/// Calls use(embedding) with position and velocity as operators over S, on uniform scales or on every one.
+/// @throws as require_one_step does
+template <class S, class Use>
+auto with_embedding(embedding_formula const& e, bool uniform, Use const& use) {
+    require_one_step(e);
+    return detail::with_operators<S>(e, uniform, [&]<class Op, class W>(Op const& position, Op const& velocity, W) {
+        return use(embedding<Op, Op, W, false>{position, velocity, "the embedding"});
+    });
 }
 
 /// L((1 - lambda) q + lambda sigma[q], Delta_plus[q]) under the Delta integral.
@@ -87,8 +127,8 @@ auto embedding_at(S const& lambda) {
 /// The lambda with which embedding_at(lambda) makes the steps of an embedding: what is consistent in one step is an interpolation between
 /// its ends. @throws as require_one_step does
 template <class S>
-S lambda_of_step(embedding_formula const& e, bool uniform) {
-    require_one_step(e, uniform);
+S lambda_of_step(embedding_formula const& e) {
+    require_one_step(e);
     auto const row = detail::row_of<S>(e.position, true, e.lost());
     return row[1];
 }

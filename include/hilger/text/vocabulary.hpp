@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -169,5 +170,11 @@ private:
     std::map<std::string, meaning> meanings_;
     std::vector<std::string> digits_;
 };
+
+/// What formulas of numbers alone are read with.
+inline std::shared_ptr<vocabulary const> no_words() {
+    static auto const none = std::make_shared<vocabulary const>(std::vector<coordinate>{}, "");
+    return none;
+}
 
 } // namespace hilger::text

@@ -126,7 +126,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
-    auto const lambda = lambda_of<double>(what, method, T.is_uniform());
+    auto const lambda = lambda_of<double>(what, method);
     std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
         auto const parts = parts_of(mechanics, method, lambda);
         if (not parts) return {};

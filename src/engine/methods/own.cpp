@@ -7,7 +7,7 @@
 namespace engine {
 
 made embedded_with_numbers(problem const& what, std::string const& method, points<double> const& T) {
-    auto const lambda = lambda_of<double>(what, method, T.is_uniform());
+    auto const lambda = lambda_of<double>(what, method);
     if (not lambda) return nullptr;
     return with_mechanics(what, [&](auto const& mechanics) -> made {
         auto const small = [lambda = *lambda](auto const& L) { return hilger::embed(L, hilger::text::embedding_at(lambda)); };

@@ -22,8 +22,8 @@ auto with_own_embedding(problem const& what, std::string const& method, bool uni
 /// The lambda of a method whose steps are those of theta_at(lambda): theta:0.3, and embeddings in text. Nothing for others.
 /// @throws hilger::error::unreadable, hilger::error::invalid_parameter
 template <class S>
-std::optional<S> lambda_of(problem const& what, std::string const& method, bool uniform) {
-    if (is_embedding_in_text(method)) return hilger::text::lambda_of_step<S>(own_embedding(what, method), uniform);
+std::optional<S> lambda_of(problem const& what, std::string const& method) {
+    if (is_embedding_in_text(method)) return hilger::text::lambda_of_step<S>(own_embedding(what, method));
     if (not method.starts_with("theta:")) return {};
     auto const lambda = hilger::text::number_in<S>(method.substr(6));
     if (not lambda) hilger::error::raise<hilger::error::invalid_parameter>("theta takes a number, as theta:0.3, and not '", method, "'");

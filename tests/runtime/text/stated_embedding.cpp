@@ -110,7 +110,7 @@ TEST_CASE("random embeddings leave nothing of their equation, and are numbers be
                   : "integral(L(q + " + c + "*(sigma - 1)*q, " + d + "*Delta_plus[q] + (1 - " + d + ")*Delta_plus[q]))";
         CAPTURE(words);
         auto const how = embedding_in(words);
-        auto const lambda = text::lambda_of_step<Q>(how, false);
+        auto const lambda = text::lambda_of_step<Q>(how);
         with_embedding<Q>(how, false, [&](auto const& e) {
             auto const path = embed(springs, e).along(T, q, p);
             auto const here = record(path, keep_partial);
@@ -137,7 +137,7 @@ TEST_CASE("orders by a fit, of operators in text") {
 }
 TEST_CASE("what cannot be stepped is refused in one sentence") {
     auto const refused = [](char const* words, char const* what) {
-        CHECK_THROWS_WITH_AS(text::require_one_step(embedding_in(words), true), what, error::invalid_parameter);
+        CHECK_THROWS_WITH_AS(text::require_one_step(embedding_in(words)), what, error::invalid_parameter);
     };
     refused("integral(L(q, q))", "an embedding reads both ends of a step, and integral(L(q, q)) reads the points of T alone");
     refused("integral(L(q, (Delta_plus[q] + Delta_minus[q])/2))",
@@ -146,6 +146,12 @@ TEST_CASE("what cannot be stepped is refused in one sentence") {
     refused("integral(L(q, Delta_minus[q]))",
             "what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by "
             "integral(L(...)): integral(L(q, Delta_minus[q])) has the other one");
+    // on a uniform scale it is q, and in a scale of one step 0
+    refused("integral(L(nu_over_mu[q], Delta_plus[q]))",
+            "position and velocity of an embedding read one step, and mu/nu in integral(L(nu_over_mu[q], Delta_plus[q])) is of two");
+    refused("nabla_integral(L(q, Delta_minus[q + mu_over_nu[q] - mu_over_nu[q]]))",
+            "position and velocity of an embedding read one step, and mu/nu in nabla_integral(L(q, Delta_minus[q + mu_over_nu[q] - "
+            "mu_over_nu[q]])) is of two");
     refused("integral(L(2*q, Delta_plus[q]))", "the position of an embedding makes 1 of the constant 1, and that of integral(L(2*q, "
                                                "Delta_plus[q])) not, so that its steps would follow another system");
     refused("integral(L(q, Delta_plus[q] + q))",
@@ -153,7 +159,7 @@ TEST_CASE("what cannot be stepped is refused in one sentence") {
             "+ q)) not, so that its steps would follow another system");
     refused("integral(L(q, 3*Delta_plus[q]))", "the velocity of an embedding makes 1 of the function t, and that of integral(L(q, "
                                                "3*Delta_plus[q])) not, so that its steps would follow another system");
-    CHECK_NOTHROW(text::require_one_step(embedding_in("integral(L(sqrt(2)*q + (1 - sqrt(2))*sigma[q], Delta_plus[q]))"), true));
+    CHECK_NOTHROW(text::require_one_step(embedding_in("integral(L(sqrt(2)*q + (1 - sqrt(2))*sigma[q], Delta_plus[q]))")));
     refused("integral(L(sqrt(2)*q, Delta_plus[q]))",
             "the position of an embedding makes 1 of the constant 1, and that of integral(L(sqrt(2)*q, "
             "Delta_plus[q])) not, so that its steps would follow another system");
@@ -166,7 +172,7 @@ TEST_CASE("what cannot be stepped is refused in one sentence") {
                          error::unreadable);
     auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 0}});
     words->set("lam", "2/3");
-    CHECK(text::lambda_of_step<Q>(embedding_in("integral(L((1 - lam)*q + lam*sigma[q], Delta_plus[q]))", words), true) == Q(2, 3));
+    CHECK(text::lambda_of_step<Q>(embedding_in("integral(L((1 - lam)*q + lam*sigma[q], Delta_plus[q]))", words)) == Q(2, 3));
 }
 
 } // namespace stated_embedding_tests
