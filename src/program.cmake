@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
-file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
+  engine/methods/two_sided.cpp)
 # Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
-set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp scenes/viscoelastic_beam.cpp)
+set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp
+  scenes/cost_with_memory.cpp problems/boundary_walk.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
@@ -31,21 +33,28 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # What problems in files have in states of each small size, and in each number of digits, is a file of its own, for it takes its time. Of
 # many digits the time goes into loops over them.
-foreach(dimension IN ITEMS 1 2 3)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/small_${dimension}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT
-    "#include \"scenes/stated_small.hpp\"\nPROGRAM_SMALL(double, ${dimension})\nPROGRAM_SMALL(float, ${dimension})\n")
-  target_sources(hilger PRIVATE ${source})
-endforeach()
-foreach(numbers IN ITEMS double float hilger::float50 hilger::float100)
-  string(REPLACE hilger:: "" name ${numbers})
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/in_${name}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT
-    "#include \"compiled_once.hpp\"\n#include \"scenes/stated_walk.hpp\"\nPROGRAM_IN_NUMBERS(, ${numbers})\n")
-  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND numbers MATCHES "hilger")
+function(add_stated group name of text)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT ${text})
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND of MATCHES "hilger")
     set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -Og SKIP_PRECOMPILE_HEADERS ON)
   endif()
+  # Where nothing is optimised, what they have in common takes longer than what they have not.
+  set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   target_sources(hilger PRIVATE ${source})
+endfunction()
+foreach(number IN ITEMS double float)
+  foreach(dimension IN ITEMS 1 2 3)
+    add_stated(small small_${dimension}_in_${number} ${number} "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension})\n")
+  endforeach()
+endforeach()
+foreach(number IN ITEMS double float hilger::float50 hilger::float100)
+  string(REPLACE hilger:: "" name ${number})
+  add_stated(in_numbers in_${name} ${number} "#include \"compiled_once.hpp\"\n#include \"problems/stated_walk.hpp\"\nPROGRAM_IN_NUMBERS(, ${number})\n")
+endforeach()
+foreach(number IN ITEMS double hilger::float50)
+  string(REPLACE hilger:: "" name ${number})
+  add_stated(memory memory_in_${name} ${number} "#include \"problems/memory_walk.hpp\"\nPROGRAM_WITH_MEMORY(${number})\n")
 endforeach()
 # Scenes in files travel inside the program, under their names with - for _.
 file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)

@@ -45,6 +45,7 @@
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/noether.hpp"
+#include "hilger/fractional/second_degree.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
 

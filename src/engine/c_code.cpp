@@ -6,7 +6,7 @@
 namespace engine {
 
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
-    if (not what.damping.empty())
+    if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
     auto const lambda = lambda_of<double>(what, method);
     int const d = what.lagrangian.formula().words().dimension();

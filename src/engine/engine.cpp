@@ -24,7 +24,7 @@ std::vector<std::string> method_names<double>() {
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
     prepare_machine_code();
-    if (not what.damping.empty()) {
+    if (what.has_memory()) {
         if (auto made = damped(what, method, T)) return made;
         hilger::error::raise<hilger::error::invalid_parameter>("with fractional damping the method is mid-point, and not '", method, "'");
     }
@@ -38,7 +38,7 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
 
 accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
                           double longest_step, std::stop_token const& stop) {
-    if (not what.damping.empty())
+    if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("an accuracy is for Lagrangians and forces, without fractional damping");
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},

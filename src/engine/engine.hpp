@@ -17,15 +17,21 @@
 
 namespace engine {
 
-/// What moves. Damping is -rho D^alpha q, as a mean over each step, of every coordinate.
+/// What moves. Damping is -rho D^alpha q of every coordinate, as a mean over each step where the method is an embedding.
 struct problem {
     hilger::text::stated_lagrangian lagrangian;
     std::optional<hilger::text::stated_force> force;
     struct damping_term {
-        double rho, alpha;
+        hilger::float100 rho, alpha;
     };
     std::vector<damping_term> damping;
     std::string history = "direct"; ///< direct, blocks, exponentials, exponentials:1e-8, window:1000
+    /// The fractional Zener material that a structure is made of (hilger/fractional/zener.hpp); the Lagrangian has the relaxed modulus.
+    struct zener_material {
+        hilger::float100 relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha;
+    };
+    std::optional<zener_material> material{};
+    [[nodiscard]] bool has_memory() const { return not damping.empty() or material; }
 };
 
 /// T: {start + i step}, or any increasing points.
@@ -39,6 +45,14 @@ struct points {
 
 template <class S>
 using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+/// A state of any kind, numbers too.
+template <class S, class V>
+vector<S> as_vector(V const& x) {
+    if constexpr (std::is_convertible_v<V, S>)
+        return vector<S>::Constant(1, S(x));
+    else
+        return x;
+}
 enum class second_datum { velocity, momentum, next_position };
 /// q0, and v0, p0 or q1.
 template <class S>

@@ -8,7 +8,7 @@ namespace engine {
 
 template <class S>
 std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& method, points<S> const& T, char const* scalar) {
-    if (not what.damping.empty())
+    if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for numbers of the processor, and not for ", scalar);
     if (auto made = embedded_by_operators(what, method, T)) return made;
     auto made = with_mechanics(what, [&](auto const& mechanics) -> std::unique_ptr<motion<S>> {

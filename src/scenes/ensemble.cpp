@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 #include "engine/machine_code/machine_code.hpp"
-#include "from_file.hpp"
+#include "problems/from_file.hpp"
 
 namespace program {
 
@@ -175,9 +175,8 @@ private:
 int run_ensemble(run_options const& options) {
     auto const begin = std::chrono::steady_clock::now();
     scene const& what = scene_named(options.scene);
-    if (not what.stated)
-        error::raise<error::invalid_parameter>("--ensemble is for problems in files, as my.toml, and ", what.name,
-                                               " is a scene of the program");
+    if (not what.stated->last.empty())
+        error::raise<error::invalid_parameter>("--ensemble is of initial values, and ", what.name, " is solved between two ends");
     configuration const c = completed(what, options.choice);
     if (c.scalar != "double")
         error::raise<error::invalid_parameter>("the members of an ensemble are stepped in double, and not in ", c.scalar);
@@ -194,8 +193,8 @@ int run_ensemble(run_options const& options) {
     auto const problem = engine::with_words(what.stated->of, table.words());
     engine::prepare_machine_code();
     bool const lanes = c.embedding != "kahan-li-8"; // here of Verlet, in lanes of mid-point
-    auto const all =
-        engine::make_cast(problem, c.embedding, T, lanes, [&](engine::problem const& one) { return walker_of_member(one, c, T); });
+    auto const all = engine::make_cast(problem, c.embedding, T, lanes,
+                                       [&](engine::problem const& one) { return walker_of_member(*what.stated, one, c); });
 
     index_type const points = engine::points_kept(c.steps, stride);
     int const d = what.dimension;

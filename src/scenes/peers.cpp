@@ -9,9 +9,10 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 
 #include "engine/small_lagrangian.hpp"
-#include "from_file.hpp"
+#include "hilger/fractional/second_degree.hpp"
 #include "hilger/step/separable.hpp"
 #include "measure.hpp"
+#include "problems/from_file.hpp"
 #if PROGRAM_HAS_GSL
 #include "peers_gsl.hpp"
 #endif
@@ -147,11 +148,13 @@ private:
     std::vector<peer_run> runs_;
 };
 
-/// u'' + D^(1/2) u + u = 1 as the system D^(1/2) y_1 = y_2, ..., D^(1/2) y_4 = 1 - y_1 - y_2 (u = y_1, u' = y_3), by the
-/// predictor-corrector of Diethelm, Ford and Freed, whose sums go over all of the past.
-double predictor_corrector(int steps, double t1) {
+/// m u'' + rho D^(1/2) u + k u = f as the system D^(1/2) y_1 = y_2, ..., D^(1/2) y_4 = (f - k y_1 - rho y_2) / m (u = y_1, u' = y_3), by
+/// the predictor-corrector of Diethelm, Ford and Freed, whose sums go over all of the past.
+double predictor_corrector(stated_problem const& what, int steps) {
     constexpr double alpha = 0.5;
-    double const h = t1 / steps, predict = std::pow(h, alpha) / std::tgamma(alpha + 1),
+    auto const parts = hilger::second_degree_of<double>(what.of.lagrangian, 1);
+    double const m = parts.mass(0, 0), k = parts.stiffness(0, 0), load = parts.load(0), rho = static_cast<double>(what.of.damping[0].rho);
+    double const h = points_of(what, steps).step, predict = std::pow(h, alpha) / std::tgamma(alpha + 1),
                  correct = std::pow(h, alpha) / std::tgamma(alpha + 2);
     auto const n_max = static_cast<std::size_t>(steps);
     std::vector<std::array<double, 4>> f(n_max + 1);
@@ -159,19 +162,21 @@ double predictor_corrector(int steps, double t1) {
     for (std::size_t n = 0; n < n_max + 2; ++n)
         low[n] = std::pow(static_cast<double>(n), alpha), high[n] = std::pow(static_cast<double>(n), alpha + 1);
     for (std::size_t n = 1; n < n_max + 1; ++n) b[n] = low[n] - low[n - 1], a[n] = high[n + 1] - 2 * high[n] + high[n - 1];
-    auto const rate = [](std::array<double, 4> const& y) { return std::array<double, 4>{y[1], y[2], y[3], 1 - y[0] - y[1]}; };
-    std::array<double, 4> y{0, 0, 0, 0};
+    auto const rate = [=](std::array<double, 4> const& y) {
+        return std::array<double, 4>{y[1], y[2], y[3], (load - k * y[0] - rho * y[1]) / m};
+    };
+    std::array<double, 4> const start{numbers_of(what.q)(0), 0, numbers_of(what.v)(0), 0};
+    std::array<double, 4> y = start;
     f[0] = rate(y);
     for (std::size_t n = 1; n <= n_max; ++n) {
-        auto const m = static_cast<double>(n);
         std::array<double, 4> p{}, c{};
-        double const first = high[n - 1] - (m - 1 - alpha) * low[n];
-        for (std::size_t k = 0; k < 4; ++k) c[k] = first * f[0][k], p[k] = b[n] * f[0][k];
+        double const first = high[n - 1] - (static_cast<double>(n) - 1 - alpha) * low[n];
+        for (std::size_t i = 0; i < 4; ++i) c[i] = first * f[0][i], p[i] = b[n] * f[0][i];
         for (std::size_t j = 1; j < n; ++j)
-            for (std::size_t k = 0; k < 4; ++k) c[k] += a[n - j] * f[j][k], p[k] += b[n - j] * f[j][k];
-        for (std::size_t k = 0; k < 4; ++k) y[k] = predict * p[k];
+            for (std::size_t i = 0; i < 4; ++i) c[i] += a[n - j] * f[j][i], p[i] += b[n - j] * f[j][i];
+        for (std::size_t i = 0; i < 4; ++i) y[i] = start[i] + predict * p[i];
         auto const g = rate(y);
-        for (std::size_t k = 0; k < 4; ++k) y[k] = correct * (c[k] + g[k]);
+        for (std::size_t i = 0; i < 4; ++i) y[i] = start[i] + correct * (c[i] + g[i]);
         f[n] = rate(y);
     }
     return y[0];
@@ -180,16 +185,16 @@ double predictor_corrector(int steps, double t1) {
 } // namespace
 
 std::vector<peer_run> run_peers(scene const& what) {
-    if (what.stated) {
-        auto const& one = *what.stated;
-        if (one.of.force or not one.of.damping.empty()) return {};
+    auto const& one = *what.stated;
+    if (one.of.force or not one.last.empty()) return {};
+    if (not one.of.has_memory())
         return engine::with_small_size(what.dimension, [&]<int D>(std::integral_constant<int, D>) { return second_order<D>(one).run(); });
-    }
     std::vector<peer_run> runs;
-    if (what.name == "fractional-oscillator")
+    if (what.dimension == 1 and one.of.damping.size() == 1 and one.of.damping[0].alpha == 0.5 and
+        std::find(what.embeddings.begin(), what.embeddings.end(), "g-alpha-newmark") != what.embeddings.end())
         for (int steps = 128; steps <= 1 << 14; steps *= 2) {
             double u = 0;
-            double const seconds = fastest([&] { u = predictor_corrector(steps, 15); });
+            double const seconds = fastest([&] { u = predictor_corrector(one, steps); });
             runs.push_back({"predictor-corrector", static_cast<double>(steps), seconds, {u}});
         }
     return runs;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene.hpp"
+#include "problems/scene.hpp"
 
 namespace program {
 

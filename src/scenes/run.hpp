@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "scene.hpp"
+#include "problems/scene.hpp"
 
 namespace program {
 

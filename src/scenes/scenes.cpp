@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "scenes.hpp"
-
 #include <algorithm>
 #include <map>
 
-#include "from_file.hpp"
 #include "hilger/error.hpp"
+#include "problems/from_file.hpp"
+#include "problems/scene.hpp"
 #include "problems_in_files.hpp"
 
 namespace program {
@@ -40,7 +39,6 @@ std::vector<scene> const& all_scenes() {
     static std::vector<scene> const all = [] {
         std::vector<scene> made;
         for (auto const& [name, content] : problems_in_files) made.push_back(scene_from_text(content, std::string(name) + ".toml"));
-        for (auto* const in_cpp : {fractional_oscillator, bagley_torvik, viscoelastic_beam, fractional_dirichlet}) made.push_back(in_cpp());
         return made;
     }();
     return all;
@@ -63,7 +61,7 @@ scene const& scene_named(std::string const& name) {
 
 configuration completed(scene const& what, configuration c) {
     complete(c.scalar, what.usual.scalar, what.scalars, what, "scalar");
-    if (not what.stated or c.embedding.empty() or not has_embedding(*what.stated, c.embedding))
+    if (c.embedding.empty() or not has_embedding(*what.stated, c.embedding))
         complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");
     complete(c.history, what.usual.history, what.histories, what, "history");
     if (c.steps == 0) c.steps = what.usual.steps;

@@ -12,8 +12,8 @@
 #include "measure.hpp"
 #include "peers.hpp"
 #include "plot.hpp"
+#include "problems/scene.hpp"
 #include "progress.hpp"
-#include "scene.hpp"
 
 namespace program {
 
@@ -186,8 +186,6 @@ void picture(std::string const& out, scene const& what, std::vector<point> const
 
 int run_trade(trade_options const& options) {
     scene const& what = scene_named(options.scene);
-    if (not what.exact and what.reference.embedding.empty())
-        hilger::error::raise<hilger::error::invalid_parameter>("the accuracy of the scene ", what.name, " has nothing to be measured with");
     truth const reference = find_truth(what);
     std::cout << what.title << "\nagainst " << reference.how << ", itself within " << std::setprecision(2) << reference.own_error << '\n';
     std::vector<point> points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The same of the reader of problems in TOML, without what toml++ itself shifts out of range. By hand, from the root of the project:
-//   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address -DHILGER_HAS_FLOAT128=0 -Iinclude -Isrc -Isrc/scenes
-//     -isystem /usr/include/eigen3 tests/fuzz/problem.cpp src/scenes/{from_file,observed_in_file}.cpp -o build/fuzz_problem
+//   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address -DHILGER_HAS_FLOAT128=0 -Iinclude -Isrc -Isrc/problems
+//     -isystem /usr/include/eigen3 tests/fuzz/problem.cpp src/problems/{from_file,observed_in_file}.cpp -o build/fuzz_problem
 //   build/fuzz_problem -max_len=1000 -max_total_time=600 -timeout=20 build/corpus tests/fuzz/problems
 #include <cstdint>
 
@@ -13,6 +13,8 @@ namespace program {
 // What is read is not run.
 std::vector<std::string> embeddings_of(stated_problem const&) { return {"order-one", "mid-point"}; }
 std::vector<std::string> scalars_of(stated_problem const&) { return {"double", "50-digits"}; }
+void require_structure(engine::problem const&) {}
+bool has_embedding(stated_problem const&, std::string const&) { return false; }
 std::unique_ptr<walk> begin_stated(stated_problem const&, configuration const&) { return nullptr; }
 
 } // namespace program

@@ -63,17 +63,25 @@ if(mpirun)
   endif()
 endif()
 
-# Member 1 is the file's own problem: its last q and p are the last row of its run.
-execute_process(COMMAND ${hilger} run pendulum.toml --out alone --every 100 WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET)
-file(STRINGS ${out}/alone/pendulum.csv rows)
-list(GET rows -1 row)
-math(EXPR at "128 + (1 * 5 + 4) * 2 * 8")
-execute_process(COMMAND od -A n -t f8 -j ${at} -N 16 ${out}/one/pendulum.npy OUTPUT_VARIABLE numbers)
-execute_process(COMMAND awk -v "row=${row}" -v "numbers=${numbers}" "BEGIN { split(row, x, \",\"); split(numbers, y, \" \"); print x[2], y[1], x[3], y[2]; exit !((x[2] - y[1])^2 < 1e-24 && (x[3] - y[2])^2 < 1e-24 && x[2]^2 > 1e-4) }"
-  RESULT_VARIABLE differs OUTPUT_VARIABLE all_four)
-if(NOT differs EQUAL 0)
-  message(SEND_ERROR "the run alone ends in other numbers than the member: ${all_four}")
-endif()
+# same_end(<scene> <its name> <array> <state>): the last q and p of a run are state number so many of an array.
+function(same_end scene name array state)
+  execute_process(COMMAND ${hilger} run ${scene} --out alone --every 100 WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET)
+  file(STRINGS ${out}/alone/${name}.csv rows)
+  list(GET rows -1 row)
+  math(EXPR at "128 + ${state} * 2 * 8")
+  execute_process(COMMAND od -A n -t f8 -j ${at} -N 16 ${out}/${array} OUTPUT_VARIABLE numbers)
+  execute_process(COMMAND awk -v "row=${row}" -v "numbers=${numbers}" "BEGIN { split(row, x, \",\"); split(numbers, y, \" \"); print x[2], y[1], x[3], y[2]; exit !((x[2] - y[1])^2 < 1e-24 && (x[3] - y[2])^2 < 1e-24 && x[2]^2 > 1e-4) }"
+    RESULT_VARIABLE differs OUTPUT_VARIABLE all_four)
+  if(NOT differs EQUAL 0)
+    message(SEND_ERROR "the run of ${scene} alone ends in other numbers than the member: ${all_four}")
+  endif()
+endfunction()
+# Member 1 is the file's own problem; so it is of what remembers.
+same_end(pendulum.toml pendulum one/pendulum.npy 9)
+file(WRITE ${out}/at_rest.csv "u,v\n1,0\n0,0\n")
+execute_process(COMMAND ${hilger} run fractional-oscillator --ensemble at_rest.csv --out one WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+  OUTPUT_QUIET)
+same_end(fractional-oscillator fractional-oscillator one/fractional-oscillator.npy 3)
 
 function(says members sentence)
   file(WRITE ${out}/wrong.csv "${members}")
@@ -95,6 +103,6 @@ says("q,v\n1,two\n" "wrong.csv, line 2: a number was expected, as 1, 0.5 or 1/3,
 says("q,v\n" "'wrong.csv' has no members: below the names there is a row for each")
 run(1 wrong nowhere.csv)
 expect("cannot read members from 'nowhere.csv'")
-execute_process(COMMAND ${hilger} run viscoelastic-beam --ensemble members.csv --out wrong WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+execute_process(COMMAND ${hilger} run fractional-dirichlet --ensemble members.csv --out wrong WORKING_DIRECTORY ${out} RESULT_VARIABLE result
   ERROR_VARIABLE said)
-expect("--ensemble is for problems in files, as my.toml, and viscoelastic-beam is a scene of the program")
+expect("--ensemble is of initial values, and fractional-dirichlet is solved between two ends")

@@ -122,7 +122,7 @@ std::vector<double> times_of(points<double> const& T) {
 
 std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, bool one) {
     int const d = what.lagrangian.formula().words().dimension();
-    if (not what.damping.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
+    if (what.has_memory() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
     auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();

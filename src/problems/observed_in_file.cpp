@@ -141,7 +141,13 @@ void observe(toml_file const& file, std::shared_ptr<text::vocabulary const> cons
     if (auto const* units = file.get("units")) s.units = file.heading(units->source().begin, file.text_of(*units, "units"));
     reader.formulas("conserved", what.conserved);
     reader.formulas("observed", what.observed);
-    if (what.conserves_energy()) s.invariants = {"energy"};
+    if (not what.last.empty())
+        for (char const* key : {"conserved", "observed"})
+            for (auto const& f : *key == 'c' ? what.conserved : what.observed)
+                if (*key == 'c' or f.of.reads(text::meaning::role::velocity))
+                    file.refuse(file.get(key),
+                                "between two ends positions are found: what is observed reads no velocities, and nothing is conserved");
+    if (what.conserves_energy() and what.last.empty()) s.invariants = {"energy"};
     for (auto const& f : what.conserved) s.invariants.push_back(f.name);
     for (auto const& name : s.invariants) s.columns.push_back(name + " error");
     for (auto const& f : what.observed) s.columns.push_back(f.name);

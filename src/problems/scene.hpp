@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hilger/multiprecision.hpp"
-#include "hilger/scale/base.hpp"
+#include "engine/engine.hpp"
 
 namespace program {
 
@@ -32,6 +31,8 @@ public:
     [[nodiscard]] virtual std::string row() const = 0;
     /// Position at this point, all components.
     [[nodiscard]] virtual std::vector<hilger::float100> position() const = 0;
+    /// All of it in double; no momenta where there are none.
+    [[nodiscard]] virtual engine::state<double> state() const = 0;
     /// The largest amounts by which what should be constant has changed, at the points where row() was asked for.
     [[nodiscard]] virtual std::vector<double> drift() const = 0;
     /// Writes all that the rest depends on; false where a walk is repeated from its start instead, because it has a memory.
@@ -62,7 +63,7 @@ struct scene {
     std::shared_ptr<stated_problem const> stated; ///< of what a file states
 };
 
-/// All scenes, in the order in which they are listed: those of examples/problems, then those in C++.
+/// All scenes, those of examples/problems.
 std::vector<scene> const& all_scenes();
 /// The scene of this name, or the one that a file my.toml states. @throws hilger::error::invalid_parameter that lists the names there are,
 /// hilger::error::unreadable

@@ -11,6 +11,8 @@
 //                                                    stands under one, or formulas of the parameters and of i, which component it is
 //   embedding = "mid-point"                          or "theta:0.3", or operators: "integral(L((q + sigma[q])/2, Delta_plus[q]))"
 //   damping = [ { rho = 0.2, alpha = 0.5 } ]         and history = "exponentials"
+//   material = { relaxed_modulus = 1e6, unrelaxed_modulus = 5e7, relaxation_time = 1e-3, alpha = 0.5 }     instead, of a linear structure
+//   first = { q = 0 }                                and last = { q = 1 } instead of initial: between two ends
 // What is looked at, and measured with, is in observed_in_file.cpp.
 #include "from_file.hpp"
 
@@ -25,6 +27,7 @@
 #include "engine/methods/own.hpp"
 #include "hilger/multiprecision.hpp"
 #include "observed_in_file.hpp"
+#include "values_in_file.hpp"
 
 namespace program {
 
@@ -41,7 +44,8 @@ public:
         names_ = coordinates("coordinates", "q");
         velocities_ = coordinates("velocities", "v");
         auto const words = vocabulary();
-        stated_problem what{{text::stated_lagrangian(file_.formula(file_.required("lagrangian"), words, "lagrangian")), {}, {}, ""},
+        stated_problem what{{text::stated_lagrangian(file_.formula(file_.required("lagrangian"), words, "lagrangian")), {}, {}, "", {}},
+                            {},
                             {},
                             {},
                             {},
@@ -50,12 +54,16 @@ public:
                             {}};
         if (auto const* f = file_.get("force")) what.of.force = force(*f, words);
         if (auto const* d = file_.get("damping")) what.of.damping = damping(*d);
+        if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
         auto const ends = file_.digits_of_list(file_.required("interval"), "two numbers, as interval = [0, 100]");
         if (ends.size() != 2 or not(file_.number(ends[0]) < file_.number(ends[1])))
             file_.refuse(&file_.required("interval"), "an interval is two numbers, the smaller one first");
         what.start = ends[0];
         what.end = ends[1];
-        initial(what, words);
+        if (file_.get("first") != nullptr or file_.get("last") != nullptr)
+            both_ends(what, words);
+        else
+            initial(what, words);
 
         scene s;
         s.name = std::filesystem::path(file_.path()).stem().string();
@@ -67,27 +75,32 @@ public:
         s.t1 = file_.number(what.end);
         s.embeddings = embeddings_of(what);
         s.scalars = scalars_of(what);
-        s.usual = {s.embeddings.size() == 1 ? s.embeddings[0] : "mid-point", "double", "",
-                   file_.count_of(file_.required("steps"), "steps")};
+        bool const has_midpoint = std::find(s.embeddings.begin(), s.embeddings.end(), "mid-point") != s.embeddings.end();
+        s.usual = {has_midpoint ? "mid-point" : s.embeddings[0], "double", "", file_.count_of(file_.required("steps"), "steps")};
         if (auto const* e = file_.get("embedding")) {
             std::string const method = file_.text_of(*e, "embedding");
             if (engine::is_embedding_in_text(method)) (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
-            if (file_.saying_where(e, [&] { return has_embedding(what, method); })) s.embeddings.push_back(method);
+            if (file_.saying_where(e, [&] { return has_embedding(what, method); }) and
+                std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end())
+                s.embeddings.push_back(method);
             s.usual.embedding = file_.chosen(*e, "embedding", s.embeddings);
+            if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
         }
-        if (not what.of.damping.empty()) {
+        if (what.of.has_memory()) {
             s.histories = {"exponentials", "exponentials:1e-8", "blocks", "direct"};
+            if (s.embeddings.size() > 1) s.histories.emplace_back("window:1000"); // of Newmark's schemes
             s.usual.history = "exponentials";
         }
         if (auto const* h = file_.get("history")) {
-            if (what.of.damping.empty()) file_.refuse(h, "a history is for fractional damping, and there is none");
+            if (not what.of.has_memory()) file_.refuse(h, "a history is for fractional damping, and there is none");
             s.usual.history = file_.chosen(*h, "history", s.histories);
         }
         s.columns = {"t"};
         for (char const* momentum : {"", "p_"})
-            for (auto const& [name, size] : names_)
-                for (int k = 0; k < std::max(size, 1); ++k)
-                    s.columns.push_back(momentum + name + (size > 0 ? "_" + std::to_string(k) : ""));
+            if (what.last.empty() or *momentum == '\0')
+                for (auto const& [name, size] : names_)
+                    for (int k = 0; k < std::max(size, 1); ++k)
+                        s.columns.push_back(momentum + name + (size > 0 ? "_" + std::to_string(k) : ""));
         observe(file_, words, what, s);
         s.stated = std::make_shared<stated_problem const>(what);
         s.begin = [stated = s.stated, name = s.name](configuration const& c) {
@@ -100,9 +113,10 @@ public:
     }
 
 private:
-    static constexpr std::array<std::string_view, 18> keys{"title",    "lagrangian", "force",    "parameters", "coordinates", "velocities",
-                                                           "interval", "steps",      "initial",  "embedding",  "damping",     "history",
-                                                           "units",    "conserved",  "observed", "pictures",   "reference",   "exact"};
+    static constexpr std::array<std::string_view, 21> keys{"title",    "lagrangian", "force",   "parameters", "coordinates", "velocities",
+                                                           "interval", "steps",      "initial", "first",      "last",        "embedding",
+                                                           "damping",  "material",   "history", "units",      "conserved",   "observed",
+                                                           "pictures", "reference",  "exact"};
 
     std::shared_ptr<text::vocabulary const> vocabulary() const {
         if (names_.size() != velocities_.size()) file_.refuse(file_.get("velocities"), "there is one velocity for each coordinate");
@@ -126,10 +140,9 @@ private:
             return std::shared_ptr<text::vocabulary const>(words);
         });
     }
-    using named = std::vector<std::pair<std::string, int>>;
     /// "q[3]", or a list of such.
-    [[nodiscard]] named coordinates(char const* key, char const* otherwise) const {
-        named all;
+    [[nodiscard]] named_coordinates coordinates(char const* key, char const* otherwise) const {
+        named_coordinates all;
         auto const add = [&](toml::node const& n, std::string const& word) {
             auto const bracket = word.find('[');
             int size = 0;
@@ -164,55 +177,43 @@ private:
             auto const* t = term.as_table();
             if (t == nullptr or t->size() != 2 or not t->contains("rho") or not t->contains("alpha"))
                 file_.refuse(&term, "a term of the damping is { rho = 0.2, alpha = 0.5 }");
-            terms.push_back({file_.number(file_.digits_of(*t->get("rho"))), file_.number(file_.digits_of(*t->get("alpha")))});
+            terms.push_back({exactly(*t->get("rho")), exactly(*t->get("alpha"))});
             if (not(terms.back().alpha > 0 and terms.back().alpha < 2)) file_.refuse(t->get("alpha"), "alpha lies between 0 and 2");
         }
         return terms;
     }
+    [[nodiscard]] engine::problem::zener_material material(toml::node const& n, engine::problem const& of) const {
+        auto const& t =
+            file_.table_of(n, "a material is { relaxed_modulus = 1e6, unrelaxed_modulus = 5e7, relaxation_time = 1e-3, alpha = 0.5 }");
+        constexpr std::array<std::string_view, 4> known{"relaxed_modulus", "unrelaxed_modulus", "relaxation_time", "alpha"};
+        file_.require_known(t, known);
+        for (auto const& key : known)
+            if (not t.contains(key)) file_.refuse(&n, "a material has " + std::string(key) + ", and this one has not");
+        if (not of.damping.empty()) file_.refuse(&n, "there is a material or damping, and here are both");
+        engine::problem one = of;
+        one.material = {exactly(*t.get("relaxed_modulus")), exactly(*t.get("unrelaxed_modulus")), exactly(*t.get("relaxation_time")),
+                        exactly(*t.get("alpha"))};
+        file_.saying_where(&n, [&] {
+            require_structure(one);
+            return 0;
+        });
+        return *one.material;
+    }
+    /// What digits in a file spell.
+    [[nodiscard]] hilger::float100 exactly(toml::node const& n) const { return *text::number_in<hilger::float100>(file_.digits_of(n)); }
     void initial(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
-        auto const& n = file_.required("initial");
-        auto const& given = file_.table_of(n, "initial values are a table, as { q = 1, v = 0 }");
-        std::size_t used = 0;
-        auto const take = [&](named const& names, std::vector<std::string>& to) {
-            for (auto const& [name, size] : names) {
-                auto const* values = given.get(name);
-                if (values == nullptr) file_.refuse(&n, "the initial values have no '" + name + "'");
-                auto const count = static_cast<std::size_t>(std::max(size, 1));
-                auto const* list = values->as_array();
-                bool const for_all = is_formula(*values) or values->value<double>() == 0.0;
-                std::size_t const here = list != nullptr ? list->size() : for_all ? count : 1;
-                if (here != count)
-                    file_.refuse(values,
-                                 "'" + name + "' has " + std::to_string(count) + " initial values, and here are " + std::to_string(here));
-                for (std::size_t k = 0; k < count; ++k) to.push_back(initial_value(list != nullptr ? *list->get(k) : *values, k, words));
-                ++used;
-            }
-        };
-        take(names_, what.q);
-        take(velocities_, what.v);
-        if (used != given.size()) file_.refuse(&n, "there are initial values of what is no coordinate and no velocity");
+        values_in_file(file_, words)
+            .read("initial", "initial values are a table, as { q = 1, v = 0 }", {{names_, &what.q}, {velocities_, &what.v}});
     }
-    [[nodiscard]] static bool is_formula(toml::node const& n) {
-        auto const s = n.value_exact<std::string>();
-        return s and not text::number_in<double>(*s);
+    void both_ends(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
+        if (auto const* n = file_.get("initial")) file_.refuse(n, "there are initial values, or first and last ones, and here are both");
+        if (what.of.has_memory()) file_.refuse(file_.get("last"), "fractional damping has initial values, and not a last one");
+        values_in_file const values(file_, words);
+        values.read("first", "first values are a table, as { q = 0 }", {{names_, &what.q}});
+        values.read("last", "last values are a table, as { q = 1 }", {{names_, &what.last}});
     }
-    /// A number, or what a formula of the parameters and of i is in a hundred digits.
-    [[nodiscard]] std::string initial_value(toml::node const& n, std::size_t i,
-                                            std::shared_ptr<text::vocabulary const> const& words) const {
-        using R = hilger::float100;
-        if (not is_formula(n)) return file_.digits_of(n);
-        auto known = std::make_shared<text::vocabulary>(*words);
-        if (known->find("i") == nullptr) known->set("i", std::to_string(i));
-        text::stated const f = file_.formula(n, known, "an initial value");
-        if (f.reads_state())
-            file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
-        R const value = f.number<R>();
-        if (not(abs(value) <= R(std::numeric_limits<double>::max()))) file_.refuse(&n, "this initial value is not a finite number");
-        return value.str(std::numeric_limits<R>::max_digits10, std::ios::scientific);
-    }
-
     toml_file file_;
-    named names_, velocities_;
+    named_coordinates names_, velocities_;
 };
 
 } // namespace

@@ -21,12 +21,13 @@ struct named_formula {
 struct stated_problem {
     engine::problem of;
     std::vector<std::string> q, v;                                    ///< initial, one for each coordinate
+    std::vector<std::string> last;                                    ///< instead of v, where q is given at both ends
     std::string start, end;                                           ///< of T
     std::vector<named_formula> conserved, observed;                   ///< beside the energy
     mutable std::map<std::type_index, std::shared_ptr<void>> known{}; ///< what one walk leaves for the next one
     /// Whether the energy is constant.
     [[nodiscard]] bool conserves_energy() const {
-        return not of.force and of.damping.empty() and not of.lagrangian.formula().reads(hilger::text::meaning::role::time);
+        return not of.force and not of.has_memory() and not of.lagrangian.formula().reads(hilger::text::meaning::role::time);
     }
 };
 
@@ -41,7 +42,15 @@ std::vector<std::string> scalars_of(stated_problem const& what);
 /// Whether a method that is no name is one of numbers or operators, theta:0.3 or integral(L(q, Delta_plus[q])), that the problem has.
 /// @throws hilger::error::unreadable, hilger::error::invalid_parameter where something in it is wrong
 bool has_embedding(stated_problem const& what, std::string const& method);
+/// @throws hilger::error::invalid_parameter that says why it is no linear structure with one fractional term or material
+void require_structure(engine::problem const& of);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
+/// Of what remembers; and of what is given at both ends.
+template <class S>
+std::unique_ptr<walk> begin_with_memory(stated_problem const& what, configuration const& c);
+extern template std::unique_ptr<walk> begin_with_memory<double>(stated_problem const&, configuration const&);
+extern template std::unique_ptr<walk> begin_with_memory<hilger::float50>(stated_problem const&, configuration const&);
+std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
 /// What digits of numbers spell.
 template <class S = double>
 engine::vector<S> numbers_of(std::vector<std::string> const& digits) {
@@ -51,7 +60,7 @@ engine::vector<S> numbers_of(std::vector<std::string> const& digits) {
 }
 /// T with so many steps.
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps);
-/// How a member of an ensemble is walked alone, from velocities.
-engine::walker walker_of_member(engine::problem const& one, configuration const& c, engine::points<double> const& T);
+/// How a member of an ensemble, which may have other parameters, is walked alone, from velocities.
+engine::walker walker_of_member(stated_problem const& what, engine::problem const& one, configuration const& c);
 
 } // namespace program

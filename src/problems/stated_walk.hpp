@@ -2,14 +2,47 @@
 // Systems in text, along the trajectories that all others have, in any scalar.
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "engine/methods/own.hpp"
 #include "engine/small_lagrangian.hpp"
 #include "from_file.hpp"
-#include "histories.hpp"
-#include "methods.hpp"
+#include "hilger/hilger.hpp"
+#include "hilger/multiprecision.hpp"
 #include "path_walk.hpp"
 
 namespace program {
+
+inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "blanes-moan-4", "kahan-li-8",
+                                         "kahan-li-8+", "gauss-4",   "gauss-6",    "gauss-8", "gauss-16"};
+
+/// Calls use(flow) with the method of that name on L, where the scalar has it.
+template <class S, class L, class Use>
+void with_method(std::string const& name, L const& l, Use const& use) {
+    using namespace hilger;
+    constexpr bool is_double = std::is_same_v<S, double>, many_digits = not std::is_floating_point_v<S>;
+    if constexpr (not std::is_same_v<S, float100>) { // what is compiled there takes its time
+        if (name == "mid-point") use(embed(l, mid_point));
+    }
+    if constexpr (is_double) {
+        if (name == "order-one") use(embed(l, order_one));
+        if (name == "mid-point+") use(embed(l, mid_point, compensated));
+        if (name == "verlet") use(stoermer_verlet(l));
+        if (name == "blanes-moan-4") use(compose_with_adjoint(blanes_moan<4>, embed(l, order_one)));
+        if (name == "kahan-li-8+") use(compose(kahan_li<8>, stoermer_verlet(l, compensated)));
+        if (name == "gauss-6") use(embed(l, galerkin<6, gauss>));
+        if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
+    }
+    if constexpr (is_double or many_digits) {
+        if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
+    }
+    if constexpr (not many_digits) {
+        if (name == "gauss-4") use(embed(l, galerkin<4, gauss>));
+    } else {
+        if (name == "gauss-16") use(embed(l, galerkin<16, gauss>));
+    }
+}
 
 using forced = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
 
@@ -38,7 +71,7 @@ private:
     using any_size = hilger::state<S, engine::vector<S>>;
     template <class State>
     static any_size of_any_size(State const& x) {
-        return {x.t, x.q, x.p};
+        return {x.t, engine::as_vector<S>(x.q), engine::as_vector<S>(x.p)};
     }
     void evaluate(std::vector<named_formula> const& formulas, any_size const& x, std::vector<S>& to) const {
         if (formulas.empty()) return;
@@ -49,35 +82,17 @@ private:
     hilger::detail::kept_derivatives<hilger::problem<hilger::text::stated_lagrangian>> derivatives_;
     decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
 };
-/// What is damped or driven may be both.
-inline forced with_any_force(engine::problem const& of) {
-    if (of.force) return {of.lagrangian, *of.force};
-    auto const words = std::make_shared<hilger::text::vocabulary>(of.lagrangian.formula().words());
-    std::vector<hilger::text::stated> const none(static_cast<std::size_t>(words->dimension()),
-                                                 hilger::text::stated(hilger::text::expression(), words, "the force"));
-    return {of.lagrangian, hilger::text::stated_force(none)};
-}
-
 /// Calls use(flow) with the method that is chosen on what moves, L or with a force, where it has a number in it, as theta:0.3 and
 /// embeddings in text have.
 template <class S, class Mechanics, class Use>
 void with_number(engine::problem const& of, configuration const& c, Mechanics const& mechanics, Use const& use) {
     if (auto const lambda = engine::lambda_of<S>(of, c.embedding)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
 }
-/// Calls use(flow) with the one that is chosen, where there is one in numbers S.
+/// Calls use(flow) with the one that is chosen, where there is one in numbers S, for what does not remember.
 template <class S, class Use>
 void with_flow(engine::problem const& of, configuration const& c, Use const& use) {
     constexpr bool is_double = std::same_as<S, double>;
-    if (not of.damping.empty()) {
-        if constexpr (is_double) {
-            std::vector<hilger::fractional_term<double>> terms;
-            for (auto const& [rho, alpha] : of.damping) terms.push_back({rho, alpha});
-            with_history(c.history, c.steps, [&]<class Policy>(Policy const& policy) {
-                if constexpr (not std::same_as<Policy, hilger::window>)
-                    use(hilger::embed(hilger::with_fractional_damping(with_any_force(of), terms, policy), hilger::mid_point));
-            });
-        }
-    } else if (of.force) {
+    if (of.force) {
         forced const mechanics{of.lagrangian, *of.force};
         with_number<S>(of, c, mechanics, use);
         if constexpr (not std::same_as<S, hilger::float100>) {

@@ -66,6 +66,10 @@ public:
         for (int k = 0; k < s::dimension(at_->q); ++k) x.emplace_back(s::component(at_->q, k));
         return x;
     }
+    [[nodiscard]] engine::state<double> state() const override {
+        auto const in_double = [](V const& x) { return engine::as_vector<S>(x).template cast<double>().eval(); };
+        return {static_cast<double>(at_->t), in_double(at_->q), in_double(at_->p)};
+    }
     [[nodiscard]] std::vector<double> drift() const override {
         (void)start_of_all();
         return largest_;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSL-1.0
+// The histories of fractional terms by name; what follows a colon is a parameter.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "hilger/error.hpp"
+#include "hilger/history/history.hpp"
+#include "hilger/text/vocabulary.hpp"
+
+namespace engine {
+
+/// Calls use(policy) with the history of that name, for so many steps. @throws hilger::error::invalid_parameter
+template <class Use>
+void with_history(std::string const& name, hilger::index_type steps, Use const& use) {
+    auto const colon = name.find(':');
+    std::string const kind = name.substr(0, colon);
+    bool const has_number = colon != std::string::npos;
+    auto const number = hilger::text::number_in<double>(has_number ? name.substr(colon + 1) : "0");
+    if (kind == "direct" and not has_number) return use(hilger::direct{});
+    if (kind == "blocks" and not has_number) return use(hilger::blocks{});
+    if (kind == "exponentials" and number) return use(hilger::exponentials{*number, steps + 1});
+    if (kind == "window" and has_number and number and *number >= 1 and *number == std::floor(*number) and *number < 1e15)
+        return use(hilger::window{static_cast<hilger::index_type>(*number)});
+    hilger::error::raise<hilger::error::invalid_parameter>(
+        "histories are direct, blocks, exponentials, exponentials:1e-8 and window:1000, and not '", name, "'");
+}
+
+} // namespace engine

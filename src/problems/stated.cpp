@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "engine/machine_code/machine_code.hpp"
+#include "engine/methods/newmark.hpp"
+#include "stated_walk.hpp"
+
+PROGRAM_IN_NUMBERS(extern, double)
+PROGRAM_IN_NUMBERS(extern, float)
+PROGRAM_IN_NUMBERS(extern, hilger::float50)
+PROGRAM_IN_NUMBERS(extern, hilger::float100)
+
+namespace program {
+
+namespace {
+
+bool has_structure(engine::problem const& of) {
+    try {
+        require_structure(of);
+        return true;
+    } catch (hilger::error::invalid_parameter const&) {
+        return false;
+    }
+}
+
+} // namespace
+
+void require_structure(engine::problem const& of) { engine::structure_of_problem<double>(of).require_valid(); }
+
+std::vector<std::string> embeddings_of(stated_problem const& what) {
+    if (not what.last.empty()) return {"order-one", "mid-point"};
+    if (what.of.material) return {"g-alpha-newmark", "gl-newmark"};
+    if (what.of.has_memory())
+        return has_structure(what.of) ? std::vector<std::string>{"mid-point", "g-alpha-newmark", "gl-newmark"}
+                                      : std::vector<std::string>{"mid-point"};
+    if (what.of.force) return {"order-one", "mid-point", "gauss-4"};
+    return {method_names.begin(), method_names.end()};
+}
+std::vector<std::string> scalars_of(stated_problem const& what) {
+    if (not what.last.empty()) return {"double"};
+    if (what.of.has_memory())
+        return has_structure(what.of) ? std::vector<std::string>{"double", "50-digits"} : std::vector<std::string>{"double"};
+    if (what.of.force) return {"double", "50-digits"};
+    return {"double", "float", "50-digits", "100-digits"};
+}
+
+bool has_embedding(stated_problem const& what, std::string const& method) {
+    if (engine::is_newmark(method) and what.last.empty() and what.of.has_memory()) {
+        require_structure(what.of);
+        return true;
+    }
+    if (not what.last.empty() and engine::between_two_ends(what.of, method, points_of(what, 2))) return true;
+    return not what.of.has_memory() and engine::lambda_of<double>(what.of, method).has_value();
+}
+
+engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {
+    auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
+    auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, steps);
+    return {T.min(), T.h(), steps, {}};
+}
+
+engine::walker walker_of_member(stated_problem const& what, engine::problem const& one, configuration const& c) {
+    stated_problem its{one, {}, {}, {}, what.start, what.end, {}, {}};
+    return [its, c](engine::initial<double> const& from, auto const& keep) {
+        stated_problem mine = its;
+        auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
+        double const start = number(mine.start);
+        auto const p = hilger::momentum_of(hilger::detail::at_time{mine.of.lagrangian, start}, from.q0, from.other);
+        mine.known[typeid(beginning<double>)] =
+            std::make_shared<beginning<double>>(beginning<double>{start, number(mine.end), from.q0, p, observed<double>(mine)});
+        auto const path = begin_stated(mine, c);
+        if (not path) hilger::error::raise<hilger::error::invalid_parameter>("there is no ", c.embedding, " for the members");
+        for (hilger::index_type i = 0;; ++i) {
+            auto const x = path->state();
+            if (not keep(x.t, x.q, x.p) or i == c.steps) return;
+            path->advance(1);
+        }
+    };
+}
+
+std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
+    engine::prepare_machine_code();
+    if (not what.last.empty()) return begin_between(what, c);
+    if (what.of.has_memory())
+        return c.scalar == "50-digits" ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);
+    if (c.scalar == "50-digits") return begin_in_numbers<hilger::float50>(what, c);
+    if (c.scalar == "100-digits") return begin_in_numbers<hilger::float100>(what, c);
+    int const d = what.of.force ? 0 : what.of.lagrangian.formula().words().dimension();
+    auto const in = [&]<class S>(S) {
+        return engine::with_small_size(d, [&]<int D>(std::integral_constant<int, D>) {
+            if constexpr (D > 0)
+                return begin_small<S, D>(what, c);
+            else
+                return begin_in_numbers<S>(what, c);
+        });
+    };
+    return c.scalar == "float" ? in(float()) : in(double());
+}
+
+} // namespace program

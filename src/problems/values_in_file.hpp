@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+// Positions and velocities at the ends of the interval, { q = 1, v = [0, "sqrt(2)/k"] }.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hilger/multiprecision.hpp"
+#include "toml_file.hpp"
+
+namespace program {
+
+/// Names with their lengths, 0 for one number.
+using named_coordinates = std::vector<std::pair<std::string, int>>;
+
+/// Reads the table `key`: digits of as many numbers as names ask for, `to` a list for each.
+class values_in_file {
+public:
+    values_in_file(toml_file const& file, std::shared_ptr<hilger::text::vocabulary const> words) : file_(file), words_(std::move(words)) {}
+
+    void read(std::string const& key, char const* as,
+              std::vector<std::pair<named_coordinates, std::vector<std::string>*>> const& wanted) const {
+        auto const& n = file_.required(key.c_str());
+        auto const& given = file_.table_of(n, as);
+        std::size_t used = 0;
+        for (auto const& [names, to] : wanted)
+            for (auto const& [name, size] : names) {
+                auto const* values = given.get(name);
+                if (values == nullptr) file_.refuse(&n, "the " + key + " values have no '" + name + "'");
+                auto const count = static_cast<std::size_t>(std::max(size, 1));
+                auto const* list = values->as_array();
+                bool const for_all = is_formula(*values) or values->value<double>() == 0.0;
+                std::size_t const here = list != nullptr ? list->size() : for_all ? count : 1;
+                if (here != count)
+                    file_.refuse(values, "'" + name + "' has " + std::to_string(count) + ' ' + key + " values, and here are " +
+                                             std::to_string(here));
+                for (std::size_t k = 0; k < count; ++k) to->push_back(value(list != nullptr ? *list->get(k) : *values, k));
+                ++used;
+            }
+        if (used != given.size())
+            file_.refuse(&n, "there are " + key + " values of what is no coordinate" + (wanted.size() > 1 ? " and no velocity" : ""));
+    }
+
+private:
+    [[nodiscard]] static bool is_formula(toml::node const& n) {
+        auto const s = n.value_exact<std::string>();
+        return s and not hilger::text::number_in<double>(*s);
+    }
+    /// A number, or what a formula of the parameters and of i is in a hundred digits.
+    [[nodiscard]] std::string value(toml::node const& n, std::size_t i) const {
+        using R = hilger::float100;
+        if (not is_formula(n)) return file_.digits_of(n);
+        auto known = std::make_shared<hilger::text::vocabulary>(*words_);
+        if (known->find("i") == nullptr) known->set("i", std::to_string(i));
+        hilger::text::stated const f = file_.formula(n, known, "an initial value");
+        if (f.reads_state())
+            file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
+        R const x = f.number<R>();
+        if (not(abs(x) <= R(std::numeric_limits<double>::max()))) file_.refuse(&n, "this initial value is not a finite number");
+        return x.str(std::numeric_limits<R>::max_digits10, std::ios::scientific);
+    }
+    toml_file const& file_;
+    std::shared_ptr<hilger::text::vocabulary const> words_;
+};
+
+} // namespace program
