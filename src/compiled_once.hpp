@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What our own programs do not compile again in each of their files: engines.cpp, engines_in_digits.cpp and numbers.cpp do, optimised.
+// What our own programs do not compile again in each of their files: engines*.cpp and numbers.cpp do, optimised.
 // A matter of minutes alone: without this header all is the same.
 #pragma once
 

@@ -4,5 +4,4 @@
 
 namespace hilger::detail {
 HILGER_ENGINES_WITH_ROOTS(, float50)
-HILGER_ENGINES(, Q)
 } // namespace hilger::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Operators and embeddings in text, written as in C++ (operator/local.hpp, variational/action.hpp):
 //   operator_in("(identity + sigma)/2")                                 an operator; products of operators are compositions
-//   embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))")        what L is read with, applied to the unknown q
+//   embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))")        what L is read with, applied to the unknown q; ((1 + sigma)/2)[q]
 //   embedding_in("nabla_integral(L(q, Delta_minus[q]))")                the sum with weights nu
 #pragma once
 
@@ -63,7 +63,16 @@ private:
             if (n->name == "q") return {is::function, {}, {}};
             if (auto const op = named(n->name)) return {is::an_operator, {}, *op};
             break;
-        case kind::call: // sigma(q) is sigma[q]
+        case kind::call:           // sigma(q) is sigma[q]
+            if (n->name.empty()) { // (A + B)[q]
+                meant const outer = meaning_of(n->parts[0]);
+                meant inner = meaning_of(n->parts[1]);
+                if (outer.is == is::function) refuse(*n, "an operator is linear in q, and this one is not");
+                if (inner.is == is::number) refuse(*n->parts[1], "(...)[...] acts on q or on an operator, and here is a number");
+                inner.op = applied(outer) * inner.op;
+                return inner;
+            }
+            [[fallthrough]];
         case kind::element:
             if (auto const op = named(n->name)) {
                 if (n->parts.size() != 1) refuse(*n, n->name + " acts on one function, as in " + n->name + "[q]");
@@ -134,13 +143,13 @@ private:
 /// @throws error::unreadable with line and column
 inline operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                                     std::string const& source = "the operator") {
-    auto const e = read(text, source);
+    auto const e = read_operators(text, source);
     return detail::operator_reader(std::move(words), source).as_operator(e.shared());
 }
 /// The embedding in a text; `source` and `from` say in errors where it stands. @throws error::unreadable
 inline embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                                       std::string const& source = "the embedding", place from = {1, 1}) {
-    auto const e = read(text, source, from);
+    auto const e = read_operators(text, source, from);
     embedding_formula made = detail::operator_reader(std::move(words), source).as_embedding(e.shared());
     made.text = text;
     return made;

@@ -16,7 +16,10 @@ namespace detail {
 
 class reader {
 public:
-    reader(std::string_view text, std::string source, place from) : text_(text), source_(std::move(source)), here_(from) { next(); }
+    reader(std::string_view text, std::string source, place from, bool brackets_apply = false)
+        : text_(text), source_(std::move(source)), here_(from), brackets_apply_(brackets_apply) {
+        next();
+    }
 
     expression whole() {
         if (token_.empty()) refuse("a formula was expected, and there is none");
@@ -87,8 +90,13 @@ private:
         std::string const token = token_;
         if (token == "(") {
             next();
-            expression const x = alternatives();
+            expression x = alternatives();
             expect(")");
+            while (brackets_apply_ and token_ == "[") {
+                expression const to = after(&reader::alternatives);
+                expect("]");
+                x = expression(kind::call, "", {x, to}, at);
+            }
             return x;
         }
         if (is_digit(token) or (token.size() > 1 and token[0] == '.')) {
@@ -224,6 +232,7 @@ private:
     std::size_t at_ = 0;
     std::string token_;
     int depth_ = 0;
+    bool brackets_apply_;
 };
 
 } // namespace detail
@@ -232,6 +241,10 @@ private:
 /// @throws error::unreadable with line and column, what is there, and what was expected
 inline expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1}) {
     return detail::reader(formula, std::move(source), from).whole();
+}
+/// Of what acts on functions: (A + B)[q] is a call without a name, of A + B and q.
+inline expression read_operators(std::string_view formula, std::string source, place from = {1, 1}) {
+    return detail::reader(formula, std::move(source), from, true).whole();
 }
 
 } // namespace hilger::text

@@ -166,6 +166,11 @@ TEST_CASE("how composed operators are written") {
                   true) == "\\tfrac{1}{2}\\,f + \\tfrac{1}{2}\\,\\rho\\left[f\\right]");
     CHECK(text_of(operator_in("(Delta_plus - sigma)*q")) == "Delta_plus[q] - sigma[q]");
     CHECK(text_of(operator_in("(q + sigma[q])/2")) == "(q + sigma[q])/2");
+    CHECK(text_of(operator_in("(Delta_plus - sigma)[q]")) == "Delta_plus[q] - sigma[q]");
+    CHECK(operator_in("((1 + sigma)/2)[q]") == operator_in("(q + sigma[q])/2"));
+    CHECK(operator_in("(1 + sigma)[2*Delta_minus[q]]/2") == operator_in("Delta_minus[q] + sigma[Delta_minus[q]]"));
+    CHECK(operator_in("(1 - sigma)[(1 + sigma)][q]") == operator_in("q - sigma[sigma[q]]"));
+    CHECK(operator_in("sigma[(1/2)[q]]") == operator_in("sigma[q]/2"));
     CHECK(text_of(operator_in("2/3*Delta_minus[(1 + sigma)*q]"), "") == "2/3*Delta_minus[1*identity + sigma]");
 }
 TEST_CASE("what is no operator is refused where it stands") {
@@ -174,6 +179,12 @@ TEST_CASE("what is no operator is refused where it stands") {
     says("q + 1", "the operator, line 1, column 1: both terms of a sum are made of q, or none is, as in q + sigma[q]");
     says("1/sigma", "the operator, line 1, column 3: an operator is divided by a number");
     says("sigma[2]", "the operator, line 1, column 7: sigma[...] acts on q or on an operator, and here is a number");
+    says("(1 + sigma)[2]", "the operator, line 1, column 13: (...)[...] acts on q or on an operator, and here is a number");
+    says("(q + sigma[q])[q]", "the operator, line 1, column 1: an operator is linear in q, and this one is not");
+    says("(1 + sigma)[q", "the operator, line 1, column 14: ']' was expected, and there is the end");
+    CHECK_THROWS_AS((void)operator_in("sqrt((4)[4])*q"), error::unreadable);
+    // In formulas of numbers brackets do not act.
+    CHECK_THROWS_AS((void)text::read("(q + 1)[0]"), error::unreadable);
     says("sigma(q, q)", "the operator, line 1, column 1: sigma acts on one function, as in sigma[q]");
     says("Delta[q]",
          "the operator, line 1, column 1: 'Delta' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus and "
