@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
-  engine/methods/two_sided.cpp)
+  engine/methods/two_sided.cpp engine/methods/lambda.cpp)
 # Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
 set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp
-  scenes/cost_with_memory.cpp problems/boundary_walk.cpp)
+  scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
+  engine/methods/lambda.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
 list(REMOVE_ITEM sources ${not_optimised})
@@ -45,12 +46,20 @@ function(add_stated group name of text)
 endfunction()
 foreach(number IN ITEMS double float)
   foreach(dimension IN ITEMS 1 2 3)
-    add_stated(small small_${dimension}_in_${number} ${number} "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension})\n")
+    foreach(kind IN ITEMS without_inner_points with_inner_points)
+      add_stated(small small_${dimension}_${kind}_in_${number} ${number}
+        "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension}, ${kind})\n")
+    endforeach()
   endforeach()
 endforeach()
 foreach(number IN ITEMS double float hilger::float50 hilger::float100)
   string(REPLACE hilger:: "" name ${number})
-  add_stated(in_numbers in_${name} ${number} "#include \"compiled_once.hpp\"\n#include \"problems/stated_walk.hpp\"\nPROGRAM_IN_NUMBERS(, ${number})\n")
+  set(engines)
+  if(name STREQUAL "float")
+    set(engines "PROGRAM_ENGINES_IN_FLOAT()\n")
+  endif()
+  add_stated(in_numbers in_${name} ${number}
+    "#include \"problems/in_numbers.hpp\"\n${engines}PROGRAM_IN_NUMBERS(${number})\n")
 endforeach()
 foreach(number IN ITEMS double hilger::float50)
   string(REPLACE hilger:: "" name ${number})

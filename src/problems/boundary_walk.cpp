@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Solutions between two ends: computed at once, and then walked along.
-#include "engine/methods/own.hpp"
+#include "engine/methods/lambda.hpp"
+#include "engine/motions.hpp"
 #include "from_file.hpp"
+#include "hilger/text/stated_embedding.hpp"
 #include "path_walk.hpp"
 
 namespace program {

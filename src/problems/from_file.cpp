@@ -24,10 +24,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/methods/own.hpp"
+#include "engine/methods/lambda.hpp"
 #include "hilger/multiprecision.hpp"
-#include "observed_in_file.hpp"
-#include "values_in_file.hpp"
+#include "parts_of_file.hpp"
 
 namespace program {
 

@@ -4,12 +4,13 @@
 
 #include "engine/methods/damped.hpp"
 #include "engine/methods/newmark.hpp"
+#include "engine/motions.hpp"
 #include "stated_walk.hpp"
 
 namespace program {
 
 /// What is damped may be driven too.
-inline forced with_any_force(engine::problem const& of) {
+inline engine::forced_problem with_any_force(engine::problem const& of) {
     if (of.force) return {of.lagrangian, *of.force};
     auto const words = std::make_shared<hilger::text::vocabulary>(of.lagrangian.formula().words());
     std::vector<hilger::text::stated> const none(static_cast<std::size_t>(words->dimension()),

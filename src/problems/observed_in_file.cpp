@@ -7,7 +7,7 @@
 //   reference = { embedding = "gauss-8", steps = 4000 }                    whose end `hilger trade` measures with, or
 //   exact = { position = ["0.5", "1/3"], source = "...", error = 1e-30 }   the position at the end of the interval
 // Nothing in it is a command: of a picture only names and titles come from the file, in single quotes, where gnuplot replaces nothing.
-#include "observed_in_file.hpp"
+#include "parts_of_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/machine_code/machine_code.hpp"
 #include "engine/methods/newmark.hpp"
+#include "engine/motions.hpp"
 #include "stated_walk.hpp"
-
-PROGRAM_IN_NUMBERS(extern, double)
-PROGRAM_IN_NUMBERS(extern, float)
-PROGRAM_IN_NUMBERS(extern, hilger::float50)
-PROGRAM_IN_NUMBERS(extern, hilger::float100)
 
 namespace program {
 
@@ -61,11 +57,7 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
     stated_problem its{one, {}, {}, {}, what.start, what.end, {}, {}};
     return [its, c](engine::initial<double> const& from, auto const& keep) {
         stated_problem mine = its;
-        auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
-        double const start = number(mine.start);
-        auto const p = hilger::momentum_of(hilger::detail::at_time{mine.of.lagrangian, start}, from.q0, from.other);
-        mine.known[typeid(beginning<double>)] =
-            std::make_shared<beginning<double>>(beginning<double>{start, number(mine.end), from.q0, p, observed<double>(mine)});
+        mine.known[typeid(beginning<double>)] = std::make_shared<beginning<double>>(beginning_from<double>(mine, from.q0, from.other));
         auto const path = begin_stated(mine, c);
         if (not path) hilger::error::raise<hilger::error::invalid_parameter>("there is no ", c.embedding, " for the members");
         for (hilger::index_type i = 0;; ++i) {
@@ -87,7 +79,8 @@ std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration con
     auto const in = [&]<class S>(S) {
         return engine::with_small_size(d, [&]<int D>(std::integral_constant<int, D>) {
             if constexpr (D > 0)
-                return begin_small<S, D>(what, c);
+                return c.embedding.starts_with("gauss-") ? begin_small<S, D, method_kind::with_inner_points>(what, c)
+                                                         : begin_small<S, D, method_kind::without_inner_points>(what, c);
             else
                 return begin_in_numbers<S>(what, c);
         });

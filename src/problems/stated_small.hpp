@@ -6,18 +6,20 @@
 
 namespace program {
 
-template <class S, int D>
+template <class S, int D, method_kind Kind>
 std::unique_ptr<walk> begin_small(stated_problem const& what, configuration const& c) {
     using V = Eigen::Matrix<S, D, 1>;
     auto const& begin = beginning_of<S>(what);
     auto const& L = known_to<engine::small_lagrangian<S, D>>(what, [&] { return engine::small_lagrangian<S, D>(what.of.lagrangian); });
     std::unique_ptr<walk> made;
     auto const use = [&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), V(begin.q), V(begin.p)), begin.seen); };
-    with_number<S>(what.of, c, L, use);
-    with_method<S>(c.embedding, L, use);
+    if constexpr (Kind == method_kind::without_inner_points) with_number<S>(what.of, c, L, use);
+    with_method<Kind, S>(c.embedding, L, use);
     return made;
 }
 
 } // namespace program
 
-#define PROGRAM_SMALL(S, D) template std::unique_ptr<program::walk> program::begin_small<S, D>(stated_problem const&, configuration const&);
+#define PROGRAM_SMALL(S, D, kind)                                                                                                          \
+    template std::unique_ptr<program::walk> program::begin_small<S, D, program::method_kind::kind>(stated_problem const&,                  \
+                                                                                                   configuration const&);

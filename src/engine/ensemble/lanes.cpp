@@ -9,7 +9,8 @@
 #include "engine/ensemble/lanes_of.hpp"
 #include "engine/machine_code/c_library.hpp"
 #include "engine/machine_code/machine_code.hpp"
-#include "engine/methods/own.hpp"
+#include "engine/methods/lambda.hpp"
+#include "engine/motions.hpp"
 
 namespace engine {
 

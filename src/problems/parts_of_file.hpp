@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Positions and velocities at the ends of the interval, { q = 1, v = [0, "sqrt(2)/k"] }.
+// Parts of a file: positions and velocities at the ends of the interval, { q = 1, v = [0, "sqrt(2)/k"] }; what is looked at.
 #pragma once
 
 #include <limits>
@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "from_file.hpp"
 #include "hilger/multiprecision.hpp"
 #include "toml_file.hpp"
 
@@ -64,5 +65,9 @@ private:
     toml_file const& file_;
     std::shared_ptr<hilger::text::vocabulary const> words_;
 };
+
+/// Reads what a file looks at and is measured with: units, conserved, observed, pictures, reference, exact. The columns of t, positions
+/// and momenta are there.
+void observe(toml_file const& file, std::shared_ptr<hilger::text::vocabulary const> const& words, stated_problem& what, scene& s);
 
 } // namespace program
