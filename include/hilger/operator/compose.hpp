@@ -161,9 +161,18 @@ struct operator_sum : linear_operator<operator_sum<A, B>> {
     constexpr auto adjoint() const { return a.adjoint() + adjoint_between<from_weight, to_weight>(b); }
 };
 
-/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are.
+namespace detail {
+template <class A>
+inline constexpr bool is_sum_of_operators = false;
+template <class A, class B>
+inline constexpr bool is_sum_of_operators<operator_sum<A, B>> = true;
+template <class A>
+inline constexpr bool is_multiple_of_operator = false;
+template <class C, class A>
+inline constexpr bool is_multiple_of_operator<multiple<C, A>> = true;
+
 template <class P, class Q, linear_map A>
-constexpr auto adjoint_between(A const& a) {
+constexpr auto reweighted_adjoint(A const& a) {
     using Ap = typename A::from_weight;
     using Aq = typename A::to_weight;
     auto const outer = [](auto op) {
@@ -176,6 +185,24 @@ constexpr auto adjoint_between(A const& a) {
         return outer(a.adjoint());
     else
         return outer(a.adjoint() * reweight<typename A::to, Q, Aq>{});
+}
+} // namespace detail
+
+/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are. Sums have it term by
+/// term: beside a term with other weights, ratios of weights would come and go where one of them vanishes, at an end, and lose it.
+template <class P, class Q, linear_map A>
+constexpr auto adjoint_between(A const& a) {
+    using Ap = typename A::from_weight;
+    using Aq = typename A::to_weight;
+    if constexpr (not std::same_as<Ap, P> or not std::same_as<Aq, Q>) {
+        if constexpr (detail::is_sum_of_operators<A>)
+            return adjoint_between<P, Q>(a.a) + adjoint_between<P, Q>(a.b);
+        else if constexpr (detail::is_multiple_of_operator<A>)
+            return a.c * adjoint_between<P, Q>(a.a);
+        else
+            return detail::reweighted_adjoint<P, Q>(a);
+    } else
+        return a.adjoint();
 }
 
 namespace detail {

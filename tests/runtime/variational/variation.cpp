@@ -169,4 +169,27 @@ TEST_CASE("equations are printed as the papers write them") {
     CHECK(printed(uneven) == "∂L/∂q(⋆) − (ν/μ) Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (q, Δ₊[q])\n");
 }
 
+TEST_CASE("the equation has a row for every point that a position in the middle leaves free, whichever sum it is of") {
+    time_scale<Q> const T{Q(0), Q(1), Q(3), Q(4), Q(6), Q(13, 2)};
+    constexpr lagrangian L{scalar_L};
+    constexpr auto half = fraction<1, 2>{};
+    constexpr auto third = fraction<1, 3>{};
+    is_the_derivative_of<delta_weight>(nabla_integral(L((half * (identity_T + rho))[q], Delta_minus[q]), T));
+    is_the_derivative_of<delta_weight>(integral(L((half * (identity_T + sigma))[q], Delta_plus[q]), T));
+    is_the_derivative_of<delta_weight>(nabla_integral(L((third * identity_T + third * (rho + identity_T))[q], Delta_minus[q]), T));
+    is_the_derivative_of<delta_weight>(nabla_integral(L((Q(1, 3) * (rho + identity_T) + third * rho)[q], Delta_minus[q]), T));
+    // Two steps back: two values are given at each end.
+    auto const wide = nabla_integral(L((third * (identity_T + rho + rho * rho))[q], Delta_minus[q]), T);
+    std::vector<Q> const x{Q(1), Q(-2, 3), Q(5, 2), Q(0), Q(7, 5), Q(100)};
+    auto const residual = variation(wide).residual(function_on(T, x));
+    CHECK(residual.first() == 2);
+    CHECK(residual.last() == 3);
+    for (hilger::index_type const k : {2, 3}) CHECK(residual[k] * weight_at<delta_weight>(residual, k) == along_variation(wide, x, k));
+    // The straight line joins two ends of a free particle.
+    constexpr lagrangian free{[](auto const&, auto const& v) { return v * v / 2; }};
+    auto const line =
+        solve(variation(nabla_integral(free((half * (identity_T + rho))[q], Delta_minus[q]), T)), T, boundary_values{Q(0), Q(13, 2)});
+    for (hilger::index_type k = 0; k <= 5; ++k) CHECK(line[k] == T.element(k));
+}
+
 } // namespace variation_tests
