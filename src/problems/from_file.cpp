@@ -20,6 +20,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -43,14 +44,7 @@ public:
         names_ = coordinates("coordinates", "q");
         velocities_ = coordinates("velocities", "v");
         auto const words = vocabulary();
-        stated_problem what{{text::stated_lagrangian(file_.formula(file_.required("lagrangian"), words, "lagrangian")), {}, {}, "", {}},
-                            {},
-                            {},
-                            {},
-                            {},
-                            {},
-                            {},
-                            {}};
+        stated_problem what(text::stated_lagrangian(file_.formula(file_.required("lagrangian"), words, "lagrangian")));
         if (auto const* f = file_.get("force")) what.of.force = force(*f, words);
         if (auto const* d = file_.get("damping")) what.of.damping = damping(*d);
         if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
@@ -92,7 +86,7 @@ public:
         }
         if (auto const* h = file_.get("history")) {
             if (not what.of.has_memory()) file_.refuse(h, "a history is for fractional damping, and there is none");
-            s.usual.history = file_.chosen(*h, "history", s.histories);
+            s.usual.history = file_.chosen(*h, "history", s.histories, true);
         }
         s.columns = {"t"};
         for (char const* momentum : {"", "p_"})
@@ -122,7 +116,8 @@ private:
         std::vector<text::coordinate> all;
         for (std::size_t k = 0; k < names_.size(); ++k) {
             if (names_[k].second != velocities_[k].second)
-                file_.refuse(file_.get("velocities"), "a velocity has the length of its coordinate");
+                file_.refuse(file_.get("velocities"), "a velocity has the length of its coordinate, and '" + velocities_[k].first +
+                                                          "' has not that of '" + names_[k].first + "': velocities = \"v[3]\" says it");
             all.push_back({names_[k].first, velocities_[k].first, names_[k].second});
         }
         return file_.saying_where(file_.get("coordinates"), [&] {
@@ -202,14 +197,15 @@ private:
     [[nodiscard]] hilger::float100 exactly(toml::node const& n) const { return *text::number_in<hilger::float100>(file_.digits_of(n)); }
     void initial(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
         values_in_file(file_, words)
-            .read("initial", "initial values are a table, as { q = 1, v = 0 }", {{names_, &what.q}, {velocities_, &what.v}});
+            .read("initial", "initial values are a table, as { q = 1, v = 0 }",
+                  {{names_, what.q, what.q_formulas}, {velocities_, what.v, what.v_formulas}});
     }
     void both_ends(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
         if (auto const* n = file_.get("initial")) file_.refuse(n, "there are initial values, or first and last ones, and here are both");
         if (what.of.has_memory()) file_.refuse(file_.get("last"), "fractional damping has initial values, and not a last one");
         values_in_file const values(file_, words);
-        values.read("first", "first values are a table, as { q = 0 }", {{names_, &what.q}});
-        values.read("last", "last values are a table, as { q = 1 }", {{names_, &what.last}});
+        values.read("first", "first values are a table, as { q = 0 }", {{names_, what.q, what.q_formulas}});
+        values.read("last", "last values are a table, as { q = 1 }", {{names_, what.last, what.v_formulas}});
     }
     toml_file file_;
     named_coordinates names_, velocities_;
@@ -217,7 +213,13 @@ private:
 
 } // namespace
 
-scene scene_from_text(std::string_view content, std::string const& path) { return problem_reader(content, path).read(); }
+scene scene_from_text(std::string_view content, std::string const& path) {
+    scene s = problem_reader(content, path).read();
+    std::uint64_t hash = 0xcbf29ce484222325U; // FNV-1a
+    for (char const c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    s.fingerprint = std::to_string(hash);
+    return s;
+}
 
 scene scene_from_file(std::string const& path) {
     std::ifstream in(path, std::ios::binary);

@@ -17,11 +17,20 @@ struct named_formula {
     std::string name;
     hilger::text::stated of;
 };
+/// An initial value that a formula of the parameters gives.
+struct initial_formula {
+    std::size_t at; ///< of all coordinates
+    std::size_t i;  ///< of its own
+    hilger::text::stated of;
+};
 /// A problem in text with its data, digits in the place of numbers.
 struct stated_problem {
+    explicit stated_problem(engine::problem what) : of(std::move(what)) {}
+    explicit stated_problem(hilger::text::stated_lagrangian L) : of{std::move(L), {}, {}, "", {}} {}
     engine::problem of;
     std::vector<std::string> q, v;                                    ///< initial, one for each coordinate
     std::vector<std::string> last;                                    ///< instead of v, where q is given at both ends
+    std::vector<initial_formula> q_formulas, v_formulas;              ///< where members of an ensemble have other parameters
     std::string start, end;                                           ///< of T
     std::vector<named_formula> conserved, observed;                   ///< beside the energy
     mutable std::map<std::type_index, std::shared_ptr<void>> known{}; ///< what one walk leaves for the next one

@@ -16,17 +16,22 @@ namespace program {
 /// Names with their lengths, 0 for one number.
 using named_coordinates = std::vector<std::pair<std::string, int>>;
 
-/// Reads the table `key`: digits of as many numbers as names ask for, `to` a list for each.
+/// What is read for names: digits, and the formulas among them.
+struct wanted_values {
+    named_coordinates const& names;
+    std::vector<std::string>& to;
+    std::vector<initial_formula>& formulas;
+};
+/// Reads the table `key`: as many numbers as names ask for.
 class values_in_file {
 public:
     values_in_file(toml_file const& file, std::shared_ptr<hilger::text::vocabulary const> words) : file_(file), words_(std::move(words)) {}
 
-    void read(std::string const& key, char const* as,
-              std::vector<std::pair<named_coordinates, std::vector<std::string>*>> const& wanted) const {
+    void read(std::string const& key, char const* as, std::vector<wanted_values> const& wanted) const {
         auto const& n = file_.required(key.c_str());
         auto const& given = file_.table_of(n, as);
         std::size_t used = 0;
-        for (auto const& [names, to] : wanted)
+        for (auto const& [names, to, formulas] : wanted)
             for (auto const& [name, size] : names) {
                 auto const* values = given.get(name);
                 if (values == nullptr) file_.refuse(&n, "the " + key + " values have no '" + name + "'");
@@ -37,7 +42,11 @@ public:
                 if (here != count)
                     file_.refuse(values, "'" + name + "' has " + std::to_string(count) + ' ' + key + " values, and here are " +
                                              std::to_string(here));
-                for (std::size_t k = 0; k < count; ++k) to->push_back(value(list != nullptr ? *list->get(k) : *values, k));
+                for (std::size_t k = 0; k < count; ++k) {
+                    auto const& one = list != nullptr ? *list->get(k) : *values;
+                    if (is_formula(one)) formulas.push_back({to.size(), k, formula(one, k)});
+                    to.push_back(value(one, k));
+                }
                 ++used;
             }
         if (used != given.size())
@@ -49,13 +58,16 @@ private:
         auto const s = n.value_exact<std::string>();
         return s and not hilger::text::number_in<double>(*s);
     }
+    [[nodiscard]] hilger::text::stated formula(toml::node const& n, std::size_t i) const {
+        auto known = std::make_shared<hilger::text::vocabulary>(*words_);
+        if (known->find("i") == nullptr) known->set("i", std::to_string(i));
+        return file_.formula(n, known, "an initial value");
+    }
     /// A number, or what a formula of the parameters and of i is in a hundred digits.
     [[nodiscard]] std::string value(toml::node const& n, std::size_t i) const {
         using R = hilger::float100;
         if (not is_formula(n)) return file_.digits_of(n);
-        auto known = std::make_shared<hilger::text::vocabulary>(*words_);
-        if (known->find("i") == nullptr) known->set("i", std::to_string(i));
-        hilger::text::stated const f = file_.formula(n, known, "an initial value");
+        hilger::text::stated const f = formula(n, i);
         if (f.reads_state())
             file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
         R const x = f.number<R>();

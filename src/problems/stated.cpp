@@ -54,7 +54,9 @@ engine::points<double> points_of(stated_problem const& what, hilger::index_type 
 }
 
 engine::walker walker_of_member(stated_problem const& what, engine::problem const& one, configuration const& c) {
-    stated_problem its{one, {}, {}, {}, what.start, what.end, {}, {}};
+    stated_problem its(one);
+    its.start = what.start;
+    its.end = what.end;
     return [its, c](engine::initial<double> const& from, auto const& keep) {
         stated_problem mine = its;
         mine.known[typeid(beginning<double>)] = std::make_shared<beginning<double>>(beginning_from<double>(mine, from.q0, from.other));

@@ -96,11 +96,16 @@ public:
         if (not n.is_integer() or *count < 1) refuse(&n, std::string(key) + " is a positive whole number");
         return static_cast<hilger::index_type>(*count);
     }
-    [[nodiscard]] std::string chosen(toml::node const& n, char const* key, std::vector<std::string> const& choices) const {
+    /// `with_numbers`: what follows a colon may be another one.
+    [[nodiscard]] std::string chosen(toml::node const& n, char const* key, std::vector<std::string> const& choices,
+                                     bool with_numbers = false) const {
         std::string const name = text_of(n, key);
         std::string known;
         for (auto const& c : choices) known += (known.empty() ? "" : ", ") + c;
-        if (std::find(choices.begin(), choices.end(), name) == choices.end())
+        auto const kind = name.substr(0, name.find(':') + 1);
+        bool const another = with_numbers and not kind.empty() and
+                             std::any_of(choices.begin(), choices.end(), [&](auto const& c) { return c.starts_with(kind); });
+        if (std::find(choices.begin(), choices.end(), name) == choices.end() and not another)
             refuse(&n, "the " + std::string(key) + " is one of " + known + " here, and not '" + name + "'");
         return name;
     }

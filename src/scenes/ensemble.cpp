@@ -58,6 +58,10 @@ public:
         if (not in or not std::getline(in, line)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
         read_names(line);
         engine::vector<double> const q = numbers_of(what.q), v = numbers_of(what.v);
+        if (words_.brought() > 0) {
+            q_of_ = with_what_members_bring(what.q_formulas);
+            v_of_ = with_what_members_bring(what.v_formulas);
+        }
         for (number_ = 2; std::getline(in, line); ++number_)
             if (line.find_first_not_of(" \t\r") != std::string::npos) members_.push_back(read_member(line, q, v));
     }
@@ -107,21 +111,42 @@ private:
         if (found.size() != columns_.size())
             refuse("there are " + std::to_string(columns_.size()) + " columns, and here are " + std::to_string(found.size()));
         engine::member made{{q, engine::second_datum::velocity, v}, usual_};
+        std::vector<double> numbers;
         for (std::size_t k = 0; k < found.size(); ++k) {
             auto const x = hilger::text::number_in<double>(found[k]);
             if (not x) refuse("a number was expected, as 1, 0.5 or 1/3, and here is '" + found[k] + "'");
-            auto const at = columns_[k].at;
-            if (columns_[k].is == meaning::role::parameter)
-                made.parameters[static_cast<std::size_t>(at)] = *x;
-            else
-                (columns_[k].is == meaning::role::position ? made.from.q0 : made.from.other)(at) = *x;
+            numbers.push_back(*x);
+            if (columns_[k].is == meaning::role::parameter) made.parameters[static_cast<std::size_t>(columns_[k].at)] = *x;
         }
+        // Formulas of what it brings; then what is its own.
+        int const d = words_.dimension();
+        auto const bring = [&](int k) { return k < d ? 0.0 : made.parameters[static_cast<std::size_t>(k - d)]; };
+        for (auto const& [formulas, to] : {std::pair{&q_of_, &made.from.q0}, std::pair{&v_of_, &made.from.other}})
+            for (auto const& f : *formulas) {
+                double const x = f.of.value(0.0, bring, [](int) { return 0.0; });
+                if (not std::isfinite(x)) refuse("an initial value of this member is not a finite number");
+                (*to)(static_cast<Eigen::Index>(f.at)) = x;
+            }
+        for (std::size_t k = 0; k < found.size(); ++k)
+            if (columns_[k].is != meaning::role::parameter)
+                (columns_[k].is == meaning::role::position ? made.from.q0 : made.from.other)(columns_[k].at) = numbers[k];
         return made;
+    }
+    /// The same formulas, of the parameters that states bring.
+    [[nodiscard]] std::vector<initial_formula> with_what_members_bring(std::vector<initial_formula> const& formulas) const {
+        std::vector<initial_formula> all;
+        for (auto const& f : formulas) {
+            auto known = std::make_shared<hilger::text::vocabulary>(words_);
+            if (known->find("i") == nullptr) known->set("i", std::to_string(f.i));
+            all.push_back({f.at, f.i, hilger::text::stated(f.of.formula(), known, f.of.source())});
+        }
+        return all;
     }
     [[noreturn]] void refuse(std::string const& why) const { error::raise<error::unreadable>(path_, ", line ", number_, ": ", why); }
     std::string path_;
     hilger::text::vocabulary words_;
     std::vector<column> columns_;
+    std::vector<initial_formula> q_of_, v_of_;
     std::vector<double> usual_; ///< of the parameters that are brought, as the file of the problem has them
     std::vector<engine::member> members_;
     int number_ = 1;

@@ -2,11 +2,13 @@
 #include "run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "hilger/error.hpp"
 #include "hilger/version.hpp"
@@ -28,7 +30,7 @@ extern "C" void ask_to_stop(int) { stop_asked = 1; }
 class record_of_run {
 public:
     record_of_run(scene const& what, run_options const& options, configuration const& c, hilger::index_type every)
-        : head_(what.name + ": " + description(c) + ", a row every " + std::to_string(every)),
+        : fingerprint_(what.fingerprint), head_(what.name + ": " + description(c) + ", a row every " + std::to_string(every)),
           rows_(files::path(options.out) / (what.name + ".csv")), checkpoint_(files::path(options.out) / (what.name + ".checkpoint")) {
         if (options.anew) files::remove(checkpoint_);
     }
@@ -36,18 +38,23 @@ public:
     bool continues(walk& w, hilger::index_type every, progress_bar& bar) {
         std::ifstream in(checkpoint_);
         if (not in) return false;
-        std::string head;
+        std::string head, fingerprint;
         std::uintmax_t bytes = 0;
         hilger::index_type point = 0;
         bool state = false;
         std::getline(in, head);
-        if (not(in >> bytes >> point >> state) or in.get() != '\n')
+        if (not(in >> bytes >> point >> state >> fingerprint) or in.get() != '\n')
             error::raise<error::unreadable>("'", checkpoint_.string(), "' is no checkpoint of a run; --anew starts again without it");
         if (head != head_)
             error::raise<error::mismatch>("'", checkpoint_.string(), "' is of an interrupted run of ", head,
                                           "; run that again to continue it, or give --anew or another --out");
-        if (files::exists(rows_) and files::file_size(rows_) < bytes)
-            error::raise<error::unreadable>("'", rows_.string(), "' is shorter than when its run was interrupted; --anew starts again");
+        if (fingerprint != fingerprint_)
+            error::raise<error::mismatch>("'", checkpoint_.string(),
+                                          "' is of an interrupted run of another problem of this name, or of what the "
+                                          "file said before; give --anew or another --out");
+        if (not files::exists(rows_) or files::file_size(rows_) < bytes)
+            error::raise<error::unreadable>("'", rows_.string(),
+                                            "' is shorter than when its run was interrupted, or not there; --anew starts again");
         files::resize_file(rows_, bytes);
         if (state)
             w.load(in, "'" + checkpoint_.string() + "'");
@@ -75,7 +82,9 @@ public:
             std::ofstream out(beside, std::ios::binary);
             std::ostringstream state;
             bool const kept = w.save(state);
-            out << head_ << '\n' << files::file_size(rows_) << ' ' << w.number() << ' ' << kept << '\n' << state.str();
+            out << head_ << '\n'
+                << files::file_size(rows_) << ' ' << w.number() << ' ' << kept << ' ' << fingerprint_ << '\n'
+                << state.str();
             if (not out.flush()) error::raise<error::unreadable>("cannot write '", beside, "'");
         }
         files::rename(beside, checkpoint_);
@@ -87,7 +96,7 @@ public:
     [[nodiscard]] std::string rows() const { return rows_.string(); }
 
 private:
-    std::string head_;
+    std::string fingerprint_, head_;
     files::path rows_, checkpoint_;
     std::ofstream out_;
 };
@@ -100,8 +109,20 @@ std::string write_summary(scene const& what, run_options const& options, configu
         << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << what.t0 << ", " << what.t1
         << "],\n  \"steps\": " << c.steps << ",\n  \"seconds\": " << seconds << ",\n  \"largest error\": {";
     auto const drift = w.drift();
-    for (std::size_t k = 0; k < what.invariants.size(); ++k) out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": " << drift[k];
-    out << "},\n  \"last\": [" << w.row() << "]\n}\n";
+    for (std::size_t k = 0; k < what.invariants.size(); ++k) {
+        out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": ";
+        if (std::isfinite(drift[k]))
+            out << drift[k];
+        else
+            out << "null"; // there is no NaN in JSON, nor infinity
+    }
+    out << "},\n  \"last\": [";
+    std::istringstream last(w.row());
+    for (std::string number; std::getline(last, number, ',');) { // there is no NaN in JSON, nor infinity
+        bool const finite = number.find_first_of("nN") == std::string::npos;
+        out << (finite ? number : "null") << (last.eof() ? "" : ", ");
+    }
+    out << "]\n}\n";
     return (files::path(options.out) / name).string();
 }
 

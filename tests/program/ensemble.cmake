@@ -78,6 +78,29 @@ function(same_end scene name array state)
 endfunction()
 # Member 1 is the file's own problem; so it is of what remembers.
 same_end(pendulum.toml pendulum one/pendulum.npy 9)
+# Initial values that are formulas of what members bring; an own value of a member is its own.
+file(WRITE ${out}/formulas.toml "lagrangian = 'v^2/2 - k*q^2/2'\nparameters = { k = 1 }\ninterval = [0, 3]\nsteps = 30\ninitial = { q = 'k/4', v = 'k + i' }\n")
+file(READ ${out}/formulas.toml text)
+string(REPLACE "k = 1" "k = 4" text "${text}")
+file(WRITE ${out}/four.toml "${text}")
+string(REPLACE "q = 'k/4'" "q = 3" text "${text}")
+file(WRITE ${out}/own.toml "${text}")
+file(WRITE ${out}/brought.csv "k,q\n1,0.25\n4,3\n")
+file(WRITE ${out}/only_k.csv "k\n1\n4\n")
+foreach(table IN ITEMS only_k brought)
+  execute_process(COMMAND ${hilger} run formulas.toml --ensemble ${table}.csv --out ${table} WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+    OUTPUT_QUIET)
+endforeach()
+same_end(formulas.toml formulas only_k/formulas.npy 1)
+same_end(four.toml four only_k/formulas.npy 3)
+same_end(own.toml own brought/formulas.npy 3)
+# So is a number of an embedding.
+execute_process(COMMAND ${hilger} run formulas.toml --ensemble only_k.csv --out numbers
+  --embedding "integral(L((1 - k/8)*q + k/8*sigma[q], Delta_plus[q]))" WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET)
+file(WRITE ${out}/with_number.toml "embedding = 'theta:0.5'\n")
+file(READ ${out}/four.toml text)
+file(APPEND ${out}/with_number.toml "${text}")
+same_end(with_number.toml with_number numbers/formulas.npy 3)
 file(WRITE ${out}/at_rest.csv "u,v\n1,0\n0,0\n")
 execute_process(COMMAND ${hilger} run fractional-oscillator --ensemble at_rest.csv --out one WORKING_DIRECTORY ${out} RESULT_VARIABLE result
   OUTPUT_QUIET)

@@ -30,3 +30,16 @@ endif()
 if(EXISTS ${out}/parts/${name}.checkpoint)
   message(FATAL_ERROR "a run that has ended leaves no checkpoint")
 endif()
+# What was interrupted does not go on where the file says something else by now.
+if(EXISTS ${scene})
+  file(READ ${scene} text)
+  file(WRITE ${out}/changed/${name}.toml "${text}")
+  execute_process(COMMAND ${hilger} run ${name}.toml ${options} --stop-after 5 --out ${out}/changed WORKING_DIRECTORY ${out}/changed
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  file(APPEND ${out}/changed/${name}.toml "\n# changed\n")
+  execute_process(COMMAND ${hilger} run ${name}.toml ${options} --out ${out}/changed WORKING_DIRECTORY ${out}/changed
+    RESULT_VARIABLE continued OUTPUT_QUIET ERROR_VARIABLE said)
+  if(NOT result EQUAL 130 OR NOT continued EQUAL 1 OR NOT said MATCHES "of what the file said before; give --anew or another --out")
+    message(FATAL_ERROR "a run of a changed file went on (${result}, ${continued}): ${said}")
+  endif()
+endif()

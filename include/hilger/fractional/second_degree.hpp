@@ -19,8 +19,8 @@ struct second_degree {
     Eigen::Matrix<S, Eigen::Dynamic, 1> load;
 };
 
-/// L(q, v) of d coordinates, generic in its numbers, or L(t, q, v) that does not depend on t.
-/// @throws error::invalid_parameter, which says what in L is no term of this kind
+/// L(q, v) of d coordinates, generic in its numbers.
+/// @throws error::invalid_parameter, which says what in L is no term of this kind; error::not_finite
 template <class S, class L>
 second_degree<S> second_degree_of(L const& l, int d) {
     using V = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -31,7 +31,7 @@ second_degree<S> second_degree_of(L const& l, int d) {
             "one has ",
             what);
     };
-    if (reads_time_in<S, V>(l)) refuse("a term that depends on the time: what drives a structure is a force");
+    if (reads_time_in<S, V>(l)) refuse("the time: what drives a structure is a force");
     V const rest = V::Zero(d);
     traced_there<V> const at(rest, rest, on_position | on_velocity, [&](auto const& q, auto const& v, auto&) {
         return as_jet<traced<S>>(at_time{l, S(0)}(q, v));
@@ -45,6 +45,8 @@ second_degree<S> second_degree_of(L const& l, int d) {
     second_degree<S> made{block_of<V>::Zero(d, d), block_of<V>::Zero(d, d), at.by_q};
     at.for_each_in(block_vv, [&](int row, int column, S const& x) { made.mass(row, column) = x; });
     at.for_each_in(block_qq, [&](int row, int column, S const& x) { made.stiffness(row, column) = -x; });
+    if (not is_finite(made.mass) or not is_finite(made.stiffness) or not is_finite(made.load))
+        error::raise<error::not_finite>("a linear structure has finite numbers, and this Lagrangian has NaN or infinity");
     return made;
 }
 

@@ -99,6 +99,9 @@ public:
             }
             coarse = std::move(fine);
         }
+        if (error < S(0))
+            error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
+                                                ": they do not come to the end");
         error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
                                             "; the solution is within ", error, " then");
     }

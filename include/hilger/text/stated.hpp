@@ -26,11 +26,15 @@ public:
     [[nodiscard]] bool reads_state() const {
         return reads(meaning::role::time) or reads(meaning::role::position) or reads(meaning::role::velocity);
     }
-    /// The value of one that does not. @throws error::unreadable where S has no such number, as a root in rationals
+    /// The value of one that does not. @throws error::unreadable where S has no such number, as a root in rationals or 1/0
     template <class S>
     [[nodiscard]] S number() const {
         auto const none = [](int) { return S(0); };
-        return value(S(0), none, none);
+        try {
+            return value(S(0), none, none);
+        } catch (std::overflow_error const&) { // of rationals
+            error::raise<error::unreadable>(source_, ": a division by zero");
+        }
     }
     [[nodiscard]] std::string const& source() const { return source_; }
     /// How many operations a value takes, and numbers and names it reads: to know what is too long to be shown.

@@ -60,25 +60,30 @@ auto with_operators(embedding_formula const& e, bool uniform, Use const& use) {
     using one = std::integral_constant<int, 1>;
     return e.weight == sum_weight::delta ? made(zero{}, one{}, delta_weight{}) : made(one{}, zero{}, nabla_weight{});
 }
+/// How far factors that are stated for numbers S may be off: 1 - c and c in the digits of doubles add up to 1 but for rounding.
+template <class S>
+Q rounding_of_factors() {
+    return std::is_floating_point_v<S> ? Q(1, 1LL << 50) : Q(0);
+}
 /// In rationals, and in 50 digits where a factor is none.
-inline hilger::detail::consistency consistency_of(embedding_formula const& e) {
+inline hilger::detail::consistency consistency_of(embedding_formula const& e, Q const& rounding) {
     auto const in = [&]<class S>(S const& tolerance) {
         return with_operators<S>(e, true, [&]<class W>(auto const& a, auto const& b, W) {
             return hilger::detail::examine<W>(a, b, S(7919), [&](S const& x, S const& y) { return magnitude(S(x - y)) <= tolerance; });
         });
     };
     try {
-        return in(Q(0));
+        return in(rounding);
     } catch (error::unreadable const&) {
-        return in(float50("1e-40"));
+        return in(float50(rounding) + float50("1e-40"));
     }
 }
 
 } // namespace detail
 
 /// @throws error::invalid_parameter where position and velocity do not read the two ends of one step, or that end of it that the sum does
-///         not count, or are not consistent (embedding/one_step.hpp)
-inline void require_one_step(embedding_formula const& e) {
+///         not count, or are not consistent (embedding/one_step.hpp) up to this rounding
+inline void require_one_step(embedding_formula const& e, Q const& rounding = Q(0)) {
     auto const refuse = [](auto const&... why) { error::raise<error::invalid_parameter>(why...); };
     auto const lost = e.lost();
     if (e.position.has_weights() or e.velocity.has_weights())
@@ -96,7 +101,7 @@ inline void require_one_step(embedding_formula const& e) {
         refuse("the ", what, ", and that of ", e.text, " not, so that its steps would follow another system");
     };
     using hilger::detail::consistency;
-    switch (detail::consistency_of(e)) {
+    switch (detail::consistency_of(e, rounding)) {
     case consistency::holds:
     case consistency::weights: // those of both sums add up to the step
         break;
@@ -113,7 +118,7 @@ inline void require_one_step(embedding_formula const& e) {
 /// @throws as require_one_step does
 template <class S, class Use>
 auto with_embedding(embedding_formula const& e, bool uniform, Use const& use) {
-    require_one_step(e);
+    require_one_step(e, detail::rounding_of_factors<S>());
     return detail::with_operators<S>(e, uniform, [&]<class Op, class W>(Op const& position, Op const& velocity, W) {
         return use(embedding<Op, Op, W, false>{position, velocity, "the embedding"});
     });
@@ -128,7 +133,7 @@ auto embedding_at(S const& lambda) {
 /// its ends. @throws as require_one_step does
 template <class S>
 S lambda_of_step(embedding_formula const& e) {
-    require_one_step(e);
+    require_one_step(e, detail::rounding_of_factors<S>());
     auto const row = detail::row_of<S>(e.position, true, e.lost());
     return row[1];
 }

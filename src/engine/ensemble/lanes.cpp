@@ -127,7 +127,13 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
-    auto const lambda = lambda_of<double>(what, method);
+    std::optional<double> lambda;
+    try {
+        lambda = lambda_of<double>(what, method);
+    } catch (hilger::error::unreadable const&) {
+        if (brought == 0) throw;
+        return nullptr; // a factor that members bring with them
+    }
     std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
         auto const parts = parts_of(mechanics, method, lambda);
         if (not parts) return {};

@@ -2,6 +2,7 @@
 // The histories of fractional terms by name; what follows a colon is a parameter.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -22,7 +23,7 @@ void with_history(std::string const& name, hilger::index_type steps, Use const& 
     if (kind == "blocks" and not has_number) return use(hilger::blocks{});
     if (kind == "exponentials" and number) return use(hilger::exponentials{*number, steps + 1});
     if (kind == "window" and has_number and number and *number >= 1 and *number == std::floor(*number) and *number < 1e15)
-        return use(hilger::window{static_cast<hilger::index_type>(*number)});
+        return use(hilger::window{std::min(static_cast<hilger::index_type>(*number), steps + 1)}); // there is no more
     hilger::error::raise<hilger::error::invalid_parameter>(
         "histories are direct, blocks, exponentials, exponentials:1e-8 and window:1000, and not '", name, "'");
 }

@@ -159,6 +159,15 @@ TEST_CASE("what cannot be stepped is refused in one sentence") {
             "+ q)) not, so that its steps would follow another system");
     refused("integral(L(q, 3*Delta_plus[q]))", "the velocity of an embedding makes 1 of the function t, and that of integral(L(q, "
                                                "3*Delta_plus[q])) not, so that its steps would follow another system");
+    // Digits of doubles, whose sum is 1 but for rounding: right in double, and not exactly.
+    auto const rounded = embedding_in("integral(L(0.7*q + 0.30000000000000004*sigma[q], Delta_plus[q]))");
+    CHECK(text::lambda_of_step<double>(rounded) == 0.30000000000000004);
+    CHECK_THROWS_AS((void)text::lambda_of_step<Q>(rounded), error::invalid_parameter);
+    CHECK_THROWS_AS((void)text::lambda_of_step<double>(embedding_in("integral(L(0.7*q + 0.30000000000001*sigma[q], Delta_plus[q]))")),
+                    error::invalid_parameter);
+    CHECK_THROWS_AS(text::require_one_step(embedding_in("integral(L(q/0, Delta_plus[q]))")), error::invalid_parameter);
+    CHECK_THROWS_WITH_AS((void)text::operator_in_numbers<Q>(text::operator_in("q/0")), "the operator: a division by zero",
+                         error::unreadable);
     CHECK_NOTHROW(text::require_one_step(embedding_in("integral(L(sqrt(2)*q + (1 - sqrt(2))*sigma[q], Delta_plus[q]))")));
     refused("integral(L(sqrt(2)*q, Delta_plus[q]))",
             "the position of an embedding makes 1 of the constant 1, and that of integral(L(sqrt(2)*q, "
