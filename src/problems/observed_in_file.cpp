@@ -149,8 +149,13 @@ void observe(toml_file const& file, std::shared_ptr<text::vocabulary const> cons
                                 "between two ends positions are found: what is observed reads no velocities, and nothing is conserved");
     if (what.conserves_energy() and what.last.empty()) s.invariants = {"energy"};
     for (auto const& f : what.conserved) s.invariants.push_back(f.name);
-    for (auto const& name : s.invariants) s.columns.push_back(name + " error");
-    for (auto const& f : what.observed) s.columns.push_back(f.name);
+    auto const add = [&](std::string const& column, char const* key) {
+        if (std::find(s.columns.begin(), s.columns.end(), column) != s.columns.end())
+            file.refuse(file.get(key), "there is a column '" + column + "' already");
+        s.columns.push_back(column);
+    };
+    for (auto const& name : s.invariants) add(name + " error", "conserved");
+    for (auto const& f : what.observed) add(f.name, "observed");
     reader.pictures();
     reader.measure();
 }

@@ -65,6 +65,7 @@ says("v = 0 }" "v = \"q\" }" ", line 4, column 24: an initial value is a number,
 says("v = 0 }" "v = \"1/i\" }" ", line 4, column 24: this initial value is not a finite number")
 says("steps = 10" "steps = 10\nconserved = \"q\"" ", line 4, column 13: conserved is a table of formulas, as { height = \"-cos(q)\" }")
 says("steps = 10" "steps = 10\nconserved = { h = \"r\" }" ", line 4, column 20: 'r' has no meaning: there are q, t, v")
+says("steps = 10" "steps = 10\nobserved = { p_q = \"q\" }" ", line 4, column 12: there is a column 'p_q' already")
 says("steps = 10" "steps = 10\nobserved = { \"a,b\" = \"q\" }" ", line 4, column 14: a name that heads a column or a picture is letters, digits, spaces and _-+.()[]/^=, and not 'a,b'")
 says("steps = 10" "steps = 10\nunits = \"s'; system('x')\"" ", line 4, column 9: a name that heads a column or a picture is letters, digits, spaces and _-+.()[]/^=, and not 's'; system('x')'")
 says("steps = 10" "steps = 10\npictures = [ { y = \"v\" } ]" ", line 4, column 20: there is no column 'v': there are t, q, p_q, energy error")

@@ -61,7 +61,13 @@ private:
         switch (n->what) {
         case kind::name:
             if (n->name == "q") return {is::function, {}, {}};
-            if (auto const op = named(n->name)) return {is::an_operator, {}, *op};
+            if (auto const op = named(n->name)) {
+                if (words_->find(n->name) != nullptr)
+                    refuse(*n, "'" + n->name +
+                                   "' is an operator, and a parameter of the problem: one of them needs another name, or write " + n->name +
+                                   "[q]");
+                return {is::an_operator, {}, *op};
+            }
             break;
         case kind::call:           // sigma(q) is sigma[q]
             if (n->name.empty()) { // (A + B)[q]

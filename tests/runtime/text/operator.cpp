@@ -194,6 +194,13 @@ TEST_CASE("what is no operator is refused where it stands") {
     CHECK_THROWS_WITH_AS((void)operator_in("x*sigma[q]", words),
                          "the operator, line 1, column 1: a factor is a number, and this one depends on the state", error::unreadable);
     CHECK_THROWS_AS((void)text::operator_in_numbers<Q>(operator_in("sqrt(2)*q")), error::unreadable);
+    auto dense = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"x", "v", 0}});
+    dense->set("rho", "1/4");
+    CHECK_THROWS_WITH_AS((void)operator_in("(1 - rho)*q + rho*sigma[q]", dense),
+                         "the operator, line 1, column 6: 'rho' is an operator, and a parameter of the problem: one of them needs another "
+                         "name, or write rho[q]",
+                         error::unreadable);
+    CHECK(operator_in("rho[q]", dense) == operator_in("rho"));
     std::string deep = "q";
     for (int k = 0; k < 150; ++k) deep = "2*(q + sigma[" + deep + "])";
     CHECK_THROWS_AS((void)operator_in(deep), error::exception);
