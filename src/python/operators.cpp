@@ -88,8 +88,12 @@ void add_operators(py::module_& m) {
         .def(py::pickle([](operator_formula const& a) { return text::text_of(a); },
                         [](std::string const& kept) { return text::operator_in(kept); }));
     m.def("read_operator", [](std::string const& of) { return text::operator_in(of); });
-    m.def("require_method", [](engine::problem const& what, std::string const& method) {
-        if (engine::is_embedding_in_text(method)) text::require_one_step(engine::own_embedding(what, method));
+    m.def("require_method", [](engine::problem const& what, std::string const& method, bool in_double) {
+        if (not engine::is_embedding_in_text(method)) return;
+        if (in_double) // where factors may be rounded
+            (void)engine::lambda_of<double>(what, method);
+        else
+            (void)engine::lambda_of<hilger::float50>(what, method);
     });
 }
 

@@ -93,6 +93,17 @@ class Embeddings(unittest.TestCase):
                 self.assertLess(np.abs(x.q - y.q).max(), 200 * 200 * np.finfo(float).eps)
                 self.assertLess(x.residual(), 64 * np.finfo(float).eps * np.abs(x.p).max() / 0.125)
 
+    def test_factors_that_are_floats(self):
+        T = h.uniform(0, 0.1, 20)
+        for c in (0.7, 1 / 7, 2**0.5 - 1, 0.1 * 3, 1 / 3):
+            for position in ((1 - c) * h.identity + c * h.sigma, h.identity + c * (h.sigma - h.identity)):
+                mine = h.solve(h.variation(pendulum, T, h.embedding(position, h.Delta_plus)), q0=1.0, v0=0.0)
+                its = h.solve(h.variation(pendulum, T, h.theta(c)), q0=1.0, v0=0.0)
+                np.testing.assert_allclose(mine.q, its.q, rtol=0, atol=1e-14)
+        rounded = h.embedding(0.7 * h.identity + (0.1 * 3) * h.sigma, h.Delta_plus)
+        with self.assertRaisesRegex(h.InvalidParameter, "makes 1 of the constant 1"):  # exactly it does not
+            h.variation(pendulum, h.uniform(Fraction(0), Fraction(1, 10), 3), rounded)
+
     def test_members_and_c(self):
         mine, named = self.pairs[3]
         T = h.uniform(0, 0.125, 40)

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "hilger/differentiation/derivatives.hpp"
-#include "hilger/variational/problem.hpp"
+#include "hilger/variational/gradients.hpp"
 
 namespace hilger {
 

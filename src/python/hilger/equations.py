@@ -231,5 +231,5 @@ def variation(L: Lagrangian, T: "Uniform | TimeScale", method: "Method | str" = 
     ):
         if not isinstance(x, kind):
             raise TypeError(f"{what} was expected, and here is {x!r}")
-    _core.require_method(L._problem, method.name)
+    _core.require_method(L._problem, method.name, T.kind() == "double")
     return Equation(L, T, method)
