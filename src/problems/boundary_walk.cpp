@@ -44,10 +44,10 @@ private:
 using vector = engine::vector<double>;
 
 /// By the embeddings that a scene between two ends can have.
-std::vector<vector> embedded_between(engine::problem const& what, std::string const& method, engine::points<double> const& points,
+template <class Scale>
+std::vector<vector> embedded_between(engine::problem const& what, std::string const& method, Scale const& T,
                                      hilger::boundary_values<vector> const& ends) {
     std::vector<vector> q;
-    auto const T = hilger::uniform(points.start, points.step, points.steps);
     engine::with_mechanics(what, [&](auto const& mechanics) {
         auto const by = [&](auto const& how) {
             auto const x = solve(equation_of(hilger::embed(mechanics, how), T), T, ends, mechanics.force);
@@ -65,15 +65,14 @@ std::vector<vector> embedded_between(engine::problem const& what, std::string co
 std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c) {
     hilger::boundary_values<vector> const ends{numbers_of(what.q), numbers_of(what.last)};
     auto const points = points_of(what, c.steps);
+    auto const T = hilger::uniform(points.start, points.step, points.steps);
     std::vector<vector> q;
     if (auto const two_sided = engine::between_two_ends(what.of, c.embedding, points))
         q = two_sided->between(ends.q0, ends.qN);
     else
-        q = embedded_between(what.of, c.embedding, points, ends);
+        q = embedded_between(what.of, c.embedding, T, ends);
     if (q.empty()) return nullptr;
-    std::vector<double> t;
-    for (hilger::index_type i = 0; i <= points.steps; ++i) t.push_back(points.start + static_cast<double>(i) * points.step);
-    return std::make_unique<solution_walk>(std::move(t), std::move(q), what.observed);
+    return std::make_unique<solution_walk>(engine::elements_of<double>(T), std::move(q), what.observed);
 }
 
 } // namespace program

@@ -67,14 +67,14 @@ public:
         s.t0 = file_.number(what.start);
         s.t1 = file_.number(what.end);
         s.embeddings = embeddings_of(what);
-        s.scalars = scalars_of(what);
+        s.scalars = scalars_of(what, s.embeddings);
         bool const has_midpoint = std::find(s.embeddings.begin(), s.embeddings.end(), "mid-point") != s.embeddings.end();
         s.usual = {has_midpoint ? "mid-point" : s.embeddings[0], "double", "", file_.count_of(file_.required("steps"), "steps")};
         if (auto const* e = file_.get("embedding")) {
             std::string const method = file_.text_of(*e, "embedding");
             if (engine::is_embedding_in_text(method)) (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
-            if (file_.saying_where(e, [&] { return has_embedding(what, method); }) and
-                std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end())
+            if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end() and
+                file_.saying_where(e, [&] { return has_embedding(what, method); }))
                 s.embeddings.push_back(method);
             s.usual.embedding = file_.chosen(*e, "embedding", s.embeddings);
             if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
@@ -204,8 +204,9 @@ private:
         if (auto const* n = file_.get("initial")) file_.refuse(n, "there are initial values, or first and last ones, and here are both");
         if (what.of.has_memory()) file_.refuse(file_.get("last"), "fractional damping has initial values, and not a last one");
         values_in_file const values(file_, words);
-        values.read("first", "first values are a table, as { q = 0 }", {{names_, what.q, what.q_formulas}});
-        values.read("last", "last values are a table, as { q = 1 }", {{names_, what.last, what.v_formulas}});
+        std::vector<initial_formula> not_asked_for;
+        values.read("first", "first values are a table, as { q = 0 }", {{names_, what.q, not_asked_for}});
+        values.read("last", "last values are a table, as { q = 1 }", {{names_, what.last, not_asked_for}});
     }
     toml_file file_;
     named_coordinates names_, velocities_;

@@ -23,6 +23,12 @@ struct initial_formula {
     std::size_t i;  ///< of its own
     hilger::text::stated of;
 };
+/// The words of initial values: i is which component it is, where that is not the name of something else.
+inline std::shared_ptr<hilger::text::vocabulary const> words_for_component(hilger::text::vocabulary const& words, std::size_t i) {
+    auto known = std::make_shared<hilger::text::vocabulary>(words);
+    if (known->find("i") == nullptr) known->set("i", std::to_string(i));
+    return known;
+}
 /// A problem in text with its data, digits in the place of numbers.
 struct stated_problem {
     explicit stated_problem(engine::problem what) : of(std::move(what)) {}
@@ -47,7 +53,7 @@ scene scene_from_file(std::string const& path);
 scene scene_from_text(std::string_view content, std::string const& path);
 /// The methods and the scalars that a stated problem can be run with, and its way along T; nothing where the scalar has not the method.
 std::vector<std::string> embeddings_of(stated_problem const& what);
-std::vector<std::string> scalars_of(stated_problem const& what);
+std::vector<std::string> scalars_of(stated_problem const& what, std::vector<std::string> const& embeddings);
 /// Whether a method that is no name is one of numbers or operators, theta:0.3 or integral(L(q, Delta_plus[q])), that the problem has.
 /// @throws hilger::error::unreadable, hilger::error::invalid_parameter where something in it is wrong
 bool has_embedding(stated_problem const& what, std::string const& method);

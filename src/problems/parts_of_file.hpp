@@ -44,8 +44,11 @@ public:
                                              std::to_string(here));
                 for (std::size_t k = 0; k < count; ++k) {
                     auto const& one = list != nullptr ? *list->get(k) : *values;
-                    if (is_formula(one)) formulas.push_back({to.size(), k, formula(one, k)});
-                    to.push_back(value(one, k));
+                    if (is_formula(one)) {
+                        formulas.push_back({to.size(), k, file_.formula(one, words_for_component(*words_, k), "an initial value")});
+                        to.push_back(value(one, formulas.back().of));
+                    } else
+                        to.push_back(file_.digits_of(one));
                 }
                 ++used;
             }
@@ -58,16 +61,9 @@ private:
         auto const s = n.value_exact<std::string>();
         return s and not hilger::text::number_in<double>(*s);
     }
-    [[nodiscard]] hilger::text::stated formula(toml::node const& n, std::size_t i) const {
-        auto known = std::make_shared<hilger::text::vocabulary>(*words_);
-        if (known->find("i") == nullptr) known->set("i", std::to_string(i));
-        return file_.formula(n, known, "an initial value");
-    }
-    /// A number, or what a formula of the parameters and of i is in a hundred digits.
-    [[nodiscard]] std::string value(toml::node const& n, std::size_t i) const {
+    /// What a formula of the parameters and of i is in a hundred digits.
+    [[nodiscard]] std::string value(toml::node const& n, hilger::text::stated const& f) const {
         using R = hilger::float100;
-        if (not is_formula(n)) return file_.digits_of(n);
-        hilger::text::stated const f = formula(n, i);
         if (f.reads_state())
             file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
         R const x = f.number<R>();

@@ -30,11 +30,10 @@ std::vector<std::string> embeddings_of(stated_problem const& what) {
     if (what.of.force) return {"order-one", "mid-point", "gauss-4"};
     return {method_names.begin(), method_names.end()};
 }
-std::vector<std::string> scalars_of(stated_problem const& what) {
+std::vector<std::string> scalars_of(stated_problem const& what, std::vector<std::string> const& embeddings) {
     if (not what.last.empty()) return {"double"};
-    if (what.of.has_memory())
-        return has_structure(what.of) ? std::vector<std::string>{"double", "50-digits"} : std::vector<std::string>{"double"};
-    if (what.of.force) return {"double", "50-digits"};
+    if (what.of.has_memory() and std::none_of(embeddings.begin(), embeddings.end(), engine::is_newmark)) return {"double"};
+    if (what.of.has_memory() or what.of.force) return {"double", "50-digits"};
     return {"double", "float", "50-digits", "100-digits"};
 }
 

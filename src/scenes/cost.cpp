@@ -12,17 +12,14 @@ namespace program {
 
 namespace {
 
-void head(std::ostream& out, scene const& s) {
-    auto const T = hilger::uniform(hilger::interval{s.t0, s.t1}, s.usual.steps);
-    hilger::write_heading(out << '\n' << s.name << ", h = " << T.h() << '\n');
-}
+auto scale_of(scene const& s) { return hilger::uniform(hilger::interval{s.t0, s.t1}, s.usual.steps); }
+void head(std::ostream& out, scene const& s) { hilger::write_heading(out << '\n' << s.name << ", h = " << scale_of(s).h() << '\n'); }
 /// Implicit; and explicit where the system lets it be.
 void tell_free(std::ostream& out, scene const& s) {
     auto const& L = s.stated->of.lagrangian;
-    auto const T = hilger::uniform(hilger::interval{s.t0, s.t1}, s.usual.steps);
     hilger::initial_velocity<engine::vector<double>> const from{numbers_of(s.stated->q), numbers_of(s.stated->v)};
     auto const row = [&](char const* method, auto const& flow) {
-        out << hilger::requirements_row{method, hilger::requirements_of(flow.along(T, from))};
+        out << hilger::requirements_row{method, hilger::requirements_of(flow.along(scale_of(s), from))};
     };
     row("mid-point", hilger::embed(L, hilger::mid_point));
     row("verlet", hilger::stoermer_verlet(L));

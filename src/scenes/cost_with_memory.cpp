@@ -7,8 +7,8 @@
 namespace program {
 
 hilger::requirements requirements_of_structure(stated_problem const& what, hilger::index_type steps, bool whole) {
-    auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
-    auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, steps);
+    auto const points = points_of(what, steps);
+    auto const T = hilger::uniform(points.start, points.step, points.steps);
     engine::vector<double> const q = numbers_of(what.q), v = numbers_of(what.v);
     engine::structure_of_problem<double> const structure(what.of);
     hilger::requirements needs{};

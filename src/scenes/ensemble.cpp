@@ -135,11 +135,8 @@ private:
     /// The same formulas, of the parameters that states bring.
     [[nodiscard]] std::vector<initial_formula> with_what_members_bring(std::vector<initial_formula> const& formulas) const {
         std::vector<initial_formula> all;
-        for (auto const& f : formulas) {
-            auto known = std::make_shared<hilger::text::vocabulary>(words_);
-            if (known->find("i") == nullptr) known->set("i", std::to_string(f.i));
-            all.push_back({f.at, f.i, hilger::text::stated(f.of.formula(), known, f.of.source())});
-        }
+        for (auto const& f : formulas)
+            all.push_back({f.at, f.i, hilger::text::stated(f.of.formula(), words_for_component(words_, f.i), f.of.source())});
         return all;
     }
     [[noreturn]] void refuse(std::string const& why) const { error::raise<error::unreadable>(path_, ", line ", number_, ": ", why); }

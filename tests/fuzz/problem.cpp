@@ -12,7 +12,7 @@ namespace program {
 
 // What is read is not run.
 std::vector<std::string> embeddings_of(stated_problem const&) { return {"order-one", "mid-point"}; }
-std::vector<std::string> scalars_of(stated_problem const&) { return {"double", "50-digits"}; }
+std::vector<std::string> scalars_of(stated_problem const&, std::vector<std::string> const&) { return {"double", "50-digits"}; }
 void require_structure(engine::problem const&) {}
 bool has_embedding(stated_problem const&, std::string const&) { return false; }
 std::unique_ptr<walk> begin_stated(stated_problem const&, configuration const&) { return nullptr; }

@@ -59,3 +59,18 @@ file(APPEND ${out}/oscillator.toml "force = [\"0*v[0]\", \"0\"]\n") # which has 
 execute_process(COMMAND ${hilger} trade oscillator.toml --budget 0.0005 --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
 expect("against half a cosine and one, itself within 1e-20" said)
 expect("[0-9.]+e-1[5-9] +[0-9.]+ ms" said)
+
+# What is no number is none in JSON; and a file names any history that there is.
+file(WRITE ${out}/none.toml "lagrangian = 'v^2/2 - q^2/2'\ndamping = [ { rho = 1, alpha = 0.5 } ]\nembedding = 'gl-newmark'\nhistory = 'window:7'\ninterval = [0, 1]\nsteps = 20\ninitial = { q = 1, v = 0 }\nobserved = { z = 'log(q - 2)' }\n")
+execute_process(COMMAND ${hilger} run none.toml --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("none: gl-newmark, window:7, double, 20 steps" said)
+file(READ ${out}/rows/none.json summary)
+string(JSON kind ERROR_VARIABLE wrong TYPE "${summary}" last 3)
+if(NOT wrong STREQUAL "NOTFOUND" OR NOT kind STREQUAL "NULL")
+  message(SEND_ERROR "null was expected and is ${kind} (${wrong}) in ${summary}")
+endif()
+file(READ ${out}/none.toml text)
+string(REPLACE "window:7" "windows:7" text "${text}")
+file(WRITE ${out}/none.toml "${text}")
+execute_process(COMMAND ${hilger} run none.toml --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("line 4, column 11: the history is one of exponentials, exponentials:1e-8, blocks, direct, window:1000 here, and not 'windows:7'" said)

@@ -84,6 +84,10 @@ struct multiple : linear_operator<multiple<C, A>> {
         else
             return evaluated(a.evaluate(f, i) * as_factor<C, typename F::root_type::scalar_type>(c));
     }
+    template <class P, class Q>
+    constexpr auto adjoint_of_terms() const {
+        return c * adjoint_between<P, Q>(a);
+    }
     constexpr auto adjoint() const { return multiple<C, decltype(a.adjoint())>(c, a.adjoint()); }
 
 private:
@@ -158,21 +162,17 @@ struct operator_sum : linear_operator<operator_sum<A, B>> {
     constexpr auto evaluate(F const& f, index_type i) const {
         return evaluated(a.evaluate(f, i) + b.evaluate(f, i));
     }
-    constexpr auto adjoint() const { return a.adjoint() + adjoint_between<from_weight, to_weight>(b); }
+    template <class P, class Q>
+    constexpr auto adjoint_of_terms() const {
+        return adjoint_between<P, Q>(a) + adjoint_between<P, Q>(b);
+    }
+    constexpr auto adjoint() const { return adjoint_of_terms<from_weight, to_weight>(); }
 };
 
-namespace detail {
-template <class A>
-inline constexpr bool is_sum_of_operators = false;
-template <class A, class B>
-inline constexpr bool is_sum_of_operators<operator_sum<A, B>> = true;
-template <class A>
-inline constexpr bool is_multiple_of_operator = false;
-template <class C, class A>
-inline constexpr bool is_multiple_of_operator<multiple<C, A>> = true;
-
+/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are. Sums have it term by
+/// term: beside a term with other weights, ratios of weights would come and go where one of them vanishes, at an end, and lose it.
 template <class P, class Q, linear_map A>
-constexpr auto reweighted_adjoint(A const& a) {
+constexpr auto adjoint_between(A const& a) {
     using Ap = typename A::from_weight;
     using Aq = typename A::to_weight;
     auto const outer = [](auto op) {
@@ -181,28 +181,12 @@ constexpr auto reweighted_adjoint(A const& a) {
         else
             return reweight<typename A::from, Ap, P>{} * op;
     };
-    if constexpr (std::same_as<Aq, Q>)
+    if constexpr (requires { a.template adjoint_of_terms<P, Q>(); })
+        return a.template adjoint_of_terms<P, Q>();
+    else if constexpr (std::same_as<Aq, Q>)
         return outer(a.adjoint());
     else
         return outer(a.adjoint() * reweight<typename A::to, Q, Aq>{});
-}
-} // namespace detail
-
-/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are. Sums have it term by
-/// term: beside a term with other weights, ratios of weights would come and go where one of them vanishes, at an end, and lose it.
-template <class P, class Q, linear_map A>
-constexpr auto adjoint_between(A const& a) {
-    using Ap = typename A::from_weight;
-    using Aq = typename A::to_weight;
-    if constexpr (not std::same_as<Ap, P> or not std::same_as<Aq, Q>) {
-        if constexpr (detail::is_sum_of_operators<A>)
-            return adjoint_between<P, Q>(a.a) + adjoint_between<P, Q>(a.b);
-        else if constexpr (detail::is_multiple_of_operator<A>)
-            return a.c * adjoint_between<P, Q>(a.a);
-        else
-            return detail::reweighted_adjoint<P, Q>(a);
-    } else
-        return a.adjoint();
 }
 
 namespace detail {
