@@ -210,21 +210,30 @@ struct jet : detail::keeps_its_derivatives<S> {
         return constant() * S(S(S(outer * slope) * d2[row * (row + 1) / 2 + column]) + S(S(bend * d1[row]) * d1[column]));
     }
 
+    template <class Z>
+    HILGER_ALWAYS_INLINE constexpr jet& assigned(Z const& z) {
+        static_assert(
+            std::same_as<Z, jet>,
+            "L and forces are called with q and v as jets of two types, and what q and v make is of a third: instead of v += q, give "
+            "the sum a name of its own, auto const w = v + q");
+        if constexpr (std::same_as<Z, jet>) *this = z;
+        return *this;
+    }
     template <class Y>
     HILGER_ALWAYS_INLINE constexpr jet& operator+=(Y const& y) {
-        return *this = *this + y;
+        return assigned(*this + y);
     }
     template <class Y>
     HILGER_ALWAYS_INLINE constexpr jet& operator-=(Y const& y) {
-        return *this = *this - y;
+        return assigned(*this - y);
     }
     template <class Y>
     HILGER_ALWAYS_INLINE constexpr jet& operator*=(Y const& y) {
-        return *this = *this * y;
+        return assigned(*this * y);
     }
     template <class Y>
     HILGER_ALWAYS_INLINE constexpr jet& operator/=(Y const& y) {
-        return *this = *this / y;
+        return assigned(*this / y);
     }
 };
 

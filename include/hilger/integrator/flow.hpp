@@ -177,11 +177,11 @@ constexpr auto embed(L const& l, E const& how, std::integral_constant<sums, sums
     auto const& [F, Force] = plain.mechanics();
     return flow<std::remove_cvref_t<decltype(F)>, std::remove_cvref_t<decltype(Force)>, E, sums::compensated>(F, Force, how);
 }
-/// The flow of a discrete Euler-Lagrange equation.
-template <class F, linear_map A, linear_map B, class W, class Root>
-constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation) {
+/// The flow of a discrete Euler-Lagrange equation, with a force f(q, v) or f(t, q, v) beside dL/dq or without.
+template <class F, linear_map A, linear_map B, class W, class Root, class Force = no_force>
+constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation, Force const& force = {}) {
     auto const& S = equation.action();
-    return embed(lagrangian(S.function), make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
+    return embed(with_force(lagrangian(S.function), force), make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
 }
 /// The same where its operators are not consistent, on purpose.
 template <class F, linear_map A, linear_map B, class W, class Root>

@@ -12,9 +12,9 @@ namespace hilger {
 
 namespace detail {
 
-template <class Action, class Data>
-auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from) {
-    auto const path = flow_of(equation).along(T, from);
+template <class Action, class Data, class Force>
+auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force) {
+    auto const path = flow_of(equation, force).along(T, from);
     using V = decltype(std::begin(path)->q);
     std::vector<V> positions;
     positions.reserve(static_cast<std::size_t>(T.size()));
@@ -23,7 +23,7 @@ auto solved(euler_lagrange<Action> const& equation, typename Action::root_type c
     if constexpr (std::same_as<typename Action::position_type::from, nodes>)
         return x;
     else
-        return with_inner_points(equation, x);
+        return with_inner_points(equation, x, force);
 }
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
@@ -35,21 +35,23 @@ using ends_on = ends_in_braces<typename Action::root_type::scalar_type, Size>;
 } // namespace detail
 
 /// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0), or with the first two values q0 and q1: a function on T. The data are numbers or
-/// vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). Where the equation has
-/// points inside the steps the function lives there too.
+/// vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). With a force f(q, v) or
+/// f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps the function lives
+/// there too.
 /// @throws as flow::along does; a failed step says where the solution ends.
-template <class Action, class V>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_velocity<V> const& from) {
-    return detail::solved(equation, T, from);
+template <class Action, class V, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_velocity<V> const& from,
+           Force const& force = {}) {
+    return detail::solved(equation, T, from, force);
 }
-template <class Action, class V>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_positions<V> const& from) {
-    return detail::solved(equation, T, from);
+template <class Action, class V, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_positions<V> const& from,
+           Force const& force = {}) {
+    return detail::solved(equation, T, from, force);
 }
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
-/// With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 0.0, .qN = 1.0}, f). The first guess is the straight line. On given
-/// points in O(N).
+/// Forces as above. The first guess is the straight line. On given points in O(N).
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
 template <class Action, class V, class Force = no_force>
@@ -82,15 +84,15 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 }
 /// Braces have no type that a size could be read from: an overload for each size of states, 0 for numbers.
 #define HILGER_SOLVE_DATA_IN_BRACES(Size)                                                                                                  \
-    template <class Action>                                                                                                                \
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
-               detail::velocity_on<Action, Size> const& from) {                                                                            \
-        return detail::solved(equation, T, from.data());                                                                                   \
+    template <class Action, class Force = no_force>                                                                                        \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, Size> const& from, \
+               Force const& force = {}) {                                                                                                  \
+        return detail::solved(equation, T, from.data(), force);                                                                            \
     }                                                                                                                                      \
-    template <class Action>                                                                                                                \
+    template <class Action, class Force = no_force>                                                                                        \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
-               detail::positions_on<Action, Size> const& from) {                                                                           \
-        return detail::solved(equation, T, from.data());                                                                                   \
+               detail::positions_on<Action, Size> const& from, Force const& force = {}) {                                                  \
+        return detail::solved(equation, T, from.data(), force);                                                                            \
     }                                                                                                                                      \
     template <class Action, class Force = no_force>                                                                                        \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
@@ -107,15 +109,15 @@ HILGER_SOLVE_DATA_IN_BRACES(Eigen::Dynamic)
 #undef HILGER_SOLVE_DATA_IN_BRACES
 
 template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
+auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::anything_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_positions_in_braces const&) {
+auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_positions_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_ends_in_braces const&) {
+auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_ends_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 

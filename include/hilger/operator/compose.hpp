@@ -3,6 +3,7 @@
 // reverse order, and of a sum the sum: integration by parts for anything a user composes follows from this file.
 #pragma once
 
+#include "hilger/error.hpp"
 #include "hilger/function/pointwise.hpp"
 #include "hilger/operator/concept.hpp"
 #include "hilger/scale/weight.hpp"
@@ -57,6 +58,28 @@ struct reweight : linear_operator<reweight<Base, From, To>> {
     }
     constexpr auto adjoint() const { return identity_on<Base, To, From>{}; }
 };
+
+namespace detail {
+/// 1/c, divided in the scalar of what it multiplies.
+template <class C>
+struct one_over {
+    C c;
+
+    constexpr explicit one_over(C divisor) : c(std::move(divisor)) {
+        if (c == C(0)) error::raise<error::invalid_parameter>("an operator is divided by 0");
+    }
+    template <class S>
+    constexpr S as() const {
+        return S(S(1) / as_factor<C, S>(c));
+    }
+    friend constexpr bool operator==(one_over const&, one_over const&) = default;
+};
+/// True when c, or what c is one over, is a whole number or a fraction.
+template <class C>
+inline constexpr bool is_exact_factor = std::is_empty_v<C> or std::is_integral_v<C>;
+template <class C>
+inline constexpr bool is_exact_factor<one_over<C>> = is_exact_factor<C>;
+} // namespace detail
 
 /// c A, with c a number or a fraction.
 template <class C, linear_map A>
@@ -235,14 +258,28 @@ template <factor C, linear_map A>
 constexpr auto operator*(C c, A a) {
     return multiple<C, A>(std::move(c), std::move(a));
 }
+template <linear_map A, factor C>
+constexpr auto operator*(A a, C c) {
+    return multiple<C, A>(std::move(c), std::move(a));
+}
+/// A / c. @throws error::invalid_parameter for c = 0
+template <linear_map A, factor C>
+constexpr auto operator/(A a, C c) {
+    if constexpr (requires { C::denominator; }) {
+        static_assert(C::numerator != 0, "an operator is divided by 0");
+        constexpr int sign = C::numerator < 0 ? -1 : 1;
+        return fraction<sign * C::denominator, sign * C::numerator>{} * std::move(a);
+    } else
+        return multiple<detail::one_over<C>, A>(detail::one_over<C>(std::move(c)), std::move(a));
+}
 
-/// True when nothing about the operator is known at run time only, so that operators compare by what they do; whole-number
-/// factors are allowed.
+/// True when nothing about the operator is known at run time only, so that operators compare by what they do; factors and divisors that
+/// are whole numbers are allowed.
 template <class A>
 inline constexpr bool known_by_type = std::is_empty_v<A>;
 template <class C, class A>
 inline constexpr bool known_by_type<multiple<C, A>> =
-    std::conjunction_v<std::disjunction<std::is_empty<C>, std::is_integral<C>>, std::bool_constant<known_by_type<A>>>;
+    std::conjunction_v<std::bool_constant<detail::is_exact_factor<C>>, std::bool_constant<known_by_type<A>>>;
 template <class A, class B>
 inline constexpr bool known_by_type<composition<A, B>> =
     std::conjunction_v<std::bool_constant<known_by_type<A>>, std::bool_constant<known_by_type<B>>>;

@@ -46,5 +46,13 @@ template <factor C, symbolic_function F>
 constexpr auto operator*(C const& c, F const& f) {
     return applied(c * operator_of(f), unknown_of(f));
 }
+template <symbolic_function F, factor C>
+constexpr auto operator*(F const& f, C const& c) {
+    return applied(c * operator_of(f), unknown_of(f));
+}
+template <symbolic_function F, factor C>
+constexpr auto operator/(F const& f, C const& c) {
+    return applied(operator_of(f) / c, unknown_of(f));
+}
 
 } // namespace hilger

@@ -45,10 +45,14 @@ expression with_numbers(composition<A, B> const& ab, expression const& f) {
 template <class C, class A>
 expression with_numbers(multiple<C, A> const& a, expression const& f) {
     auto const inner = with_numbers(a.a, f);
-    if constexpr (requires { C::denominator; } or std::integral<C>)
+    if constexpr (is_exact_factor<C>)
         return inner;
     else {
-        std::string const c = written_number(a.c);
+        std::string c;
+        if constexpr (requires { a.c.c; }) // one over a number
+            c = written_number(decltype(a.c.c)(1 / a.c.c));
+        else
+            c = written_number(a.c);
         return inner.times_constant({without_sign(c), without_sign(c)}).times(c.starts_with('-') ? -1 : 1, 1);
     }
 }
@@ -60,6 +64,8 @@ expression written_parts(multiple<C, A> const& a, expression const& f) {
         return inner.times(C::numerator, C::denominator);
     else if constexpr (std::integral<C>)
         return inner.times(a.c, 1);
+    else if constexpr (is_exact_factor<C>)
+        return inner.times(a.c.c < 0 ? -1 : 1, a.c.c < 0 ? -a.c.c : a.c.c);
     else
         return with_numbers(multiple<C, identity_on<typename A::to, typename A::to_weight>>(a.c, {}), inner);
 }

@@ -56,7 +56,7 @@ auto without_numbers(composition<A, B> const& ab) {
 }
 template <class C, class A>
 auto without_numbers(multiple<C, A> const& a) {
-    if constexpr (requires { C::denominator; } or std::integral<C>)
+    if constexpr (is_exact_factor<C>)
         return a.c * without_numbers(a.a);
     else
         return without_numbers(a.a);

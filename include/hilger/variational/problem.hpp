@@ -27,6 +27,9 @@ inline constexpr bool has_force<problem<F, no_force>> = false;
 /// L(t, q, v): what takes three of any type is called in this order, whatever it calls them.
 template <class L, class Force>
 constexpr auto with_force(L const& l, Force f) {
+    static_assert(
+        not requires { l.action(); },
+        "a force is stated with L, with_force(L, f), or beside the data of an equation, solve(equation, T, {.q0 = ..., .v0 = ...}, f)");
     if constexpr (requires { l.function; })
         return problem<std::remove_cvref_t<decltype(l.function)>, Force>{l.function, std::move(f)};
     else

@@ -19,8 +19,11 @@ struct coupling_density {
 };
 template <symbolic_function F, symbolic_function G>
 constexpr auto operator*(F const& f, G const& g) {
-    static_assert(not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>,
-                  "a coupling is a product of two unknowns, unknown<\"q\"> and unknown<\"y\">; terms of one unknown belong into L");
+    static_assert(
+        not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>,
+        "expressions of one unknown are multiplied in a Lagrangian, lagrangian{[](auto q, auto v) { return v * v / 2 - q * q / 2; }}, "
+        "which is called with them, L(q, Delta_plus[q]); a coupling is a product of two unknowns, unknown<\"q\"> and "
+        "unknown<\"y\">");
     return coupling_density<decltype(operator_of(f)), decltype(operator_of(g))>{operator_of(f), operator_of(g)};
 }
 

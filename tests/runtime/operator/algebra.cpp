@@ -27,6 +27,22 @@ TEST_CASE("multiples, with fractions and with numbers") {
     CHECK(values((3 * sigma)[x]) == "T^{+}: 1.5, 3");
 }
 
+TEST_CASE("quotients, and factors on the right") {
+    CHECK(values((sigma / 2)[f]) == "T^{+}: 1, 3, -1");
+    CHECK(values((sigma / -4)[f]) == "T^{+}: -1/2, -3/2, 1/2");
+    CHECK(values((Delta_plus / Q(2, 3))[f]) == "T^{+}: 3/2, 3, -3");
+    CHECK(values((sigma / fraction<-2, 3>{})[f]) == "T^{+}: -3, -9, 3");
+    CHECK(values((sigma * 2)[f]) == "T^{+}: 4, 12, -4");
+    CHECK(values(adjoint(Delta_plus / 2)[f]) == "T^{-}: -1/2, -1, 1");
+    auto const x = function_on(uniform(0.0, 0.5, 2), [](double t) { return t; });
+    CHECK(values((Delta_plus / 0.5)[x]) == "T^{+}: 2, 2");
+    auto const exact = function_on(uniform(float100(0), float100(1), 1), [](float100 const&) { return float100(1); });
+    CHECK((sigma / 3)[exact][0] == float100(1) / 3); // divided in the scalar
+    CHECK_THROWS_WITH_AS((void)(sigma / 0), "an operator is divided by 0", error::invalid_parameter);
+    CHECK(sigma / 2 == fraction<1, 2>{} * sigma);
+    CHECK_FALSE(sigma / 2 == sigma / 3);
+}
+
 TEST_CASE("sums live where both summands do") {
     CHECK(values((sigma + rho)[f]) == "T^{+-}: 7, 0");
     CHECK(values((sigma - identity_T)[f]) == "T^{+}: 1, 4, -8");

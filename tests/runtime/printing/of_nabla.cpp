@@ -25,6 +25,7 @@ TEST_CASE("reach over two steps, weights, and numbers known at run time only") {
     read_back(integral(L(nu_over_mu[q], Delta_plus[q]), T));
     read_back(integral(L(q, Q(5, 7) * Delta_plus[q]), T));
     read_back(integral(L(Q(-5, 7) * q + sigma[q], Delta_plus[Q(2, 9) * q]), T));
+    read_back(integral(L((q - 3 * sigma[q]) / 2, Delta_plus[q / -4] * 5), T));
 }
 
 TEST_CASE("the nabla integral") {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect: expressions of one unknown are multiplied in a Lagrangian
+// A lambda is what a Lagrangian is made of.
+#include "hilger/hilger.hpp"
+
+using namespace hilger;
+
+int main() {
+    auto const T = uniform(0.0, 0.1, 10);
+    constexpr unknown q;
+#ifdef MUST_NOT_COMPILE
+    auto const L = [](auto x, auto v) { return v * v / 2 - x * x / 2; };
+#else
+    constexpr lagrangian L{[](auto x, auto v) { return v * v / 2 - x * x / 2; }};
+#endif
+    [[maybe_unused]] auto const EL = variation(integral(L(q, Delta_plus[q]), T));
+}
