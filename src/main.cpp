@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "extremes.hpp"
+#include "hilger/text/vocabulary.hpp"
 #include "hilger/version.hpp"
 #include "papers.hpp"
 #include "prove.hpp"
@@ -13,6 +16,22 @@
 #include "scenes/ensemble.hpp"
 #include "scenes/run.hpp"
 #include "scenes/trade.hpp"
+
+namespace {
+
+/// Counts may be written as 1e6.
+CLI::Validator count() {
+    return {[](std::string& given) -> std::string {
+                auto const number = hilger::text::number_in<double>(given);
+                if (not number or not(*number >= 1) or *number != std::floor(*number) or *number > 1e15)
+                    return "a positive whole number is wanted, as 1000 or 1e3, and here is " + given;
+                given = std::to_string(static_cast<long long>(*number));
+                return {};
+            },
+            "COUNT"};
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{"hilger: time-scale calculus as a language"};
@@ -22,20 +41,23 @@ int main(int argc, char** argv) {
 
     auto* scenes = app.add_subcommand("scenes", "list the scenes: what can be run");
     bool cost = false;
-    scenes->add_flag("--cost", cost, "print what a step of each computes, solves and keeps");
+    std::string costed;
+    auto* cost_flag = scenes->add_flag("--cost", cost, "print what a step of each computes, solves and keeps");
+    scenes->add_option("scene", costed, "of one of them, or of a file, my.toml")->needs(cost_flag);
     program::run_options run;
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
     run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
     run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
     run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits");
-    run_command->add_option("--steps", run.choice.steps, "number of steps");
+    run_command->add_option("--steps", run.choice.steps, "number of steps")->transform(count());
     run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct, window:LENGTH");
-    run_command->add_option("--every", run.every, "write a row at every so many points");
+    run_command->add_option("--every", run.every, "write a row at every so many points")->transform(count());
     run_command->add_option("--ensemble", run.ensemble,
                             "a table, members.csv: my.toml from each of its rows, whose columns are coordinates, velocities, parameters");
-    run_command->add_option("--threads", run.threads, "threads of an ensemble");
+    run_command->add_option("--threads", run.threads, "threads of an ensemble")->transform(count());
     run_command->add_option("--out", run.out, "directory for what is written")->capture_default_str();
-    run_command->add_option("--stop-after", run.stop_after, "stop after so many rows; the same command goes on from there");
+    run_command->add_option("--stop-after", run.stop_after, "stop after so many rows; the same command goes on from there")
+        ->transform(count());
     run_command->add_flag("--anew", run.anew, "do not continue an interrupted run");
     program::trade_options trade;
     auto* trade_command = app.add_subcommand("trade", "measure a scene's accuracy against its cost, beside other libraries");
@@ -55,7 +77,8 @@ int main(int argc, char** argv) {
 
     CLI11_PARSE(app, argc, argv);
     try {
-        if (*scenes) (cost ? program::list_costs : program::list_scenes)(std::cout);
+        if (*scenes and not cost) program::list_scenes(std::cout);
+        if (*scenes and cost) program::list_costs(std::cout, costed);
         if (*run_command) return run.ensemble.empty() ? program::run_scene(run) : program::run_ensemble(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);

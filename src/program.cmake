@@ -5,7 +5,7 @@ file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/mac
 # Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
 set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp
-  scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
+  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
   engine/methods/lambda.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")

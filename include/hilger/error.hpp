@@ -3,10 +3,12 @@
 // and what is accepted.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace hilger::error {
 
@@ -56,12 +58,24 @@ struct no_branch : no_convergence {
     using no_convergence::no_convergence;
 };
 
+namespace detail {
+/// Numbers with the digits that they need, 0.1 and not 0.10000000000000001.
+template <class Part>
+void show(std::ostringstream& message, Part const& part) {
+    if constexpr (std::is_floating_point_v<Part>) {
+        char digits[64];
+        message.write(digits, std::to_chars(digits, digits + sizeof digits, part).ptr - digits);
+    } else
+        message << part;
+}
+} // namespace detail
+
 /// Throws Error with the arguments streamed into its message.
 template <class Error, class... Parts>
 [[noreturn]] void raise(Parts const&... parts) {
     std::ostringstream message;
     message.precision(17);
-    (message << ... << parts);
+    (detail::show(message, parts), ...);
     throw Error(message.str());
 }
 

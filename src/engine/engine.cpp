@@ -17,22 +17,29 @@ template <class S>
 
 template <>
 std::vector<std::string> method_names<double>() {
-    return {"order-one", "order-one-left", "mid-point",  "verlet",    "gauss-2",       "gauss-4",
-            "gauss-8",   "lobatto-3",      "kahan-li-8", "theta:0.3", "two-sided:0.75"};
+    return {"order-one", "order-one-left", "mid-point", "verlet",         "gauss-2",         "gauss-4",   "gauss-8",
+            "lobatto-3", "kahan-li-8",     "theta:0.3", "two-sided:0.75", "g-alpha-newmark", "gl-newmark"};
 }
 
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
     prepare_machine_code();
     if (what.has_memory()) {
+        if (auto made = by_newmark(what, method, T)) return made;
+        if (what.material)
+            hilger::error::raise<hilger::error::invalid_parameter>(
+                "with a Zener material the method is g-alpha-newmark or gl-newmark, and not '", method, "'");
         if (auto made = damped(what, method, T)) return made;
-        hilger::error::raise<hilger::error::invalid_parameter>("with fractional damping the method is mid-point, and not '", method, "'");
+        hilger::error::raise<hilger::error::invalid_parameter>(
+            "with fractional damping the method is mid-point, or g-alpha-newmark or gl-newmark of linear structures, and not '", method,
+            "'");
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;
     if (auto made = embedded_with_inner_points(what, method, T)) return made;
     if (auto made = embedded_with_numbers(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
     if (auto made = between_two_ends(what, method, T)) return made;
+    if (auto made = by_newmark(what, method, T)) return made; // says what a structure without a memory lacks
     refuse<double>(method, "");
 }
 

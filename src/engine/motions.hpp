@@ -159,6 +159,7 @@ made embedded_with_inner_points(problem const& what, std::string const& method, 
 made embedded_with_numbers(problem const& what, std::string const& method, points<double> const& T);
 made between_two_ends(problem const& what, std::string const& method, points<double> const& T);
 made composed(problem const& what, std::string const& method, points<double> const& T);
+made by_newmark(problem const& what, std::string const& method, points<double> const& T);
 made damped(problem const& what, std::string const& method, points<double> const& T);
 
 } // namespace engine

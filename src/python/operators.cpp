@@ -13,6 +13,7 @@ using text::operator_formula;
 std::optional<text::stated> number_from(py::handle x, bool one_over = false) {
     auto const e = as_expression(x);
     if (not e) return {};
+    if (one_over and text::is_zero(*e)) hilger::error::raise<hilger::error::invalid_parameter>("an operator is divided by 0");
     return text::stated(one_over ? text::expression::number("1") / *e : *e, text::no_words(), "the factor of an operator");
 }
 /// An operator, or a number as a multiple of the identity.

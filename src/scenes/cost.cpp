@@ -27,23 +27,25 @@ void tell_free(std::ostream& out, scene const& s) {
 
 } // namespace
 
-void list_costs(std::ostream& out) {
+void list_costs(std::ostream& out, std::string const& name) {
     out << "A step of each, counted: what is computed, solved, and kept beside the state\n";
-    for (scene const& s : all_scenes()) {
-        if (not s.stated->last.empty()) { // not stepped
+    auto const tell = [&](scene const& s) {
+        stated_problem const& what = *s.stated;
+        if (not what.last.empty()) { // not stepped
             out << '\n' << s.name << ": all points at once\n";
-            continue;
+            return;
         }
-        bool const is_structure = s.usual.embedding == "g-alpha-newmark";
-        if ((s.stated->of.force or s.stated->of.has_memory()) and not is_structure) continue;
         head(out, s);
-        if (is_structure)
+        if (s.usual.embedding == "g-alpha-newmark")
             for (bool const whole : {false, true})
-                out << hilger::requirements_row{whole ? "direct" : "exponentials",
-                                                requirements_of_structure(*s.stated, s.usual.steps, whole)};
+                out << hilger::requirements_row{whole ? "direct" : "exponentials", requirements_of_structure(what, s.usual.steps, whole)};
+        else if (what.of.force or what.of.has_memory())
+            out << hilger::requirements_row{"mid-point", requirements_with_force(what, s.usual.steps)};
         else
             tell_free(out, s);
-    }
+    };
+    if (not name.empty()) return tell(scene_named(name));
+    for (scene const& s : all_scenes()) tell(s);
 }
 
 } // namespace program

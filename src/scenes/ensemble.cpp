@@ -55,7 +55,9 @@ public:
     table_of_members(std::string path, stated_problem const& what) : path_(std::move(path)), words_(what.of.lagrangian.formula().words()) {
         std::ifstream in(path_);
         std::string line;
-        if (not in or not std::getline(in, line)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
+        if (not in) error::raise<error::unreadable>("cannot read members from '", path_, "'");
+        if (not std::getline(in, line)) refuse("the first line names columns, as 'q, v', and this file is empty");
+        if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3); // some programs begin UTF-8 so
         read_names(line);
         engine::vector<double> const q = numbers_of(what.q), v = numbers_of(what.v);
         if (words_.brought() > 0) {
@@ -88,8 +90,9 @@ private:
             auto const bracket = field.find('[');
             std::string const name = field.substr(0, bracket);
             meaning const* const means = before.find(name);
-            if (means == nullptr or means->is == meaning::role::time)
-                refuse("'" + name + "' is no coordinate, velocity or parameter: there are " + before.known());
+            if (means != nullptr and means->is == meaning::role::time)
+                refuse("'" + name + "' is the time, and all members begin where the interval of the file does");
+            if (means == nullptr) refuse("'" + name + "' is no coordinate, velocity or parameter: there are " + before.known());
             int component = 0;
             if (bracket != std::string::npos) component = std::atoi(field.c_str() + bracket + 1);
             std::string const full = means->size > 0 ? name + '[' + std::to_string(component) + ']' : name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: instead of v += q, give the sum a name of its own
+// lines-clang: 30
 // What q and v carry are derivatives of different kinds.
 #include "hilger/integrator/flow.hpp"
 

@@ -5,12 +5,30 @@ import unittest
 from decimal import Decimal
 from fractions import Fraction
 
+import numpy as np
+
 import hilger as h
 
 q, v = h.variables("q v")
 L = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
 T = h.uniform(0, 0.1, 10)
 EL = h.variation(L, T)
+
+
+class Taken(unittest.TestCase):
+    def test_arithmetic_of_vectors(self):
+        x, u = h.variables("x u", 2)
+        V = h.Lagrangian(h.dot(u, u) / 2 - x @ x / 2 - x[0] ** 2 * x[1], x, u)
+        T = h.uniform(0, 0.1, 20)
+        start = {"q0": [0.1, 0.2], "v0": [0.3, 0.0]}
+        by_hand = h.solve(h.variation(V, T) + h.force(-u[0] / 5 + 2 * x[1], -u[1] / 5 + 2 * x[0]), **start)
+        swap = np.array([[0, 1], [1, 0]])
+        for f in (-u / 5 + 2 * (swap @ x), (-1 * u + 10 * np.array([x[1], x[0]])) / 5, [-u[0] / 5 + 2 * x[1], -u[1] / 5 + 2 * x[0]]):
+            np.testing.assert_allclose(h.solve(h.variation(V, T) + h.force(f), **start).q, by_hand.q, rtol=1e-13)
+        self.assertEqual(repr(h.Lagrangian(np.dot(u, u) / 2 + (x - u) @ (x + u), x, u)), repr(h.Lagrangian(h.dot(u, u) / 2 + h.dot(x - u, x + u), x, u)))
+        self.assertEqual(h.solve(h.variation(V, T) + h.force(-u), **start).q.shape, (21, 2))  # a vector is a force
+        self.assertEqual(len({x, u}), 2)
+        self.assertFalse(x == u)
 
 
 class Refused(unittest.TestCase):
@@ -32,6 +50,9 @@ class Refused(unittest.TestCase):
         self.says(h.Mismatch, "each coordinate has its velocity", lambda: h.Lagrangian(v**2, h.variables("x[2]"), v))
         self.says(IndexError, "out of range", lambda: h.variables("x", 2)[2])
         self.says(h.InvalidParameter, "variables are written as in 'q v'", lambda: h.variables("q; v"))
+        self.says(TypeError, "a formula or a number was expected, and here is a ndarray", lambda: h.Lagrangian(h.variables("x", 2) / 2))
+        self.says(h.InvalidParameter, "an operator is divided by 0", lambda: h.sigma / 0)
+        self.says(TypeError, "a scale, as h.uniform(0, 0.1, 100), was expected, and here is [0, 1, 2]", lambda: h.apply(h.sigma, [0, 1, 4], [0, 1, 2]))
 
     def test_problems(self):
         self.says(h.InvalidParameter, "determine a solution, and here is q0 with nothing", lambda: h.solve(EL, q0=1.0))

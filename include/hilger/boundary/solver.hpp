@@ -133,7 +133,7 @@ private:
             rhs(column) = component(b, column);
         }
         Eigen::PartialPivLU<decltype(M)> const lu(M);
-        if (not is_regular(lu)) refuse_singular("a boundary value problem");
+        if (not is_regular(lu)) refuse_singular("a boundary value problem", by_the_ends);
         rhs = lu.solve(rhs);
         values x = b;
         for (int row = 0; row < n; ++row) component(x, row) = rhs(row);

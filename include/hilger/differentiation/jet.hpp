@@ -212,11 +212,10 @@ struct jet : detail::keeps_its_derivatives<S> {
 
     template <class Z>
     HILGER_ALWAYS_INLINE constexpr jet& assigned(Z const& z) {
-        static_assert(
-            std::same_as<Z, jet>,
-            "L and forces are called with q and v as jets of two types, and what q and v make is of a third: instead of v += q, give "
-            "the sum a name of its own, auto const w = v + q");
-        if constexpr (std::same_as<Z, jet>) *this = z;
+        constexpr bool is_of_this_type = std::is_same_v<Z, jet>;
+        static_assert(is_of_this_type, "L and forces are called with q and v as jets of two types, and what q and v make is of a third: "
+                                       "instead of v += q, give the sum a name of its own, auto const w = v + q");
+        if constexpr (is_of_this_type) *this = z;
         return *this;
     }
     template <class Y>

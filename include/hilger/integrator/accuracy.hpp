@@ -4,9 +4,11 @@
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
-// should; where they do not, or L has branches, until four do whose points lie elsewhere.
+// should; where they do not, or L has branches, until four do whose points lie elsewhere. Over kinks all methods lose their order, and the
+// mid-point embedding, whose steps cost least, takes their place.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 
 #include "hilger/function/function.hpp"
@@ -69,12 +71,14 @@ public:
     solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, state<S, V> start)
         : flow_(std::move(flow)), method_(method), order_(order), I_(I), start_(std::move(start)), end_(start_) {}
 
-    result reach(accuracy const& goal) {
+    /// Nothing where kinks of L leave of the method's order less than two, so that a step that costs less does as much.
+    std::optional<result> reach(accuracy const& goal) {
         S const wanted = S(goal.wanted);
         // Half the digits that a run should win over the one before: less is not the order of the method.
         S const gain = S(std::ldexp(1.0, order_ / 2)) * S(1.25);
         std::vector<V> coarse;
-        S before(-1), error(-1);
+        S before(-1), error(-1), told(-1);
+        int slow = 0; // comparisons in a row
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
             std::vector<V> fine = run(steps, goal);
@@ -85,11 +89,15 @@ public:
                 before = std::exchange(error, distance(coarse, 1, fine, 2));
                 bool const is_smooth = not watch.saw_any() and gain * error <= before;
                 bool const is_third = before >= S(0);
-                S const told = is_smooth or not is_third or not(error <= wanted) ? error : of_kinks(fine, error, goal);
+                told = is_smooth or not is_third or not(error <= wanted) ? error : of_kinks(fine, error, goal);
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
-                    return {function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
+                    return result{function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
                 }
+                bool const is_near = error < largest(fine) / S(64);
+                slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
+                if constexpr (std::is_floating_point_v<S>)
+                    if (slow == 3 and order_ > 2) return std::nullopt;
                 // Rounding grows with the number of steps: from there on nothing gets better.
                 S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end_.q));
                 if (wanted < error and before > S(0) and not(error < before) and error < floor)
@@ -103,8 +111,11 @@ public:
             error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
                                                 ": they do not come to the end");
         error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
-                                            "; the solution is within ", error, " then");
+                                            "; the solution is within ", told, " then");
     }
+
+    /// Steps of all runs together.
+    [[nodiscard]] index_type walked() const { return walked_; }
 
 private:
     /// The positions, nothing where the steps are too long.
@@ -123,6 +134,11 @@ private:
             q.clear();
         }
         return q;
+    }
+    static S largest(std::vector<V> const& x) {
+        S most(0);
+        for (V const& q : x) most = std::max(most, S(magnitude(q)));
+        return most;
     }
     /// Of every j-th position of x and every k-th of y.
     static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
@@ -175,9 +191,20 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
     detail::require_same_dimension(q0, v0, "the initial position and velocity");
     V const p0 = embed(L, mid_point).momentum(I.a, q0, v0);
-    auto const run = [&](auto const& how, char const* method, int order) {
+    index_type walked = 0;
+    auto const reached = [&](auto const& how, char const* method, int order) {
         auto const flow = embed(L, how);
-        return detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V>(flow, method, order, I, {I.a, q0, p0}).reach(goal);
+        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {I.a, q0, p0});
+        auto made = solving.reach(goal);
+        walked += solving.walked();
+        return made;
+    };
+    auto const run = [&](auto const& how, char const* method, int order) {
+        auto made = reached(how, method, order);
+        if constexpr (std::is_floating_point_v<S>)
+            if (not made) made = reached(mid_point, "mid-point", 2);
+        made->evaluated_steps = walked;
+        return *std::move(made);
     };
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.

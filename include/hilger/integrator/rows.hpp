@@ -18,7 +18,7 @@ namespace hilger::detail {
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what) {
+                index_type end, index_type reach, Force const& force, char const* what, char const* regular = by_the_velocity) {
     using s = shape<V>;
     using S = scalar_of<V>;
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -65,7 +65,7 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     }
     // A row is a difference of terms of this size.
     rounding.setConstant(S(system(guess).jacobian.largest()) * most);
-    put(newton(system, guess, rounding, what));
+    put(newton(system, guess, rounding, what, regular));
 }
 
 } // namespace hilger::detail

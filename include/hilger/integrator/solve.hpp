@@ -79,7 +79,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
     x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
-        if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T");
+        if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends);
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
 /// Braces have no type that a size could be read from: an overload for each size of states, 0 for numbers.

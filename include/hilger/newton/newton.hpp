@@ -40,9 +40,9 @@ bool solve_linear(Jacobian& J, V const& r, V& x) {
 }
 /// The same. @throws error::singular
 template <class V, class Jacobian>
-V solve(Jacobian& J, V const& r, char const* what) {
+V solve(Jacobian& J, V const& r, char const* what, char const* regular) {
     V x = zero_like(r);
-    if (not solve_linear(J, r, x)) refuse_singular(what);
+    if (not solve_linear(J, r, x)) refuse_singular(what, regular);
     return x;
 }
 template <class Jacobian>
@@ -84,11 +84,12 @@ V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> con
 } // namespace detail
 
 /// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
-/// the equation in messages. In an exact scalar the root must be reached exactly, which linear equations do in one iteration. A system
-/// with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable none of its branches count.
+/// the equation in messages, and `regular` when its derivative is. In an exact scalar the root must be reached exactly, which linear
+/// equations do in one iteration. A system with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable
+/// none of its branches count.
 /// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
-V newton(System const& system, V guess, V const& given, char const* what) {
+V newton(System const& system, V guess, V const& given, char const* what, char const* regular = detail::by_the_velocity) {
     using S = scalar_of<V>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int most = exact ? 4 : 50;
@@ -111,7 +112,7 @@ V newton(System const& system, V guess, V const& given, char const* what) {
         residual = at.residual;
         // A guess that happens to solve a singular system is one of many solutions.
         if (magnitude(residual) == S(0) and iteration > 0) return x;
-        V const correction = detail::solve(at.jacobian, residual, what);
+        V const correction = detail::solve(at.jacobian, residual, what, regular);
         if (magnitude(residual) == S(0)) return x;
         S const before = magnitude(x);
         x = x - correction;
@@ -122,8 +123,8 @@ V newton(System const& system, V guess, V const& given, char const* what) {
             // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink, and are rounding of the
             // iterate before (one that runs away is no measure of itself) and of what is given.
             bool const stalled = not(previous < S(0)) and not(size < previous);
-            if (stalled and
-                size <= S(64) * epsilon<S>() * std::max(before, S(magnitude(detail::solve(at.jacobian, detail::sizes(given), what)))))
+            if (stalled and size <= S(64) * epsilon<S>() *
+                                        std::max(before, S(magnitude(detail::solve(at.jacobian, detail::sizes(given), what, regular)))))
                 return x;
         }
         previous = size;

@@ -44,8 +44,14 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
         return S(sqrt(epsilon<S>()));
 }
 
-[[noreturn]] inline void refuse_singular(std::string const& what) {
-    error::raise<error::singular>(what, " has a singular derivative here: the second derivative of L by the velocity must be invertible");
+/// Why the derivative of an equation is regular.
+inline constexpr char const* by_the_velocity = "the second derivative of L by the velocity must be invertible";
+inline constexpr char const* by_the_ends =
+    "the two ends must determine what lies between them, as they do not where they are half a period of an oscillator apart; nor does an L "
+    "without kinetic energy";
+
+[[noreturn]] inline void refuse_singular(std::string const& what, char const* regular = by_the_velocity) {
+    error::raise<error::singular>(what, " has a singular derivative here: ", regular);
 }
 
 /// Why an iteration of `most` rounds came to nothing, as the error that fits.

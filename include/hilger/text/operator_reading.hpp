@@ -116,6 +116,7 @@ private:
             meant x = meaning_of(n->parts[0]), y = meaning_of(n->parts[1]);
             if (x.is == is::number and y.is == is::number) break;
             if (y.is != is::number) refuse(*n->parts[1], "an operator is divided by a number");
+            if (is_zero(y.number)) refuse(*n->parts[1], "an operator is divided by 0");
             expression const one = expression::number("1");
             return {x.is, {}, operator_formula::multiple(factor(one / y.number), x.op)};
         }

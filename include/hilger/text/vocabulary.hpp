@@ -76,6 +76,9 @@ std::optional<S> number_in(std::string_view digits) {
     }
 }
 
+/// Whether a formula is the number 0, as it was written.
+inline bool is_zero(expression const& e) { return e.root().what == kind::number and number_in<double>(e.root().name) == 0.0; }
+
 /// A coordinate, or a vector of them under one name.
 struct coordinate {
     std::string position, velocity;

@@ -202,13 +202,20 @@ public:
     }
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_positions<W> const& from) const {
-        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
-            scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
-            V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
-            detail::require_same_dimension(q0, q1, "the first two positions");
-            V p0 = self().momentum_between(T.min(), q0, q1, h);
-            return std::pair{std::move(q0), std::move(p0)};
-        });
+        using root_scalar = scalar_on<Scale>;
+        constexpr bool says_momentum = requires(Method const& m, root_scalar const& t) { m.momentum_between(t, t, t, t); };
+        static_assert(says_momentum, "two positions say which momentum a step of an embedding begins with; with fractional damping, and of "
+                                     "structures, a trajectory begins at {.q0 = ..., .v0 = ...}");
+        if constexpr (says_momentum)
+            return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+                scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
+                V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
+                detail::require_same_dimension(q0, q1, "the first two positions");
+                V p0 = self().momentum_between(T.min(), q0, q1, h);
+                return std::pair{std::move(q0), std::move(p0)};
+            });
+        else
+            return no_states<root_scalar, root_scalar>;
     }
     template <class Derived>
     auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {

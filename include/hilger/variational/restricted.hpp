@@ -19,12 +19,16 @@ struct coupling_density {
 };
 template <symbolic_function F, symbolic_function G>
 constexpr auto operator*(F const& f, G const& g) {
+    constexpr bool of_two = not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>;
     static_assert(
-        not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>,
+        of_two,
         "expressions of one unknown are multiplied in a Lagrangian, lagrangian{[](auto q, auto v) { return v * v / 2 - q * q / 2; }}, "
         "which is called with them, L(q, Delta_plus[q]); a coupling is a product of two unknowns, unknown<\"q\"> and "
         "unknown<\"y\">");
-    return coupling_density<decltype(operator_of(f)), decltype(operator_of(g))>{operator_of(f), operator_of(g)};
+    if constexpr (of_two)
+        return coupling_density<decltype(operator_of(f)), decltype(operator_of(g))>{operator_of(f), operator_of(g)};
+    else
+        return f; // nothing more is said
 }
 
 /// factor int A[x] B[y] over T: the sum over all points, the last one too. Without it, as (19) is printed, the equation of y would have an

@@ -33,9 +33,12 @@ from .equations import (
     Force,
     Lagrangian,
     Method,
+    Zener,
     damping,
     force,
+    g_alpha_newmark,
     gauss,
+    gl_newmark,
     kahan_li_8,
     lobatto_3,
     midpoint,
@@ -45,6 +48,7 @@ from .equations import (
     two_sided,
     variation,
     verlet,
+    zener,
 )
 from .formulas import (
     Vector,

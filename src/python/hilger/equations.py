@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Sequence, Union
+from typing import Optional, Sequence, Union
 
 import numpy as np
 
@@ -101,6 +101,11 @@ midpoint = Method("mid-point")
 verlet = Method("verlet")
 lobatto_3 = Method("lobatto-3")
 kahan_li_8 = Method("kahan-li-8")
+g_alpha_newmark = Method("g-alpha-newmark")
+"""The G^α-Newmark scheme, of linear structures - L of second degree and a force of the time alone - with one fractional term or a material:
+of order two, by the weights of bdf2."""
+gl_newmark = Method("gl-newmark")
+"""The same with the weights of Grünwald and Letnikov: of order one."""
 
 
 def gauss(nodes: int) -> Method:
@@ -143,9 +148,19 @@ class Damping:
     alpha: float
 
 
+@dataclass(frozen=True)
+class Zener:
+    """The fractional Zener material of a linear structure, whose Lagrangian has the stiffness of the relaxed modulus."""
+
+    relaxed_modulus: float
+    unrelaxed_modulus: float
+    relaxation_time: float
+    alpha: float
+
+
 def force(*components: "Formula | str") -> Force:
     """force(-v/10), force("-v/10"), or force(f0, f1, ...) with one formula for each coordinate."""
-    if len(components) == 1 and isinstance(components[0], (list, tuple)):
+    if len(components) == 1 and not isinstance(components[0], (str, _core.Expression)) and np.ndim(components[0]) > 0:
         components = tuple(components[0])
     return Force(tuple(_core.read(f, "the force") if isinstance(f, str) else _core.as_expression(f) for f in components))
 
@@ -155,17 +170,24 @@ def damping(rho: float, alpha: float) -> Damping:
     return Damping(float(rho), float(alpha))
 
 
+def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: float, alpha: float) -> Zener:
+    """σ + τ^α D^α σ = E₀ ε + E∞ τ^α D^α ε, 0 < α <= 1 and E∞ >= E₀, for g_alpha_newmark and gl_newmark: the Lagrangian of the structure is
+    that of the relaxed modulus E₀."""
+    return Zener(float(relaxed_modulus), float(unrelaxed_modulus), float(relaxation_time), float(alpha))
+
+
 @dataclass(frozen=True)
 class Equation:
-    """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces and damping are added with +."""
+    """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces, damping and a material are added with +."""
 
     lagrangian: Lagrangian
     scale: "Uniform | TimeScale"
     method: Method
     forces: "tuple[Force, ...]" = ()
     dampings: "tuple[Damping, ...]" = ()
+    material: "Optional[Zener]" = None
 
-    def __add__(self, other: "Force | Damping") -> "Equation":
+    def __add__(self, other: "Force | Damping | Zener") -> "Equation":
         if isinstance(other, Force):
             if len(other.components) != self.lagrangian.dimension:
                 raise _core.Mismatch(
@@ -174,6 +196,10 @@ class Equation:
             return replace(self, forces=(*self.forces, other))
         if isinstance(other, Damping):
             return replace(self, dampings=(*self.dampings, other))
+        if isinstance(other, Zener):
+            if self.material is not None:
+                raise _core.InvalidParameter("a structure is of one material, and this one has it already")
+            return replace(self, material=other)
         return NotImplemented
 
     def _stated(self, history: str = "direct") -> "_core.Problem":
@@ -185,6 +211,9 @@ class Equation:
             problem.set_force(total)
         for d in self.dampings:
             problem.add_damping(d.rho, d.alpha)
+        if self.material is not None:
+            m = self.material
+            problem.set_material(m.relaxed_modulus, m.unrelaxed_modulus, m.relaxation_time, m.alpha)
         problem.history = history
         return problem
 
@@ -203,12 +232,20 @@ class Equation:
         return (number(T.start), number(T.step), T.steps) if isinstance(T, Uniform) else ([number(x) for x in T.points],)
 
     def _written(self, latex: bool) -> str:
-        undamped = replace(self, dampings=(), forces=())
+        if self.method in (g_alpha_newmark, gl_newmark):
+            try:
+                return self._motion().equation(latex)
+            except _core.InvalidParameter as why:  # what is missing may be added yet
+                return f"{self.method.name}: {why}\n"
+        undamped = replace(self, dampings=(), forces=(), material=None)
         return undamped._motion().equation(latex)
 
     def __repr__(self) -> str:
         more = "".join(f"beside ∂L/∂q: {', '.join(map(repr, f.components))}\n" for f in self.forces)
         more += "".join(f"beside ∂L/∂q: −{d.rho} D^{d.alpha} q\n" for d in self.dampings)
+        if self.material is not None:
+            m = self.material
+            more += f"material: E₀ = {m.relaxed_modulus}, E∞ = {m.unrelaxed_modulus}, τ = {m.relaxation_time}, α = {m.alpha}\n"
         return f"{self.lagrangian!r}\n{self._written(False)}{more}"
 
     def _repr_latex_(self) -> str:
@@ -216,6 +253,9 @@ class Equation:
         lines = [f"L = {self.lagrangian._written(True)}", made if made.startswith("\\") else f"\\text{{{made}}}"]
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ {', '.join(f._latex(self.lagrangian) for f in self.forces)}"] if self.forces else []
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ -{d.rho} \\, D^{{{d.alpha}}} q" for d in self.dampings]
+        if self.material is not None:
+            m = self.material
+            lines += [f"E_0 = {m.relaxed_modulus},\\ E_\\infty = {m.unrelaxed_modulus},\\ \\tau = {m.relaxation_time},\\ \\alpha = {m.alpha}"]
         return "$\\displaystyle \\begin{gathered}" + " \\\\ ".join(lines) + "\\end{gathered}$"
 
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from typing import Iterator, Sequence, Union
 
+import numpy as np
+
 from . import _core
 from ._core import Expression
 
@@ -17,8 +19,13 @@ t: Expression = _core.variable("t")
 pi: Expression = _core.variable("pi")
 
 
-class Vector:
-    """A vector of coordinates or velocities: q[0], len(q), sum(x**2 for x in q), dot(q, q)."""
+class Vector(np.lib.mixins.NDArrayOperatorsMixin):
+    """A vector of coordinates or velocities: q[0], len(q), dot(q, q). Arithmetic makes numpy's arrays of formulas, -v/5 + 2*q, and q @ v is
+    a formula."""
+
+    __eq__ = object.__eq__
+    __ne__ = object.__ne__
+    __hash__ = object.__hash__
 
     def __init__(self, name: str, size: int) -> None:
         self.name, self.size = name, size
@@ -34,6 +41,12 @@ class Vector:
 
     def __iter__(self) -> Iterator[Expression]:
         return (self[k] for k in range(self.size))
+
+    def __array__(self, dtype: object = None, copy: "bool | None" = None) -> np.ndarray:
+        return np.array(list(self), dtype=object)
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: object, **more: object) -> object:
+        return getattr(ufunc, method)(*(np.asarray(x) if isinstance(x, Vector) else x for x in inputs), **more)
 
     def __repr__(self) -> str:
         return f"{self.name}[{self.size}]"

@@ -50,6 +50,8 @@ def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tu
     exact where T is made of fractions, or in 50 digits where of mpf."""
     if not isinstance(A, Operator):
         raise TypeError(f"an operator, as h.Delta_plus, was expected, and here is {A!r}")
+    if not isinstance(T, (Uniform, TimeScale)):
+        raise TypeError(f"a scale, as h.uniform(0, 0.1, 100), was expected, and here is {T!r}")
     kind = T.kind()
     with digits_of(kind):
         if isinstance(T, Uniform):

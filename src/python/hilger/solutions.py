@@ -94,7 +94,9 @@ class Solution:
 
     def _momenta(self):
         if self.p is None:
-            raise _core.InvalidParameter("what joins two ends has positions alone; solve again from q0 and q1 for momenta")
+            two_sided = self.equation.method.name.startswith("two-sided:")
+            how = "of which this equation has none" if two_sided else "for which it is solved again, from q0=x.q[0] and q1=x.q[1]"
+            raise _core.InvalidParameter(f"what joins two ends has positions alone, and this needs momenta, {how}")
         return self.p
 
     def _row(self, x: np.ndarray, i: int):

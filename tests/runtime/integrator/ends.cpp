@@ -117,7 +117,8 @@ TEST_CASE("ends that determine nothing, do not fit or are no numbers") {
     // q_2 - (2 - h^2 omega^2) q_1 + q_0 = 0 with h^2 omega^2 = 2
     constexpr lagrangian resonant{[](auto const& x, auto const& v) { return v * v / 2 - x * x; }};
     auto const T = uniform(Q(0), Q(1), 2);
-    CHECK_THROWS_AS((void)solve(variation(integral(resonant(q, Delta_plus[q]), T)), T, {.q0 = 1, .qN = 1}), error::singular);
+    CHECK_THROWS_WITH_AS((void)solve(variation(integral(resonant(q, Delta_plus[q]), T)), T, {.q0 = 1, .qN = 1}),
+                         doctest::Contains("the two ends must determine what lies between them"), error::singular);
     auto const D = uniform(0.0, 0.1, 10);
     auto const EL = variation(integral(in_space(q, Delta_plus[q]), D));
     Eigen::VectorXd const two = Eigen::VectorXd::Ones(2), three = Eigen::VectorXd::Ones(3);

@@ -40,8 +40,7 @@ TEST_CASE("a step is positive") {
 }
 
 TEST_CASE("points are finite") {
-    CHECK_THROWS_WITH_AS(uniform(not_a_number, 0.1, 10),
-                         "the points of a time scale are finite, and these start at nan with step 0.10000000000000001",
+    CHECK_THROWS_WITH_AS(uniform(not_a_number, 0.1, 10), "the points of a time scale are finite, and these start at nan with step 0.1",
                          error::invalid_scale);
     CHECK_THROWS_AS(uniform(0.0, not_a_number, 10), error::invalid_scale);
     CHECK_THROWS_AS(uniform(infinity, 0.1, 10), error::invalid_scale);
@@ -69,7 +68,7 @@ TEST_CASE("given points increase and none is repeated") {
 }
 
 TEST_CASE("a step that is lost in rounding beside its points makes no scale") {
-    CHECK_THROWS_WITH_AS(uniform(1e17, 1.0, 10), "the step h = 1 is lost in rounding beside the points 1e+17 and 1.0000000000000002e+17",
+    CHECK_THROWS_WITH_AS(uniform(1e17, 1.0, 10), "the step h = 1 is lost in rounding beside the points 1e+17 and 100000000000000016",
                          error::invalid_scale);
     CHECK_THROWS_AS(uniform(1.0, 1e-17, 10), error::invalid_scale);
     CHECK_THROWS_AS(uniform(-1.0, 1e-17, 10), error::invalid_scale);

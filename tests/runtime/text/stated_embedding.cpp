@@ -165,8 +165,9 @@ TEST_CASE("what cannot be stepped is refused in one sentence") {
     CHECK_THROWS_AS((void)text::lambda_of_step<Q>(rounded), error::invalid_parameter);
     CHECK_THROWS_AS((void)text::lambda_of_step<double>(embedding_in("integral(L(0.7*q + 0.30000000000001*sigma[q], Delta_plus[q]))")),
                     error::invalid_parameter);
-    CHECK_THROWS_AS(text::require_one_step(embedding_in("integral(L(q/0, Delta_plus[q]))")), error::invalid_parameter);
-    CHECK_THROWS_WITH_AS((void)text::operator_in_numbers<Q>(text::operator_in("q/0")), "the operator: a division by zero",
+    CHECK_THROWS_WITH_AS((void)embedding_in("integral(L(q/0, Delta_plus[q]))"),
+                         "the embedding, line 1, column 14: an operator is divided by 0", error::unreadable);
+    CHECK_THROWS_WITH_AS((void)text::operator_in_numbers<Q>(text::operator_in("q/(1 - 1)")), "the operator: a division by zero",
                          error::unreadable);
     CHECK_NOTHROW(text::require_one_step(embedding_in("integral(L(sqrt(2)*q + (1 - sqrt(2))*sigma[q], Delta_plus[q]))")));
     refused("integral(L(sqrt(2)*q, Delta_plus[q]))",
