@@ -2,22 +2,35 @@
 # The command-line program.
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
   engine/methods/two_sided.cpp engine/methods/lambda.cpp)
-# Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
-# compiled elsewhere; and optimising all that takes minutes. Last: of what is in several files the linker takes the first.
-set(not_optimised papers_bourdin.cpp papers_cresson.cpp papers_jimenez.cpp scenes/cost.cpp
-  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
-  engine/methods/lambda.cpp)
-list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
-list(REMOVE_ITEM sources ${not_optimised})
-add_executable(hilger ${sources} ${not_optimised})
+# Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
+# compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
+# what is in several files the linker takes the first, which is the program's own.
+set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp scenes/cost.cpp
+  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
+  problems/stated.cpp engine/methods/lambda.cpp)
+list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+add_executable(hilger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  set_source_files_properties(${not_optimised} extremes/smallest.cpp
-    PROPERTIES COMPILE_OPTIONS -Og COMPILE_DEFINITIONS HILGER_DEBUG SKIP_PRECOMPILE_HEADERS ON)
-elseif(HILGER_TEST_EVERYTHING)
-  set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # they include what they use
+  list(REMOVE_ITEM sources ${not_optimised})
+  add_library(hilger_not_optimised STATIC ${not_optimised})
+  target_compile_options(hilger_not_optimised PRIVATE -Og)
+  target_compile_definitions(hilger_not_optimised PRIVATE HILGER_DEBUG)
+  target_precompile_headers(hilger_not_optimised REUSE_FROM extremes)
+  target_include_directories(hilger_not_optimised SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
+  target_include_directories(hilger_not_optimised PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(hilger_not_optimised PRIVATE hilger_development)
+  target_link_libraries(hilger PRIVATE hilger_not_optimised)
+  target_precompile_headers(hilger PRIVATE precompiled.hpp)
+  link_numbers(hilger)
+  set(precompiled_for_programs hilger PARENT_SCOPE)
+else()
+  if(HILGER_TEST_EVERYTHING)
+    set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # they include what they use
+  endif()
+  precompile_as(hilger extremes)
 endif()
-precompile_as(hilger extremes)
+target_sources(hilger PRIVATE ${sources})
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
 target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
@@ -37,33 +50,30 @@ endif()
 function(add_stated group name of text)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT ${text})
-  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND of MATCHES "hilger")
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -Og SKIP_PRECOMPILE_HEADERS ON)
+  if(TARGET hilger_not_optimised AND of MATCHES "hilger")
+    target_sources(hilger_not_optimised PRIVATE ${source})
+    return()
   endif()
   # Where nothing is optimised, what they have in common takes longer than what they have not.
   set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   target_sources(hilger PRIVATE ${source})
 endfunction()
-foreach(number IN ITEMS double float)
-  foreach(dimension IN ITEMS 1 2 3)
-    foreach(kind IN ITEMS without_inner_points with_inner_points)
-      add_stated(small small_${dimension}_${kind}_in_${number} ${number}
-        "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension}, ${kind})\n")
-    endforeach()
+foreach(dimension IN ITEMS 1 2 3)
+  foreach(kind IN ITEMS "double;without_inner_points" "double;with_inner_points" "float;without_inner_points")
+    list(POP_FRONT kind number)
+    add_stated(small small_${dimension}_${kind}_in_${number} ${number}
+      "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension}, ${kind})\n")
   endforeach()
 endforeach()
 foreach(number IN ITEMS double float hilger::float50 hilger::float100)
   string(REPLACE hilger:: "" name ${number})
-  set(engines)
-  if(name STREQUAL "float")
-    set(engines "PROGRAM_ENGINES_IN_FLOAT()\n")
-  endif()
-  add_stated(in_numbers in_${name} ${number}
-    "#include \"problems/in_numbers.hpp\"\n${engines}PROGRAM_IN_NUMBERS(${number})\n")
+  add_stated(in_numbers in_${name} ${number} "#include \"problems/in_numbers.hpp\"\nPROGRAM_IN_NUMBERS(${number})\n")
 endforeach()
+add_stated(in_numbers engines_in_float float "#include \"problems/beginning.hpp\"\nPROGRAM_ENGINES_IN_FLOAT()\n")
 foreach(number IN ITEMS double hilger::float50)
   string(REPLACE hilger:: "" name ${number})
   add_stated(memory memory_in_${name} ${number} "#include \"problems/memory_walk.hpp\"\nPROGRAM_WITH_MEMORY(${number})\n")
+  add_stated(in_numbers with_force_in_${name} ${number} "#include \"problems/in_numbers.hpp\"\nPROGRAM_WITH_FORCE(${number})\n")
 endforeach()
 # Scenes in files travel inside the program, under their names with - for _.
 file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)

@@ -60,11 +60,12 @@ bool has_embedding(stated_problem const& what, std::string const& method);
 /// @throws hilger::error::invalid_parameter that says why it is no linear structure with one fractional term or material
 void require_structure(engine::problem const& of);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
-/// Of what remembers; and of what is given at both ends.
+/// Of structures that remember, by Newmark's scheme; of what is damped; and of what is given at both ends.
 template <class S>
 std::unique_ptr<walk> begin_with_memory(stated_problem const& what, configuration const& c);
 extern template std::unique_ptr<walk> begin_with_memory<double>(stated_problem const&, configuration const&);
 extern template std::unique_ptr<walk> begin_with_memory<hilger::float50>(stated_problem const&, configuration const&);
+std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration const& c);
 std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
 /// What digits of numbers spell.
 template <class S = double>

@@ -46,31 +46,31 @@ beginning<S> beginning_from(stated_problem const& what, engine::vector<S> const&
     return {start, number(what.end), q, p, observed<S>(std::make_shared<observation_of<S> const>(what))};
 }
 
-/// Calls use(flow) with the one that is chosen, where there is one in numbers S, for what does not remember.
-template <class S, class Use>
-void with_flow(engine::problem const& of, configuration const& c, Use const& use) {
-    constexpr bool is_double = std::same_as<S, double>;
-    if (of.force) {
-        engine::forced_problem const mechanics{of.lagrangian, *of.force};
-        with_number<S>(of, c, mechanics, use);
-        if constexpr (not std::same_as<S, hilger::float100>) {
-            if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
-        }
-        if constexpr (is_double) {
-            if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));
-            if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
-        }
-    } else {
-        with_number<S>(of, c, of.lagrangian, use);
-        with_method<S>(c.embedding, of.lagrangian, use);
-    }
+template <class S, class WithFlow>
+std::unique_ptr<walk> begin_in_any_size(stated_problem const& what, configuration const& c, WithFlow const& with_flow) {
+    std::unique_ptr<walk> made;
+    auto const& begin = beginning_of<S>(what);
+    with_flow([&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.q, begin.p), begin.seen); });
+    return made;
 }
 template <class S>
 std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c) {
-    std::unique_ptr<walk> made;
-    auto const& begin = beginning_of<S>(what);
-    with_flow<S>(what.of, c, [&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.q, begin.p), begin.seen); });
-    return made;
+    return begin_in_any_size<S>(what, c, [&](auto const& use) {
+        with_number<S>(what.of, c, what.of.lagrangian, use);
+        with_method<S>(c.embedding, what.of.lagrangian, use);
+    });
+}
+template <class S>
+std::unique_ptr<walk> begin_with_force(stated_problem const& what, configuration const& c) {
+    return begin_in_any_size<S>(what, c, [&](auto const& use) {
+        engine::forced_problem const mechanics{what.of.lagrangian, *what.of.force};
+        with_number<S>(what.of, c, mechanics, use);
+        if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
+        if constexpr (std::same_as<S, double>) {
+            if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));
+            if (c.embedding == "gauss-4") use(hilger::embed(mechanics, hilger::galerkin<4, hilger::gauss>));
+        }
+    });
 }
 
 } // namespace program
@@ -79,3 +79,5 @@ std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration
     template program::beginning<S> program::beginning_from(program::stated_problem const&, engine::vector<S> const&,                       \
                                                            engine::vector<S> const&);                                                      \
     template std::unique_ptr<program::walk> program::begin_in_numbers<S>(program::stated_problem const&, program::configuration const&);
+#define PROGRAM_WITH_FORCE(S)                                                                                                              \
+    template std::unique_ptr<program::walk> program::begin_with_force<S>(program::stated_problem const&, program::configuration const&);

@@ -72,18 +72,21 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
     engine::prepare_machine_code();
     if (not what.last.empty()) return begin_between(what, c);
-    if (what.of.has_memory())
-        return c.scalar == "50-digits" ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);
-    if (c.scalar == "50-digits") return begin_in_numbers<hilger::float50>(what, c);
+    bool const in_50_digits = c.scalar == "50-digits";
+    if (engine::is_newmark(c.embedding))
+        return in_50_digits ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);
+    if (what.of.has_memory()) return begin_damped(what, c);
+    if (what.of.force) return in_50_digits ? begin_with_force<hilger::float50>(what, c) : begin_with_force<double>(what, c);
+    if (in_50_digits) return begin_in_numbers<hilger::float50>(what, c);
     if (c.scalar == "100-digits") return begin_in_numbers<hilger::float100>(what, c);
-    int const d = what.of.force ? 0 : what.of.lagrangian.formula().words().dimension();
+    bool const has_inner_points = c.embedding.starts_with("gauss-");
     auto const in = [&]<class S>(S) {
-        return engine::with_small_size(d, [&]<int D>(std::integral_constant<int, D>) {
-            if constexpr (D > 0)
-                return c.embedding.starts_with("gauss-") ? begin_small<S, D, method_kind::with_inner_points>(what, c)
-                                                         : begin_small<S, D, method_kind::without_inner_points>(what, c);
-            else
-                return begin_in_numbers<S>(what, c);
+        return engine::with_small_size(what.of.lagrangian.formula().words().dimension(), [&]<int D>(std::integral_constant<int, D>) {
+            if constexpr (D > 0) {
+                if (not has_inner_points) return begin_small<S, D, method_kind::without_inner_points>(what, c);
+                if constexpr (std::same_as<S, double>) return begin_small<S, D, method_kind::with_inner_points>(what, c);
+            }
+            return begin_in_numbers<S>(what, c); // Galerkin in float too, which nobody takes for its speed
         });
     };
     return c.scalar == "float" ? in(float()) : in(double());

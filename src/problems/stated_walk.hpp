@@ -62,12 +62,15 @@ template <class S, class Mechanics, class Use>
 void with_number(engine::problem const& of, configuration const& c, Mechanics const& mechanics, Use const& use) {
     if (auto const lambda = engine::lambda_of<S>(of, c.embedding)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
 }
-/// The walk of a free problem of D coordinates, with states of that size, in double or float, by a method of that kind.
+/// The walk of a free problem of D coordinates, with states of that size, in double or, without inner points, float, by a method of that
+/// kind.
 template <class S, int D, method_kind Kind>
 std::unique_ptr<walk> begin_small(stated_problem const& what, configuration const& c);
 
-/// In states of any size, compiled once for each S (in_numbers.hpp).
+/// In states of any size, compiled once for each S (in_numbers.hpp); with a force, in double and 50 digits.
 template <class S>
 std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c);
+template <class S>
+std::unique_ptr<walk> begin_with_force(stated_problem const& what, configuration const& c);
 
 } // namespace program

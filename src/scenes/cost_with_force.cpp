@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "cost.hpp"
+#include "engine/methods/damped.hpp"
 #include "hilger/trajectory/requirements.hpp"
-#include "problems/memory_walk.hpp"
 
 namespace program {
 
@@ -9,7 +9,7 @@ hilger::requirements requirements_with_force(stated_problem const& what, hilger:
     auto const points = points_of(what, steps);
     auto const T = hilger::uniform(points.start, points.step, points.steps);
     hilger::initial_velocity<engine::vector<double>> const from{numbers_of(what.q), numbers_of(what.v)};
-    auto const forced = with_any_force(what.of);
+    auto const forced = engine::with_any_force(what.of);
     if (not what.of.has_memory()) return hilger::requirements_of(hilger::embed(forced, hilger::mid_point).along(T, from));
     std::vector<hilger::fractional_term<double>> terms;
     for (auto const& [rho, alpha] : what.of.damping) terms.push_back({static_cast<double>(rho), static_cast<double>(alpha)});

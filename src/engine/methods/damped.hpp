@@ -3,10 +3,19 @@
 
 #include "engine/engine.hpp"
 #include "engine/methods/histories.hpp"
+#include "engine/motions.hpp"
 #include "hilger/fractional/flow.hpp"
 
 namespace engine {
 
+/// What is damped may be driven too.
+inline forced_problem with_any_force(problem const& of) {
+    if (of.force) return {of.lagrangian, *of.force};
+    auto const words = std::make_shared<hilger::text::vocabulary>(of.lagrangian.formula().words());
+    std::vector<hilger::text::stated> const none(static_cast<std::size_t>(words->dimension()),
+                                                 hilger::text::stated(hilger::text::expression(), words, "the force"));
+    return {of.lagrangian, hilger::text::stated_force(none)};
+}
 /// Calls use(mechanics) with the fractional terms of the problem beside what moves. @throws hilger::error::invalid_parameter
 template <class Mechanics, class Use>
 void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_type steps, Use const& use) {

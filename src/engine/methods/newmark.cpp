@@ -37,7 +37,9 @@ public:
         refuse("has no discrete Euler-Lagrange equation");
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
-        std::string const scheme = method_ == "gl-newmark" ? "Newmark's scheme" : "the G^alpha-Newmark scheme";
+        std::string const scheme = method_ == "gl-newmark" ? "Newmark's scheme"
+                                   : latex_wanted          ? R"(the $G^{\alpha}$-Newmark scheme)"
+                                                           : "the G^alpha-Newmark scheme";
         if (latex_wanted)
             return (what_.material ? R"(M \ddot{q} + \tfrac{E_\infty}{E_0} K (q - q_a) = f, \quad q_a + \tau^{\alpha} D^{\alpha}[q_a] =)"
                                      R"( \left(1 - \tfrac{E_0}{E_\infty}\right) q)"

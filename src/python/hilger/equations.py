@@ -250,7 +250,7 @@ class Equation:
 
     def _repr_latex_(self) -> str:
         made = self._written(True)
-        lines = [f"L = {self.lagrangian._written(True)}", made if made.startswith("\\") else f"\\text{{{made}}}"]
+        lines = [f"L = {self.lagrangian._written(True)}", made if "\\" in made else f"\\text{{{made.strip()}}}"]
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ {', '.join(f._latex(self.lagrangian) for f in self.forces)}"] if self.forces else []
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ -{d.rho} \\, D^{{{d.alpha}}} q" for d in self.dampings]
         if self.material is not None:
