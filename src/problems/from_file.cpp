@@ -225,7 +225,9 @@ scene scene_from_text(std::string_view content, std::string const& path) {
 scene scene_from_file(std::string const& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream content;
-    if (not in or not(content << in.rdbuf())) hilger::error::raise<hilger::error::unreadable>("cannot read a problem from '", path, "'");
+    if (not in or std::filesystem::is_directory(path))
+        hilger::error::raise<hilger::error::unreadable>("cannot read a problem from '", path, "'");
+    content << in.rdbuf(); // nothing, where the file is empty
     return scene_from_text(content.str(), path);
 }
 

@@ -93,7 +93,7 @@ public:
     }
     [[nodiscard]] hilger::index_type count_of(toml::node const& n, char const* key) const {
         auto const count = n.value<std::int64_t>();
-        if (not n.is_integer() or *count < 1) refuse(&n, std::string(key) + " is a positive whole number");
+        if (not n.is_number() or not count or *count < 1) refuse(&n, std::string(key) + " is a positive whole number");
         return static_cast<hilger::index_type>(*count);
     }
     /// `with_numbers`: what follows a colon may be another one.

@@ -55,7 +55,7 @@ public:
     table_of_members(std::string path, stated_problem const& what) : path_(std::move(path)), words_(what.of.lagrangian.formula().words()) {
         std::ifstream in(path_);
         std::string line;
-        if (not in) error::raise<error::unreadable>("cannot read members from '", path_, "'");
+        if (not in or std::filesystem::is_directory(path_)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
         if (not std::getline(in, line)) refuse("the first line names columns, as 'q, v', and this file is empty");
         if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3); // some programs begin UTF-8 so
         read_names(line);

@@ -15,7 +15,7 @@ T = h.uniform(0, 0.1, 10)
 EL = h.variation(L, T)
 
 
-class Taken(unittest.TestCase):
+class OfNumpyAndMpmath(unittest.TestCase):
     def test_arithmetic_of_vectors(self):
         x, u = h.variables("x u", 2)
         V = h.Lagrangian(h.dot(u, u) / 2 - x @ x / 2 - x[0] ** 2 * x[1], x, u)
@@ -29,6 +29,17 @@ class Taken(unittest.TestCase):
         self.assertEqual(h.solve(h.variation(V, T) + h.force(-u), **start).q.shape, (21, 2))  # a vector is a force
         self.assertEqual(len({x, u}), 2)
         self.assertFalse(x == u)
+
+    def test_constants_of_mpmath(self):
+        import mpmath
+
+        with mpmath.workdps(50):
+            self.assertIn("3.14159265358979323846264338327950288419716939937510", repr(mpmath.pi * q))
+            T = h.uniform(0, mpmath.pi / 1000, 3)
+            self.assertEqual(h.uniform(0, mpmath.pi, 3).kind(), "50 digits")
+            made = h.solve(h.variation(h.Lagrangian(v**2 / 2 - mpmath.pi * q**2 / 2, q, v), T), q0=mpmath.e, v0=0)
+            same = h.solve(h.variation(h.Lagrangian(v**2 / 2 - h.pi * q**2 / 2, q, v), T), q0=mpmath.e + 0, v0=0)
+            self.assertLess(abs(made.q[-1] - same.q[-1]), mpmath.mpf("1e-47"))
 
 
 class Refused(unittest.TestCase):
@@ -52,6 +63,9 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "variables are written as in 'q v'", lambda: h.variables("q; v"))
         self.says(TypeError, "a formula or a number was expected, and here is a ndarray", lambda: h.Lagrangian(h.variables("x", 2) / 2))
         self.says(h.InvalidParameter, "an operator is divided by 0", lambda: h.sigma / 0)
+        self.says(TypeError, "q0 is made of real numbers", lambda: h.solve(EL, q0=np.array([1 + 2j])[0], v0=0))
+        self.says(TypeError, "q0 is made of real numbers", lambda: h.solve_many(EL, q0=np.array([1 + 2j, 0]), v0=[0.0, 0.0]))
+        self.says(TypeError, "real values", lambda: h.apply(h.sigma, lambda t: np.exp(1j * t), T))
         self.says(TypeError, "a scale, as h.uniform(0, 0.1, 100), was expected, and here is [0, 1, 2]", lambda: h.apply(h.sigma, [0, 1, 4], [0, 1, 2]))
 
     def test_problems(self):

@@ -4,8 +4,8 @@
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
-// should; where they do not, or L has branches, until four do whose points lie elsewhere. Over kinks all methods lose their order, and the
-// mid-point embedding, whose steps cost least, takes their place.
+// should; where they do not, or L has branches, until six do, of which most have their points elsewhere. Over kinks all methods lose their
+// order, and the mid-point embedding, whose steps cost least, takes their place. L itself has no jumps: no derivative sees them.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct accurate_solution {
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
     S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth; elsewhere
-                                ///< twice the largest distance from three other runs
+                                ///< four times the largest distance from five other runs, or more
     index_type evaluated_steps; ///< of all runs together
 };
 
@@ -74,10 +74,12 @@ public:
     /// Nothing where kinks of L leave of the method's order less than two, so that a step that costs less does as much.
     std::optional<result> reach(accuracy const& goal) {
         S const wanted = S(goal.wanted);
-        // Half the digits that a run should win over the one before: less is not the order of the method.
-        S const gain = S(std::ldexp(1.0, order_ / 2)) * S(1.25);
+        // What a run wins over the one before where the order of the method says it: of order two a factor of four or nearly so, which two
+        // runs have by chance too; of high ones, which few steps do not have yet, half the digits or more.
+        bool const is_low = order_ == 2;
+        S const gain = is_low ? S(3) : S(std::ldexp(1.0, order_ / 2)) * S(1.25), luck = is_low ? S(5.5) : S(std::ldexp(1.0, order_ + 2));
         std::vector<V> coarse;
-        S before(-1), error(-1), told(-1);
+        S earlier(-1), before(-1), error(-1), told(-1);
         int slow = 0; // comparisons in a row
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
@@ -86,10 +88,15 @@ public:
                 error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " was given up on request, after ", walked_,
                                                     " steps of ", method_);
             if (not fine.empty() and not coarse.empty()) {
-                before = std::exchange(error, distance(coarse, 1, fine, 2));
-                bool const is_smooth = not watch.saw_any() and gain * error <= before;
-                bool const is_third = before >= S(0);
-                told = is_smooth or not is_third or not(error <= wanted) ? error : of_kinks(fine, error, goal);
+                earlier = std::exchange(before, std::exchange(error, distance(coarse, 1, fine, 2)));
+                // Twice in a row, and not by more than the order explains: over jumps in time, which nothing sees, two runs agree by
+                // chance.
+                auto const follows = [&](S const& coarser, S const& finer) { return gain * finer <= coarser and coarser <= luck * finer; };
+                bool const is_third = before >= S(0), may_be_smooth = not watch.saw_any() and is_third and follows(before, error);
+                bool const is_smooth = may_be_smooth and not is_low and earlier >= S(0) and follows(earlier, before);
+                told = is_smooth or not is_third or not(error <= wanted) ? error
+                       : may_be_smooth                                   ? of_kinks(fine, error, goal)
+                                                                         : std::max(before, of_kinks(fine, error, goal));
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
                     return result{function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
@@ -146,21 +153,22 @@ private:
         for (std::size_t i = 0; i * j < x.size(); ++i) most = std::max(most, S(magnitude(V(x[i * j] - y[i * k]))));
         return most;
     }
-    /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: two more runs, one of which shares
-    /// no point but the ends, and twice the largest distance of all.
+    /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: four more runs, three of which
+    /// share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
     S of_kinks(std::vector<V> const& fine, S error, accuracy const& goal) {
         S const wanted = S(goal.wanted);
         auto const end = end_;
         auto const steps = static_cast<index_type>(fine.size()) - 1;
         auto const compare = [&](index_type others, auto const& how) {
-            if (not(S(2) * error <= wanted)) return;
+            if (not(S(4) * error <= wanted)) return;
             std::vector<V> const other = run(others, goal);
             error = other.empty() ? wanted : std::max(error, S(how(other)));
         };
         compare(steps / 4 * 3, [&](auto const& other) { return distance(other, 3, fine, 4); });
-        compare(steps / 8 * 5 + 1, [&](auto const& other) { return magnitude(V(other.back() - fine.back())); });
+        for (index_type const others : {steps / 8 * 5 + 1, steps / 2 + 3, steps / 16 * 11 + 2})
+            compare(others, [&](auto const& other) { return magnitude(V(other.back() - fine.back())); });
         end_ = end;
-        return S(2) * error;
+        return S(4) * error;
     }
     Flow flow_;
     char const* method_;

@@ -97,13 +97,13 @@ HILGER_ALWAYS_INLINE inline auto with_force_jets(Jet const& z, Force const& forc
     using node = forced_node_jet<N, Jet, J>;
     if constexpr (Scalar) {
         auto const f = at_time{force, t}(J::variable(q[0], 0, {1, 0}), J::variable(v[0], 1, {0, 1}));
-        static_assert(not has_components<decltype(f)>, "a force is a state like q: a number for a number, a vector for a vector");
+        require_force<S>(f, 1);
         return node(z, J(f));
     } else {
         Eigen::Matrix<J, N, 1> x, y;
         ((x(K) = J::variable(q[K], K, {1, 0}), y(K) = J::variable(v[K], N + K, {0, 1})), ...);
         auto const f = at_time{force, t}(x, y);
-        static_assert(has_components<decltype(f)>, "a force is a state like q: a number for a number, a vector for a vector");
+        require_force<Eigen::Matrix<S, N, 1>>(f, N);
         return node(z, J(f(K))...);
     }
 }

@@ -104,16 +104,29 @@ decltype(auto) component_of(X const& x, int k) {
         return x;
 }
 
+/// Whether a force is a state like q, of d components. @throws error::mismatch where that is seen at run time only
+template <class V, class X>
+HILGER_ALWAYS_INLINE constexpr void require_force(X const& force, int d) {
+    static_assert(has_components<X> != shape<V>::is_scalar, "a force is a state like q: a number for a number, a vector for a vector");
+    if constexpr (has_components<X>) {
+        constexpr int size = X::SizeAtCompileTime;
+        if constexpr (size > 0 and shape<V>::size > 0)
+            static_assert(size == shape<V>::size, "a force is a state like q, and this one has another number of components");
+        else if (force.size() != d)
+            error::raise<error::mismatch>("a force has a component for each of q, ", d, ", and this one has ", force.size());
+    }
+}
 /// The components of a traced force.
 template <class V, class X, class T>
 void put_force(X const& force, int d, std::vector<T>& components) {
-    static_assert(has_components<X> != shape<V>::is_scalar, "a force is a state like q: a number for a number, a vector for a vector");
+    require_force<V>(force, d);
     for (int k = 0; k < d; ++k) components.push_back(T(component_of(force, k)));
 }
 /// The force at (t, q, v), a state like q.
 template <class Force, class S, class V>
 V force_at(Force const& force, S const& t, V const& q, V const& v) {
     auto const f = at_time{force, t}(in_constants(q), in_constants(v));
+    require_force<V>(f, shape<V>::dimension(q));
     V x = zero_like(q);
     for (int k = 0; k < shape<V>::dimension(q); ++k)
         shape<V>::component(x, k) = as_jet<jet<scalar_of<V>, 0, 1, 1>>(component_of(f, k)).value;
@@ -196,8 +209,7 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
             constexpr int C = s::size;
             using J = jet<S, 0, 2 * C, 1>;
             auto const f = at_time{what.force, t}(with_variables<J, C>(q, 0, 0, {}), with_variables<J, C>(v, 0, C, {}));
-            static_assert(has_components<decltype(f)> != s::is_scalar,
-                          "a force is a state like q: a number for a number, a vector for a vector");
+            require_force<V>(f, d);
             for (int row = 0; row < d; ++row) {
                 J const x(component_of(f, row));
                 s::component(e.by_q, row) = s::component(e.by_q, row) + x.value;

@@ -78,8 +78,13 @@ def solve_many(
         raise _core.InvalidParameter("ensembles are computed in double, on scales of floats")
     d, scalar = equation.lagrangian.dimension, equation.lagrangian.is_scalar
 
+    def real(x: object, what: str) -> np.ndarray:
+        if np.iscomplexobj(x):
+            raise TypeError(f"{what} is made of real numbers, and here are complex ones")
+        return np.asarray(x, dtype=float)
+
     def rows(x: object, what: str) -> np.ndarray:
-        x = np.asarray(x, dtype=float)
+        x = real(x, what)
         x = x.reshape(-1, 1) if scalar and x.ndim < 2 else np.atleast_2d(x)
         if x.ndim != 2 or x.shape[1] != d:
             raise _core.Mismatch(f"{what} has a row of {d} numbers for each member, and here is an array of shape {x.shape}")
@@ -90,7 +95,7 @@ def solve_many(
     for parameter, x in (parameters or {}).items():
         if parameter not in own:
             raise _core.InvalidParameter(f"there is no parameter '{parameter}': there are {', '.join(sorted(own)) or 'none'}")
-        x = np.asarray(x, dtype=float)
+        x = real(x, parameter)
         size = len(own[parameter]) if isinstance(own.get(parameter), list) else 0
         x = x.reshape(-1, 1) if size == 0 and x.ndim < 2 else np.atleast_2d(x)
         if x.ndim != 2 or x.shape[1] != max(size, 1):

@@ -19,7 +19,7 @@ def kind_of(numbers: Iterable[object]) -> str:
             kinds.add("exact")
         elif isinstance(x, Fraction):
             kinds.add("exact")
-        elif name in ("mpf", "Decimal"):
+        elif name in ("mpf", "constant", "Decimal"):
             kinds.add("50 digits")
         elif not isinstance(x, int):
             kinds.add("double")
@@ -64,9 +64,11 @@ def digits(x: object) -> str:
         return x.strip()
     if isinstance(x, Fraction):
         return f"{_text_of_whole(x.numerator)}/{_text_of_whole(x.denominator)}"
-    if type(x).__name__ == "mpf":
+    if type(x).__name__ in ("mpf", "constant"):
         import mpmath
 
+        if type(x).__name__ == "constant":  # mpmath.pi, which has as many digits as it is asked for
+            x = x(dps=60)
         return mpmath.nstr(x, 55, min_fixed=0, max_fixed=0)
     if isinstance(x, int):
         return _text_of_whole(x)

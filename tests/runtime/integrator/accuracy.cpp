@@ -137,6 +137,28 @@ TEST_CASE("where the force jumps in time") {
         auto const x = solve(L, interval{0.0, 3.7}, initial_velocity<double>{0.0, 0.0}, accuracy{wanted});
         CHECK(std::abs(x.end.q - 3.2) <= wanted);
     }
+    // An oscillator that is pushed from t = s on: at some s two runs, or three, agree by chance.
+    auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
+    for (int k = 0; k < 12; ++k) {
+        double const s = 0.5 + 0.7615 * k, wanted = 0.02;
+        CAPTURE(s);
+        auto const push = [s](auto const& t, auto const& q, auto const& v) { return (t < s ? 0.0 : 1.0) + 0 * q + 0 * v; };
+        interval const I{0.0, 10.0};
+        auto const x = solve(with_force(oscillator, push), I, initial_velocity<double>{1.0, 0.0}, accuracy{wanted});
+        double worst = 0;
+        for (hilger::index_type i = 0; i <= x.steps; ++i) {
+            double const t = uniform(I, x.steps).element(i);
+            worst = std::max(worst, std::abs(x.q[i] - std::cos(t) - (t > s ? 1 - std::cos(t - s) : 0)));
+        }
+        CHECK(worst <= wanted);
+    }
+    // Two runs of a square wave end at 0, one with half the steps at 4: no order says that.
+    auto const wave = [](auto const& t, auto const& q, auto const& v) {
+        return (std::fmod(3.25 * t, 2.0) < 1 ? 1.0 : -1.0) + 0 * q + 0 * v;
+    };
+    auto const free = [](auto const& q, auto const& v) { return v * v / 2 + 0 * q; };
+    auto const y = solve(with_force(free, wave), interval{0.0, 20.0}, initial_velocity<double>{0.0, 0.0}, accuracy{0.3});
+    CHECK(std::abs(y.end.q - 1.0 / 3.25 * 10) <= 0.3);
 }
 TEST_CASE("steps that are not longer than a pulse") {
     auto const pulse = [](auto const& t, auto const& q, auto const& v) {

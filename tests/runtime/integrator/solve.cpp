@@ -59,6 +59,24 @@ TEST_CASE("of implicit equations, points inside the steps included, in states of
     leaves_nothing(mid, T, initial_positions{1.0, 1.05});
 }
 
+TEST_CASE("a force of another length is refused") {
+    auto const T = uniform(0.0, 0.1, 3);
+    auto const shorter = [](auto const&, auto const& v) { return evaluated(v.head(v.size() - 1) * -1.0); };
+    auto const EL = variation(integral(oscillator(q, Delta_plus[q]), T));
+    auto const mid = variation(integral(oscillator(q_o, Delta_o_plus[q_o]), half(T)));
+    char const* const sentence = "a force has a component for each of q, 6, and this one has 5";
+    initial_velocity<Eigen::VectorXd> const from{Eigen::VectorXd::Ones(6), Eigen::VectorXd::Zero(6)};
+    CHECK_THROWS_WITH_AS((void)solve(EL, T, from, shorter), doctest::Contains(sentence), error::mismatch);
+    CHECK_THROWS_WITH_AS((void)solve(mid, T, from, shorter), doctest::Contains(sentence), error::mismatch);
+    auto const x = solve(EL, T, from);
+    CHECK_THROWS_WITH_AS((void)largest_residual(EL, x, shorter), doctest::Contains(sentence), error::mismatch);
+    // Of a fixed size the state, and of any the force.
+    auto const of_two = [](auto const&, auto const&) { return Eigen::VectorXd(Eigen::Vector2d(0.0, -9.81)); };
+    initial_velocity<Eigen::Vector3d> const in_space{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+    CHECK_THROWS_WITH_AS((void)solve(EL, T, in_space, of_two),
+                         doctest::Contains("a force has a component for each of q, 3, and this one has 2"), error::mismatch);
+}
+
 TEST_CASE("a quotient of operators steps as the product, and as mid-point") {
     auto const T = uniform(0.0, 0.1, 30);
     auto const quotient = solve(variation(integral(oscillator((q + sigma[q]) / 2, Delta_plus[q]), T)), T, {.q0 = 1.0, .v0 = 0.0});

@@ -51,6 +51,7 @@ TEST_CASE("operators are written as the papers write them") {
     CHECK(printed(2.5 * Delta_plus - 0.1 * rho) == "2.5 Δ₊[f] − 0.1 ρ[f]");
     CHECK(printed(Delta_plus * (-0.1 * sigma)) == "−0.1 Δ₊[σ[f]]");
     CHECK(printed(Delta_plus / 2.5 - rho / -4) == "0.4 Δ₊[f] + 1/4 ρ[f]");
+    CHECK(printed(Delta_minus_alpha<1, 2> / -4) == "−1/4 Δ₋^(1/2)[f]"); // no field has its weights
     CHECK(printed((identity_T + sigma) / 2) == "1/2 f + 1/2 σ[f]");
     CHECK(printed(Delta_minus_alpha<1, 2>) == "Δ₋^(1/2)[f]");
     CHECK(printed(adjoint(Delta_minus_alpha<1, 2>)) == "Δ₊^(1/2)[f]");
