@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include "extremes.hpp"
-#include "hilger/error.hpp"
 #include "hilger/text/vocabulary.hpp"
 #include "hilger/version.hpp"
 #include "papers.hpp"
@@ -78,8 +77,6 @@ int main(int argc, char** argv) {
 
     CLI11_PARSE(app, argc, argv);
     try {
-        if (not run.ensemble.empty() and run.stop_after > 0)
-            hilger::error::raise<hilger::error::invalid_parameter>("--stop-after is for one run, and --ensemble is of many");
         if (*scenes and not cost) program::list_scenes(std::cout);
         if (*scenes and cost) program::list_costs(std::cout, costed);
         if (*run_command) return run.ensemble.empty() ? program::run_scene(run) : program::run_ensemble(run);

@@ -24,8 +24,8 @@ std::vector<std::string> method_names<double>() {
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
     prepare_machine_code();
+    if (auto made = by_newmark(what, method, T)) return made;
     if (what.has_memory()) {
-        if (auto made = by_newmark(what, method, T)) return made;
         if (what.material)
             hilger::error::raise<hilger::error::invalid_parameter>(
                 "with a Zener material the method is g-alpha-newmark or gl-newmark, and not '", method, "'");
@@ -39,7 +39,6 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
     if (auto made = embedded_with_numbers(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
     if (auto made = between_two_ends(what, method, T)) return made;
-    if (auto made = by_newmark(what, method, T)) return made; // says what a structure without a memory lacks
     refuse<double>(method, "");
 }
 

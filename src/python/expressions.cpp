@@ -63,8 +63,7 @@ std::optional<expression> as_expression(py::handle x) {
         require_finite(x.attr("is_finite")(), x);
         return of_digits(text_of(py::str("{:f}").attr("format")(x)));
     }
-    // mpmath.pi has as many digits as it is asked for
-    if (is_a(x, "mpmath", "mpf") == false and text_of(py::type::of(x).attr("__name__")) == "constant" and py::hasattr(x, "_mpf_"))
+    if (is_a(x, "mpmath.ctx_mp_python", "_constant")) // pi, which has as many digits as it is asked for
         return as_expression(x(py::arg("dps") = 110));
     if (is_a(x, "mpmath", "mpf")) { // with its own digits, whatever the precision is where it stands
         py::module_ const mpmath = py::module_::import("mpmath");

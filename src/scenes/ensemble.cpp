@@ -202,6 +202,7 @@ int run_ensemble(run_options const& options) {
     scene const& what = scene_named(options.scene);
     if (not what.stated->last.empty())
         error::raise<error::invalid_parameter>("--ensemble is of initial values, and ", what.name, " is solved between two ends");
+    if (options.stop_after > 0) error::raise<error::invalid_parameter>("--stop-after is for one run, and --ensemble is of many");
     configuration const c = completed(what, options.choice);
     if (c.scalar != "double")
         error::raise<error::invalid_parameter>("the members of an ensemble are stepped in double, and not in ", c.scalar);

@@ -65,7 +65,6 @@ configuration completed(scene const& what, configuration c) {
         complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");
     complete(c.history, what.usual.history, what.histories, what, "history");
     if (c.steps == 0) c.steps = what.usual.steps;
-    if (c.steps < 1) hilger::error::raise<hilger::error::invalid_scale>("--steps is a positive number, and it was ", c.steps);
     return c;
 }
 

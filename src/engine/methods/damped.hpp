@@ -16,11 +16,15 @@ inline forced_problem with_any_force(problem const& of) {
                                                  hilger::text::stated(hilger::text::expression(), words, "the force"));
     return {of.lagrangian, hilger::text::stated_force(none)};
 }
+inline std::vector<hilger::fractional_term<double>> fractional_terms_of(problem const& what) {
+    std::vector<hilger::fractional_term<double>> terms;
+    for (auto const& [rho, alpha] : what.damping) terms.push_back({static_cast<double>(rho), static_cast<double>(alpha)});
+    return terms;
+}
 /// Calls use(mechanics) with the fractional terms of the problem beside what moves. @throws hilger::error::invalid_parameter
 template <class Mechanics, class Use>
 void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_type steps, Use const& use) {
-    std::vector<hilger::fractional_term<double>> terms;
-    for (auto const& [rho, alpha] : what.damping) terms.push_back({static_cast<double>(rho), static_cast<double>(alpha)});
+    auto const terms = fractional_terms_of(what);
     with_history(what.history, steps, [&]<class Policy>(Policy const& policy) {
         if constexpr (std::same_as<Policy, hilger::window>)
             hilger::error::raise<hilger::error::invalid_parameter>("a window is for Newmark's scheme, and not for embeddings");
