@@ -94,9 +94,11 @@ public:
                 auto const follows = [&](S const& coarser, S const& finer) { return gain * finer <= coarser and coarser <= luck * finer; };
                 bool const is_third = before >= S(0), may_be_smooth = not watch.saw_any() and is_third and follows(before, error);
                 bool const is_smooth = may_be_smooth and not is_low and earlier >= S(0) and follows(earlier, before);
-                told = is_smooth or not is_third or not(error <= wanted) ? error
-                       : may_be_smooth                                   ? of_kinks(fine, error, goal)
-                                                                         : std::max(before, of_kinks(fine, error, goal));
+                told = error;
+                if (is_third and error <= wanted and not is_smooth) {
+                    told = of_kinks(fine, error, goal);
+                    if (not may_be_smooth) told = std::max(before, told);
+                }
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
                     return result{function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
