@@ -112,6 +112,7 @@ TEST_CASE("nothing where the engine has to say why, or has more to do") {
     CHECK_FALSE(is_walked(stated("v[0]^2/2 - abs(q[0])", 1), "mid-point"));                       // branches
     CHECK_FALSE(is_walked(stated("v[0]^2/2 - q[0]^2/2", 2), "mid-point"));                        // two coordinates, and one is given
     CHECK_FALSE(is_walked(stated("v[0] - q[0]^2/2", 1), "order-one"));                            // no mass
+    CHECK_FALSE(is_walked(stated("-q[0]^2/2", 1), "mid-point"));                                  // and none that the step asks for
     CHECK_FALSE(is_walked(stated("v[0]^2/2 - sum(i, 1, 300, cos(i*q[0])/i^2)", 1), "mid-point")); // takes the compiler too long
     engine::problem damped = stated("v[0]^2/2 - q[0]^2/2", 1);
     damped.damping.push_back({0.2, 0.5});

@@ -204,7 +204,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
                              {"$most", std::to_string(hilger::detail::most_iterations<double>)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
-    /// (is_negligible of hilger/step/one_node.hpp).
+    /// (is_negligible of hilger/step/small/one_node.hpp).
     [[nodiscard]] std::string negligible(std::string const& in, std::set<std::string> const& used) const {
         std::string const c = c_.get().name, w = w_.get().name;
         std::string text = in + "lanes relative = all(0.0);\n", each;

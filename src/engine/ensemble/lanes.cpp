@@ -173,7 +173,7 @@ lanes::group::group(lanes const& code, std::vector<start> const& from)
         for (int first = 2 * d; first < brought; first += d) put(lane, first, at.v);
         put(lane, brought, at.parameters);
     }
-    code.begin_(code.times_.front(), x_.data());
+    code.begin_(code.times_.front(), x_.data(), lost_.data());
     for (int lane = 0; lane < width; ++lane)
         if (auto const& p = from[static_cast<std::size_t>(lane)].p; p.size() > 0) put(lane, d, p);
 }

@@ -38,7 +38,8 @@ public:
         group(lanes const& code, std::vector<start> const& from);
         /// Goes on by so many steps. Of one member q and p behind each of them, up to one that fails, go to these places, if there are any.
         void walk(hilger::index_type steps, double* q = nullptr, double* p = nullptr);
-        /// Whether the member's steps have succeeded until here.
+        /// Whether the member's steps have succeeded until here; not from the beginning where d2L/dv2 is singular there, for the equation
+        /// of a step may be regular without a mass.
         [[nodiscard]] bool is_well(int lane) const { return lost_[static_cast<std::size_t>(lane)] == 0; }
         [[nodiscard]] double q(int lane, int k) const { return at(lane, k); }
         [[nodiscard]] double p(int lane, int k) const { return at(lane, code_.dimension_ + k); }
@@ -57,7 +58,7 @@ private:
     std::size_t size_ = 0; ///< of a member's state, in numbers
     std::vector<double> times_;
     double step_ = 0; ///< 0 where the steps are not equal
-    void (*begin_)(double, double*) = nullptr;
+    void (*begin_)(double, double*, long long*) = nullptr;
     void (*walk_)(long, long, double const*, double, double*, long long*, double*, double*) = nullptr;
 };
 

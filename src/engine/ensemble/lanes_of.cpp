@@ -121,12 +121,19 @@ constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][2][guesses]
     memcpy(m, x + width * (2 + parts * guesses) * $n, sizeof(lanes) * brought);
 )";
 constexpr char const* beginning = R"(
-void begin(double time, double *x)
+void begin(double time, double *x, long long *lost_lanes)
 {
 $state    const lanes t = all(time), *y = v[0][0][0];
     (void)t;
     (void)y;
 $momenta    memcpy(x + width * $n, p, sizeof p);
+    lanes K[$n][$n];
+$masses    for (int lane = 0; lane < width; ++lane) {
+        double mass[$n][$n], x[$n] = {0.0};
+        for (int j = 0; j < $n; ++j)
+            for (int k = 0; k < $n; ++k) mass[j][k] = K[j][k][lane];
+        lost_lanes[lane] = mass_solve(mass, x) ? 0 : -1;
+    }
 }
 )";
 constexpr char const* walking = R"(
@@ -217,7 +224,11 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
             ", brought = " + std::to_string(brought) + " };\n" + polynomials();
     lane_statements momenta("    ");
     for (int k = 0; k < N; ++k) momenta.add(element("p", k) + " =", here.p[static_cast<std::size_t>(k)]);
-    text += filled(beginning, {{"$state", state_in}, {"$momenta", momenta.text()}, {"$n", n}});
+    lane_statements masses("    ", "of_mass");
+    for (int j = 0; j < N; ++j)
+        for (int k = 0; k < N; ++k) masses.add(element("K", j, k) + " =", here.pv[static_cast<std::size_t>(j * N + k)]);
+    text += '\n' + hilger::detail::c_solve("mass", N) +
+            filled(beginning, {{"$state", state_in}, {"$momenta", momenta.text()}, {"$masses", masses.text()}, {"$n", n}});
     std::string parts;
     for (std::size_t k = 0; k < of.parts.size(); ++k)
         parts += filled(one_part, {{"$guess", is_linear[of.parts[k].kind] ? "" : guess},

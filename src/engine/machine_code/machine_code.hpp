@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hilger/differentiation/evaluation.hpp"
+#include "hilger/differentiation/traced/evaluation.hpp"
 
 namespace engine {
 
