@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Equality of operators, decided at compile time. The normal form of a linear operator is what it makes of one generic function on
-// one generic scale: steps and values are fixed random elements of the field with 2^61 - 1 elements. Operators that are equal have equal
+// one generic scale: steps and values are fixed random elements of a field with 2^60 elements. Operators that are equal have equal
 // normal forms. Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of
-// it with probability below degree / 2^61 (Schwartz and Zippel): for a composition of ten operators, less than 1e-16.
+// it with probability below degree / 2^60 (Schwartz and Zippel): for a composition of ten operators, less than 1e-15.
 //   A == B             on every scale
 //   uniformly(A) == B  on every uniform scale
 #pragma once

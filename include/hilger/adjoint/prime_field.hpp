@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The integers modulo the prime 2^61 - 1: an exact field whose random elements satisfy no accidental identity.
+// The integers modulo a prime: an exact field whose random elements satisfy no accidental identity. The prime is the largest below
+// 2^61 / 1.618..., which makes no power of a small number a quotient of small numbers, as 2^61 is modulo 2^61 - 1.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +11,12 @@ namespace hilger {
 
 class prime_field {
 public:
-    static constexpr std::uint64_t prime = (std::uint64_t(1) << 61) - 1;
+    static constexpr std::uint64_t prime = 1'425'089'352'415'399'919;
 
     constexpr prime_field() = default;
-    constexpr explicit(false) prime_field(long long n)
-        : residue_(n < 0 ? prime - reduce(static_cast<std::uint64_t>(-n)) : reduce(static_cast<std::uint64_t>(n))) {
+    template <std::integral N>
+    constexpr explicit(false) prime_field(N n)
+        : residue_(n < 0 ? prime - reduce(-static_cast<std::uint64_t>(n)) : reduce(static_cast<std::uint64_t>(n))) {
         if (residue_ == prime) residue_ = 0;
     }
     static constexpr prime_field residue(std::uint64_t n) {
@@ -27,23 +29,14 @@ public:
     friend constexpr prime_field operator-(prime_field a, prime_field b) { return residue(a.residue_ + prime - b.residue_); }
     friend constexpr prime_field operator-(prime_field a) { return residue(prime - a.residue_); }
     friend constexpr prime_field operator*(prime_field a, prime_field b) {
-        // Two 61-bit numbers: the high and the low part of the product, which 2^61 = 1 lets us add.
-        std::uint64_t const a1 = a.residue_ >> 31, a0 = a.residue_ & mask31;
-        std::uint64_t const b1 = b.residue_ >> 31, b0 = b.residue_ & mask31;
-        std::uint64_t const middle = a1 * b0 + a0 * b1; // a b = a1 b1 2^62 + middle 2^31 + a0 b0
-        return residue(reduce(2 * (a1 * b1)) + (middle >> 30) + ((middle & mask30) << 31) + reduce(a0 * b0));
+        __extension__ using wide = unsigned __int128;
+        return residue(static_cast<std::uint64_t>(static_cast<wide>(a.residue_) * b.residue_ % prime));
     }
     friend constexpr prime_field operator/(prime_field a, prime_field b) { return a * b.inverse(); }
     friend constexpr bool operator==(prime_field, prime_field) = default;
 
 private:
-    static constexpr std::uint64_t mask30 = (std::uint64_t(1) << 30) - 1;
-    static constexpr std::uint64_t mask31 = (std::uint64_t(1) << 31) - 1;
-
-    static constexpr std::uint64_t reduce(std::uint64_t n) {
-        n = (n & prime) + (n >> 61);
-        return n >= prime ? n - prime : n;
-    }
+    static constexpr std::uint64_t reduce(std::uint64_t n) { return n % prime; }
     /// By Euclid's algorithm; of zero it is zero, which no operator divides by.
     [[nodiscard]] constexpr prime_field inverse() const {
         std::int64_t r0 = static_cast<std::int64_t>(prime), r1 = static_cast<std::int64_t>(residue_), s0 = 0, s1 = 1;

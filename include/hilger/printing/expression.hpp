@@ -69,8 +69,14 @@ public:
     [[nodiscard]] expression times(long long numerator, long long denominator) const {
         expression e = *this;
         for (auto& t : e.terms) {
-            t.numerator *= numerator;
-            t.denominator *= denominator;
+            long long above = 0, below = 0;
+            if (__builtin_mul_overflow(t.numerator, numerator, &above) or __builtin_mul_overflow(t.denominator, denominator, &below)) {
+                std::string const text = std::to_string(numerator) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+                t.constants.insert(t.constants.begin(), {text, text});
+                continue;
+            }
+            t.numerator = above;
+            t.denominator = below;
             long long const g = std::max<long long>(greatest_common_divisor(t.numerator, t.denominator), 1);
             t.numerator /= g;
             t.denominator /= g;

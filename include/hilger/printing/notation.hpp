@@ -57,15 +57,26 @@ expression with_numbers(multiple<C, A> const& a, expression const& f) {
     }
 }
 
+/// n f, or f/n `over` n.
+template <std::integral N>
+expression times_whole(expression const& f, N n, bool over) {
+    if (not std::in_range<long long>(n) or n == std::numeric_limits<N>::min()) { // has no opposite in long long
+        std::string const text = (over ? "1/" : "") + std::to_string(n);
+        return n == 0 ? f.times(0, 1) : f.times_constant({text, text});
+    }
+    auto const whole = static_cast<long long>(n);
+    return over ? f.times(whole < 0 ? -1 : 1, whole < 0 ? -whole : whole) : f.times(whole, 1);
+}
+
 template <bool Uniform, class C, class A>
 expression written_parts(multiple<C, A> const& a, expression const& f) {
     auto const inner = write_operator<Uniform>(a.a, f);
     if constexpr (requires { C::denominator; })
         return inner.times(C::numerator, C::denominator);
     else if constexpr (std::integral<C>)
-        return inner.times(a.c, 1);
+        return times_whole(inner, a.c, false);
     else if constexpr (is_exact_factor<C>)
-        return inner.times(a.c.c < 0 ? -1 : 1, a.c.c < 0 ? -a.c.c : a.c.c);
+        return times_whole(inner, a.c.c, true);
     else
         return with_numbers(multiple<C, identity_on<typename A::to, typename A::to_weight>>(a.c, {}), inner);
 }

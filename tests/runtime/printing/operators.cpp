@@ -66,6 +66,17 @@ TEST_CASE("operators are written as the papers write them") {
     CHECK(latex(extend) == "f_{\\circ}");
 }
 
+TEST_CASE("whole factors of any size keep their digits") {
+    constexpr auto most = std::numeric_limits<unsigned long long>::max();
+    CHECK(printed(most * Delta_plus) == "18446744073709551615 Δ₊[f]");
+    CHECK(printed(Delta_plus / most) == "1/18446744073709551615 Δ₊[f]");
+    CHECK(printed(4'000'000'000'000LL * (5'000'000'000LL * Delta_plus)) == "5000000000 4000000000000 Δ₊[f]");
+    CHECK(printed(Delta_plus / std::numeric_limits<long long>::min()) == "1/-9223372036854775808 Δ₊[f]");
+    CHECK_FALSE(most * Delta_plus == -1 * Delta_plus);
+    CHECK_FALSE(most * Delta_plus == 7 * Delta_plus);
+    CHECK_FALSE((1LL << 30) * ((1LL << 31) * Delta_plus) == Delta_plus); // which they are modulo 2^61 - 1
+}
+
 TEST_CASE("on equal steps what is left is a sum of shifts") {
     auto const shifted_mean = adjoint(on_half * sigma_o * sigma_o * sigma_o * extend);
     CHECK(printed(uniformly(pi_inverse * shifted_mean)) == "ρ½[ρ½[f]]");
