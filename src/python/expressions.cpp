@@ -72,6 +72,10 @@ std::optional<expression> as_expression(py::handle x) {
         return of_digits(text_of(
             mpmath.attr("nstr")(x, py::int_(std::max(55L, bits * 31 / 100 + 3)), py::arg("min_fixed") = -400, py::arg("max_fixed") = 400)));
     }
+    if (is_a(x, "numpy", "longdouble")) {
+        require_finite(py::module_::import("numpy").attr("isfinite")(x), x);
+        return of_digits(text_of(py::str(x)));
+    }
     if (is_a(x, "numbers", "Real")) return as_expression(py::float_(py::reinterpret_borrow<py::object>(x))); // numpy's numbers
     return {};
 }
@@ -200,6 +204,8 @@ void add_expressions(py::module_& m) {
         type.def(std::string(name).c_str(), [f = std::string(name)](expression const& x) { return expression::call(f, {x}); });
     }
     m.attr("functions_of_one") = functions;
+    for (std::string const name : {"sin", "cos", "tan"}) // as numpy calls their inverses
+        type.def(("arc" + name).c_str(), [f = "a" + name](expression const& x) { return expression::call(f, {x}); });
 }
 
 } // namespace bindings

@@ -10,11 +10,18 @@ namespace {
 namespace text = hilger::text;
 using text::operator_formula;
 
+char const* const how_to_say = "how a Lagrangian's variables are read on T is said by h.embedding(position, velocity)";
+
 std::optional<text::stated> number_from(py::handle x, bool one_over = false) {
     auto const e = as_expression(x);
     if (not e) return {};
     if (one_over and text::is_zero(*e)) hilger::error::raise<hilger::error::invalid_parameter>("an operator is divided by 0");
-    return text::stated(one_over ? text::expression::number("1") / *e : *e, text::no_words(), "the factor of an operator");
+    try {
+        return text::stated(one_over ? text::expression::number("1") / *e : *e, text::no_words(), "the factor of an operator");
+    } catch (hilger::error::unreadable const&) {
+        throw py::type_error("the factor of an operator is a number, and here is the formula " + std::string(py::str(x)) + "; " +
+                             how_to_say);
+    }
 }
 /// An operator, or a number as a multiple of the identity.
 std::optional<operator_formula> operator_from(py::handle x) {
@@ -66,7 +73,14 @@ void add_operators(py::module_& m) {
         .def("__truediv__", [](operator_formula const& a, py::handle x) { return multiplied(a, x, true); })
         .def("__neg__", [](operator_formula const& a) { return -a; })
         .def("__pos__", [](operator_formula const& a) { return a; })
-        .def("__getitem__", [](operator_formula const& a, operator_formula const& b) { return a * b; })
+        .def("__getitem__",
+             [](operator_formula const& a, py::handle x) {
+                 if (py::isinstance<operator_formula>(x)) return a * x.cast<operator_formula>();
+                 throw py::type_error(
+                     "an operator acts on another one, as sigma[Delta_plus], and on a function of t by h.apply(sigma, f, T); "
+                     "how a Lagrangian's variables are read on T is said by h.embedding(position, velocity)");
+             })
+        .def_property_readonly_static("__array_ufunc__", [](py::object const&) { return py::none(); }) // it is no array of operators
         .def("__eq__",
              [](operator_formula const& a, py::handle x) {
                  if (not py::isinstance<operator_formula>(x)) return not_implemented();

@@ -65,7 +65,7 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "an operator is divided by 0", lambda: h.sigma / 0)
         self.says(TypeError, "q0 is made of real numbers", lambda: h.solve(EL, q0=np.array([1 + 2j])[0], v0=0))
         self.says(TypeError, "q0 is made of real numbers", lambda: h.solve_many(EL, q0=np.array([1 + 2j, 0]), v0=[0.0, 0.0]))
-        self.says(TypeError, "real values", lambda: h.apply(h.sigma, lambda t: np.exp(1j * t), T))
+        self.says(TypeError, "a function on T is made of real numbers, and (1+0j) is none", lambda: h.apply(h.sigma, lambda t: np.exp(1j * t), T))
         self.says(TypeError, "a scale, as h.uniform(0, 0.1, 100), was expected, and here is [0, 1, 2]", lambda: h.apply(h.sigma, [0, 1, 4], [0, 1, 2]))
 
     def test_problems(self):
@@ -112,6 +112,13 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "from q0 and v0, and nothing else", lambda: h.solve(L, (0, 1), q0=1, v0=0, p0=1, accuracy=1e-3))
         self.says(h.Unreadable, "a number ends before '−'", lambda: h.Lagrangian("v^2/2−q^2/2"))
 
+        self.says(h.InvalidParameter, "the order alpha is a real number, and here is 'half'", lambda: h.damping(0.4, "half"))
+        x = h.variables("x", 2)
+        self.says(TypeError, "an operator acts on another one", lambda: h.sigma[q])
+        self.says(TypeError, "the factor of an operator is a number, and here is the formula q", lambda: h.sigma * q)
+        for wrong in (lambda: h.sigma * x, lambda: x * h.sigma):
+            self.says(TypeError, "unsupported operand type", wrong)
+
     def test_errors_have_the_types_that_python_has_for_them(self):
         self.assertTrue(issubclass(h.Unreadable, ValueError))
         self.assertTrue(issubclass(h.Unreadable, h.Error))
@@ -135,8 +142,6 @@ class Taken(unittest.TestCase):
                 self.assertAlmostEqual(a, b, delta=64 * 2.3e-16)
 
     def test_numpy_and_texts(self):
-        import numpy as np
-
         EL2 = h.variation(h.Lagrangian(v**2 / 2 - (1 - np.cos(q)), q, v), T)
         EL3 = h.variation(h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v), T)
         self.assertEqual(list(h.solve(EL2, q0=1, v0=0).q), list(h.solve(EL3, q0=1, v0=0).q))
@@ -144,6 +149,25 @@ class Taken(unittest.TestCase):
         self.assertEqual(list(a), list(b))
         x = h.solve(h.variation(L, h.uniform("0", "1/10", 5)), q0=1, qN=Fraction(1, 2))
         self.assertEqual(list(x.t), [Fraction(i, 10) for i in range(6)])
+
+    def test_what_numpy_makes_of_formulas(self):
+        x = h.variables("x", 2)
+        one = np.float64(0.5)
+        for made, text in (
+            (h.where(one < q, q, v), "if(0.5 < q, q, v)"),
+            (h.where(one >= q, q, v), "if(q <= 0.5, q, v)"),
+            (one * q + np.float64(2) / v, "0.5*q + 2.0/v"),
+            (np.arctan2(one, q), "atan2(0.5, q)"),
+            (np.hypot(q, v), "hypot(q, v)"),
+            (np.arcsin(q) + np.arctan(v), "asin(q) + atan(v)"),
+            (np.minimum(q, 1.0), "min(q, 1.0)"),
+            (np.arctan2(x, np.array([1.0, 2.0]))[1], "atan2(x[1], 2.0)"),
+            ((np.array([1.0, 2.0]) * q)[1], "2.0*q"),
+            ((np.sin(x) @ x), "sin(x[0])*x[0] + sin(x[1])*x[1]"),
+            (q * np.longdouble("0.1"), "q*0.1"),
+        ):
+            self.assertEqual(repr(made), text)
+        self.assertEqual((h.damping("1/4", Fraction(1, 2)).rho, np.float64(2) * h.sigma), (0.25, 2 * h.sigma))
 
     def test_long_formulas(self):
         chain = sum((q - k) ** 2 for k in range(5000))

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
+from .scales import require_real
 from .solving import require_history
 
 
@@ -79,8 +80,7 @@ def solve_many(
     d, scalar = equation.lagrangian.dimension, equation.lagrangian.is_scalar
 
     def real(x: object, what: str) -> np.ndarray:
-        if np.iscomplexobj(x):
-            raise TypeError(f"{what} is made of real numbers, and here are complex ones")
+        require_real(x, what)
         return np.asarray(x, dtype=float)
 
     def rows(x: object, what: str) -> np.ndarray:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Optional, Sequence, Union
 
 import numpy as np
@@ -165,15 +166,23 @@ def force(*components: "Formula | str") -> Force:
     return Force(tuple(_core.read(f, "the force") if isinstance(f, str) else _core.as_expression(f) for f in components))
 
 
+def _number(x: object, what: str) -> float:
+    try:
+        return float(Fraction(x) if isinstance(x, str) else x)
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise _core.InvalidParameter(f"{what} is a real number, and here is {x!r}") from None
+
+
 def damping(rho: float, alpha: float) -> Damping:
     """Fractional damping with Caputo's derivative, of q - q0 and for alpha > 1 of q - q0 - v0 t; alpha = 1 is friction."""
-    return Damping(float(rho), float(alpha))
+    return Damping(_number(rho, "rho"), _number(alpha, "the order alpha"))
 
 
 def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: float, alpha: float) -> Zener:
     """σ + τ^α D^α σ = E₀ ε + E∞ τ^α D^α ε, 0 < α <= 1 and E∞ >= E₀, for g_alpha_newmark and gl_newmark: the Lagrangian of the structure is
     that of the relaxed modulus E₀."""
-    return Zener(float(relaxed_modulus), float(unrelaxed_modulus), float(relaxation_time), float(alpha))
+    names = ("the relaxed modulus", "the unrelaxed modulus", "the relaxation time", "the order alpha")
+    return Zener(*map(_number, (relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha), names))
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from typing import Iterator, Sequence, Union
 
@@ -46,7 +47,7 @@ class Vector(np.lib.mixins.NDArrayOperatorsMixin):
         return np.array(list(self), dtype=object)
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: object, **more: object) -> object:
-        return getattr(ufunc, method)(*(np.asarray(x) if isinstance(x, Vector) else x for x in inputs), **more)
+        return _by_numpy(self, ufunc, method, *inputs, **more)
 
     def __repr__(self) -> str:
         return f"{self.name}[{self.size}]"
@@ -125,3 +126,27 @@ def minimum(x: Formula, y: Formula) -> Expression:
 def maximum(x: Formula, y: Formula) -> Expression:
     """The larger one; where they cross a derivative jumps."""
     return _core.call("max", x, y)
+
+
+_of_two = {
+    np.less: operator.lt,
+    np.less_equal: operator.le,
+    np.greater: operator.gt,
+    np.greater_equal: operator.ge,
+    np.arctan2: atan2,
+    np.hypot: hypot,
+    np.minimum: minimum,
+    np.maximum: maximum,
+}
+
+
+def _by_numpy(self, ufunc: np.ufunc, method: str, *inputs: object, **more: object) -> object:
+    """numpy's functions of formulas, one by one. It asks what it does not know by itself from a method of that name, as q.sin(), of its
+    first argument; and makes comparisons true or false, which no formula is."""
+    objects = [np.asarray(x).astype(object) for x in inputs]
+    if method == "__call__" and ufunc in _of_two and not more:
+        return np.frompyfunc(_of_two[ufunc], 2, 1)(*objects)
+    return getattr(ufunc, method)(*objects, **more)
+
+
+Expression.__array_ufunc__ = _by_numpy

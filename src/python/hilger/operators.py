@@ -16,7 +16,7 @@ import numpy as np
 from . import _core
 from ._core import Operator
 from .equations import Method
-from .scales import TimeScale, Uniform, digits, fraction_from
+from .scales import TimeScale, Uniform, digits, fraction_from, require_real
 from .solutions import digits_of, numbers_from
 
 identity = _core.read_operator("identity")
@@ -61,8 +61,7 @@ def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tu
             points = [fraction_from(x) if isinstance(x, str) else x for x in T.points]
         values = [f(t) for t in points] if callable(f) else list(f)
     if kind == "double":
-        if np.iscomplexobj(values):
-            raise TypeError("a function on T has real values, and these are complex")
+        require_real(values, "a function on T")
         front, made = A._on_points(np.array(points, float), np.array(values, float))
         return np.array(points, float)[front : front + len(made)], made
     on = A._on_points_exactly if kind == "exact" else A._on_points_in_50_digits

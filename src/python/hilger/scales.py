@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Iterable
 
+import numpy as np
+
 from . import _core
 
 
@@ -26,6 +28,14 @@ def kind_of(numbers: Iterable[object]) -> str:
     if len(kinds) > 1:
         raise _core.InvalidParameter(f"numbers of one kind are expected, and here are {' and '.join(sorted(kinds))}")
     return kinds.pop() if kinds else "double"
+
+
+def require_real(x: object, what: str) -> None:
+    """Raises where a number, or one of a list of them, is complex, which float() of an array would drop half of."""
+    numbers = x if isinstance(x, (list, tuple)) else np.ravel(x) if np.iscomplexobj(x) else [x]
+    for y in numbers:
+        if isinstance(y, (complex, np.complexfloating)):
+            raise TypeError(f"{what} is made of real numbers, and {y} is none")
 
 
 _long = 4000
@@ -73,6 +83,8 @@ def digits(x: object) -> str:
     if isinstance(x, int):
         return _text_of_whole(x)
     if type(x).__name__ == "Decimal":
+        return str(x)
+    if isinstance(x, np.longdouble):
         return str(x)
     try:
         return repr(float(x))

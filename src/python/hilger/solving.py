@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation, Lagrangian
-from .scales import digits
+from .scales import digits, require_real
 from .solutions import AccurateSolution, Solution, StepFailure, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -42,8 +42,7 @@ def require_history(history: object) -> None:
 
 def _state(kind: str, x: object, L: Lagrangian, name: str):
     flat = [x] if np.ndim(x) == 0 else list(x)
-    if any(isinstance(y, (complex, np.complexfloating)) for y in flat):
-        raise TypeError(f"{name} is made of real numbers, and here is {x!r}")
+    require_real(x, name)
     if L.is_scalar and len(flat) != 1:
         raise _core.Mismatch(f"{name} is one number, and here are {len(flat)}")
     if len(flat) != L.dimension or any(np.ndim(y) > 0 for y in flat):
