@@ -8,7 +8,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/step/separable.hpp"
-#include "hilger/step/small_node.hpp"
+#include "hilger/step/small/node.hpp"
 
 namespace hilger::detail {
 

@@ -7,9 +7,9 @@
 // derivatives that are not zero are made (hilger/differentiation).
 #pragma once
 
-#include "hilger/differentiation/jet_functions.hpp"
+#include "hilger/differentiation/jet/functions.hpp"
 #include "hilger/differentiation/shape.hpp"
-#include "hilger/differentiation/trace.hpp"
+#include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {

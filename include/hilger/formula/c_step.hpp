@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The C function of one step in position-momentum form, as step/one_node.hpp makes it: the equation of node_equation.hpp solved by Newton's
-// method.
+// The C function of one step in position-momentum form, as step/small/one_node.hpp makes it: the equation of node_equation.hpp solved by
+// Newton's method.
 #pragma once
 
 #include <algorithm>

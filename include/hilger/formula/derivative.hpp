@@ -5,7 +5,7 @@
 
 #include <unordered_map>
 
-#include "hilger/differentiation/jet_functions.hpp"
+#include "hilger/differentiation/jet/functions.hpp"
 #include "hilger/differentiation/shape.hpp"
 #include "hilger/formula/functions.hpp"
 

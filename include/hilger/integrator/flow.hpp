@@ -9,7 +9,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/step/galerkin_step.hpp"
 #include "hilger/step/many_nodes.hpp"
-#include "hilger/step/one_node.hpp"
+#include "hilger/step/small/one_node.hpp"
 #include "hilger/step/structured.hpp"
 #include "hilger/trajectory/trajectory.hpp"
 #include "hilger/variational/legendre.hpp"

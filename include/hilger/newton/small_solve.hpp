@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "hilger/differentiation/jet.hpp"
+#include "hilger/differentiation/jet/jet.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/linear/elimination.hpp"
 #include "hilger/newton/stop.hpp"

@@ -7,14 +7,15 @@
 // constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
 #pragma once
 
-#include <array>
 #include <limits>
 #include <utility>
 
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/equation.hpp"
+#include "hilger/step/past_steps.hpp"
 #include "hilger/step/summation.hpp"
+#include "hilger/step/weighed_corrections.hpp"
 
 namespace hilger::detail {
 
@@ -27,13 +28,11 @@ class many_nodes {
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
     using derivatives = typename equation::derivatives;
-    static constexpr int history = 8;
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
-        : e_(like, std::move(extra)), velocity_(zero_like(like)), correction_(vector::Zero(e_.unknowns())), weight_(correction_),
-          per_weight_(correction_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
-        past_.fill(e_.moved);
+        : e_(like, std::move(extra)), velocity_(zero_like(like)), past_(e_.moved), correction_(vector::Zero(e_.unknowns())),
+          weighed_(correction_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
@@ -54,14 +53,13 @@ public:
     void visit(Visit& each) {
         each("steps", steps_);
         each("guessed", guessed_);
-        each("newest", newest_);
+        past_.visit_newest(each);
         int stiff = stiff_ ? 1 : 0;
         each("stiff", stiff);
         stiff_ = stiff != 0;
         for (int c = 0; c < dimension(); ++c) each("velocity", s::component(velocity_, c));
         for (int c = 0; c < e_.unknowns(); ++c) each("increment", u::component(e_.moved, c));
-        for (unknown& x : past_)
-            for (int c = 0; c < e_.unknowns(); ++c) each("past", u::component(x, c));
+        past_.visit(each);
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
@@ -100,14 +98,11 @@ public:
             }
         } catch (error::not_finite const&) {
             if (made < 2 or was_constant) throw;
-            e_.moved = past(0); // an extrapolated guess may lie where L is not defined
+            e_.moved = past_[0]; // an extrapolated guess may lie where L is not defined
             search(problem, x);
         }
         e_.gather(problem, x, correction_, is_corrected_);
-        if (not e_.is_constant) {
-            newest_ = (newest_ + history - 1) % history;
-            past_[at(newest_)] = e_.moved;
-        }
+        if (not e_.is_constant) past_.keep(e_.moved);
         steps_ = was_constant and not e_.is_constant ? 1 : made + 1; // increments that may be anything were not kept
     }
     [[nodiscard]] decltype(auto) moved() const { return e_.end(); }
@@ -122,25 +117,16 @@ public:
 
 private:
     [[nodiscard]] int dimension() const { return e_.dimension(); }
-    static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
     static V value_of_nan(V x, S const& bad) {
         s::component(x, 0) = bad;
         return x;
     }
-    [[nodiscard]] unknown const& past(int k) const { return past_[at((newest_ + k) % history)]; }
     /// By the polynomial through the last increments, as far as there are some of this step's length.
     void first_guess() {
         if (steps_ == 0)
             e_.move_with(velocity_);
-        else if (e_.is_constant)
-            return; // any will do
-        else if (steps_ >= history) {
-            e_.moved = past(0) * S(extrapolation(history, 0));
-            for (int k = 1; k < history; ++k) e_.moved = e_.moved + past(k) * S(extrapolation(history, k));
-        } else if (steps_ >= 2)
-            e_.moved = past(0) * S(2) - past(1);
-        else
-            e_.moved = past(0);
+        else if (not e_.is_constant) // else any will do
+            past_.guess(e_.moved, steps_);
     }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
@@ -162,7 +148,7 @@ private:
             tally<S>::add(work::newton_round);
             if (e_.is_constant) return true;
             if (round == 0) weigh(x, e_.constant_part);
-            S const size = weighed_correction(), floor = epsilon<S>();
+            S const size = weighed_.size_of(correction_), floor = epsilon<S>();
             // What is left is the rate times this correction, and the rate is the ratio of two corrections.
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
                 (previous > S(0) and size * (size / previous) <= floor * S(Compensated ? 1 : 128) / S(256)) or
@@ -191,39 +177,17 @@ private:
             correct(e_.full_matrix);
             tally<S>::add(work::newton_round);
             if (iteration == 0 or std::numeric_limits<S>::is_exact) weigh(x, e_.full_matrix);
-            size = weighed_correction();
-            if (is_last(small) or (iteration > 0 and e_.is_rounding(x)) or is_rounding_of(x, size, previous)) return;
+            size = weighed_.size_of(correction_);
+            if (weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
+                is_rounding_of(x, size, previous))
+                return;
             previous = size;
         }
         refuse(x, singular, magnitude(correction_));
     }
-    /// How large each component of a correction may be, in units of what decides about it: the component itself, or where it goes through
-    /// zero, what the residual is the sum of. Components may be of very different sizes.
     void weigh(state<S, V> const& x, matrix& factorized) {
-        per_weight_.setZero();
-        e_.put_sizes(x, weight_);
-        factorized.solve(weight_);
-        S most(0);
-        for (int c = 0; c < e_.unknowns(); ++c) {
-            S const size = magnitude(u::component(e_.moved, c)), other = magnitude(S(weight_(c)));
-            weight_(c) = size < other ? other : size;
-            if (most < weight_(c)) most = weight_(c);
-        }
-        // what stands still has no size, and may move by the rounding of the others
-        S const least = epsilon<S>() * most;
-        for (int c = 0; c < e_.unknowns(); ++c)
-            if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
-    }
-    [[nodiscard]] S weighed_correction() const {
-        return dimension() == 0 ? S(0) : S(correction_.cwiseProduct(per_weight_).cwiseAbs().maxCoeff());
-    }
-    /// Whether Newton's next correction would be rounding: convergence is quadratic where this one is small beside what it corrects.
-    [[nodiscard]] bool is_last(S const& small) const {
-        for (int c = 0; c < e_.unknowns(); ++c) {
-            S const size = magnitude(S(correction_(c)));
-            if (not(size <= small * magnitude(u::component(e_.moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
-        }
-        return true;
+        weighed_.weigh(
+            e_.moved, [&](vector& sizes) { e_.put_sizes(x, sizes); }, factorized);
     }
     /// Whether corrections do not shrink any more, and are what the rounding of a position does to the force.
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
@@ -316,11 +280,12 @@ private:
 
     equation e_;
     long long steps_ = 0; ///< of this length
-    int guessed_ = 0, newest_ = 0;
+    int guessed_ = 0;
     bool stiff_ = false, is_corrected_ = false;
     V velocity_; ///< to start from where there are no steps of this length
-    std::array<unknown, history> past_;
-    vector correction_, weight_, per_weight_;
+    past_steps<unknown, S> past_;
+    vector correction_;
+    weighed_corrections<unknown, S, vector> weighed_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced.hpp), and symbols, which
-// print it and make C of it.
+// How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced/traced.hpp), and symbols,
+// which print it and make C of it.
 #pragma once
 
 #include <cmath>

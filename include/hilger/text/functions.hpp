@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "hilger/differentiation/traced_functions.hpp"
+#include "hilger/differentiation/traced/functions.hpp"
 #include "hilger/formula/functions.hpp"
 
 namespace hilger::text {

@@ -5,7 +5,7 @@
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
 #pragma once
 
-#include "hilger/differentiation/trace.hpp"
+#include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/text/read.hpp"
 #include "hilger/text/stated.hpp"
 

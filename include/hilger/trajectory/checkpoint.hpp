@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A checkpoint as text that reads back exactly: built-in floating numbers in hexadecimal, wide ones with all their digits, rationals as
-// they are. One labelled number a line, the version of the format in the first line and `end` in the last one.
+// they are. One labelled number a line, the version of the format in the first line and `end` in the last one. Before that stands where a
+// step alone leads from there, so that another Lagrangian, force, damping or method does not go on in silence.
 //   auto at = path.begin(); ...                       write_checkpoint(out, path, at.checkpoint());
 //   for (auto [t, q, p] : path.resume(read_checkpoint(in, path))) ...
 #pragma once
@@ -9,8 +10,10 @@
 #include <iomanip>
 #include <istream>
 #include <locale>
+#include <optional>
 #include <ostream>
 
+#include "hilger/newton/stop.hpp"
 #include "hilger/scale/read.hpp"
 #include "hilger/trajectory/trajectory.hpp"
 
@@ -18,7 +21,7 @@ namespace hilger {
 
 namespace detail {
 
-inline constexpr char const* checkpoint_version = "hilger checkpoint 1";
+inline constexpr char const* checkpoint_version = "hilger checkpoint 2";
 
 /// Text that number_from reads back as the same number.
 template <class X>
@@ -84,17 +87,58 @@ struct checkpoint_reader {
     }
 };
 
+template <class V, class Visit>
+void visit_each(char const* label, V& x, Visit& each) {
+    for (int k = 0; k < shape<V>::dimension(x); ++k) each(label, shape<V>::component(x, k));
+}
 /// What a checkpoint is read into must have the same numbers in it; the scalar is told by its binary digits.
 template <class S, class V, class Memory, class Method, class Visit>
 void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Visit& each) {
     static_assert(
         requires { point.memory.visit(method, each); }, "a method whose checkpoints are written has memory::visit(method, each)");
-    using s = shape<V>;
     each("point", point.number);
     each("time", point.at.t);
-    for (int k = 0; k < s::dimension(point.at.q); ++k) each("position", s::component(point.at.q, k));
-    for (int k = 0; k < s::dimension(point.at.p); ++k) each("momentum", s::component(point.at.p, k));
+    visit_each("position", point.at.q, each);
+    visit_each("momentum", point.at.p, each);
     point.memory.visit(method, each);
+}
+
+template <class Path>
+inline constexpr bool goes_by_its_history = has_history<std::remove_cvref_t<decltype(std::declval<Path>().method())>>;
+/// The length of the step that tells problems apart at a point of `path`: of the one after it, or at the end of T of the one before. 0
+/// where there is none.
+template <class Path>
+auto telling_step(Path const& path, index_type i) {
+    auto const& T = path.scale();
+    using S = std::remove_cvref_t<decltype(T.element(i))>;
+    if (T.last() <= i) {
+        if (goes_by_its_history<Path> or i <= T.first()) return S(0);
+        --i;
+    }
+    return S(T.domain().base.step(T.root(), i));
+}
+/// Where a step of length h leads from the state of a checkpoint: without what is remembered but where a step is nothing without that, as
+/// with a fractional damping. Nothing where it fails.
+template <class Path, class S>
+auto step_from(Path const& path, typename Path::checkpoint_type const& point, S const& h) {
+    std::optional<std::remove_cvref_t<decltype(point.at)>> made;
+    try {
+        if (h == S(0)) return made;
+        if constexpr (goes_by_its_history<Path>) {
+            auto const rest = path.resume(point);
+            auto next = rest.begin();
+            made = *++next;
+        } else
+            made = path.method().step(point.at, h);
+    } catch (std::exception const&) { // then it tells nothing
+    }
+    return made;
+}
+/// Equal but for what compilers make different of the same formula.
+template <class V>
+bool is_the_same(V const& a, V const& b) {
+    using S = scalar_of<V>;
+    return not(S(square_root_of_epsilon<S>() * std::max(S(magnitude(a)), S(magnitude(b)))) < S(magnitude(V(a - b))));
 }
 template <class S>
 std::string scalar_line() {
@@ -110,11 +154,18 @@ void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkp
     detail::checkpoint_writer writer{out};
     out << detail::checkpoint_version << '\n' << detail::scalar_line<decltype(point.at.t)>() << '\n';
     detail::visit_checkpoint(point, path.method(), writer);
+    auto const h = detail::telling_step(path, point.number);
+    auto next = detail::step_from(path, point, h);
+    writer("step", next ? h : decltype(h)(0));
+    if (next) {
+        detail::visit_each("leads_to_position", next->q, writer);
+        detail::visit_each("leads_to_momentum", next->p, writer);
+    }
     out << "end\n";
 }
 
-/// Reads what write_checkpoint has written for a trajectory of the same method, scalar and dimension.
-/// @throws error::unreadable, naming the line and what it should be
+/// Reads what write_checkpoint has written for a trajectory of the same problem, method, scalar and dimension.
+/// @throws error::unreadable, naming the line and what it should be; error::mismatch where a step from there leads elsewhere than it did
 template <class Path>
 typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& path, std::string const& source = "the input") {
     auto point = path.begin().checkpoint();
@@ -122,7 +173,23 @@ typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& pat
     reader.require(detail::checkpoint_version);
     reader.require(detail::scalar_line<decltype(point.at.t)>());
     detail::visit_checkpoint(point, path.method(), reader);
+    auto const own = detail::telling_step(path, point.number);
+    auto h = own;
+    auto then = point.at;
+    reader("step", h);
+    bool const tells = not(h == decltype(h)(0));
+    if (tells) {
+        detail::visit_each("leads_to_position", then.q, reader);
+        detail::visit_each("leads_to_momentum", then.p, reader);
+    }
     reader.require("end");
+    if (tells and not(own == decltype(h)(0))) {
+        auto const now = detail::step_from(path, point, h);
+        if (not now or not detail::is_the_same(now->q, then.q) or not detail::is_the_same(now->p, then.p))
+            error::raise<error::mismatch>(source, " is a checkpoint of another problem or method: a step of ", h,
+                                          " from its state at t = ", point.at.t, now ? " leads elsewhere" : " fails",
+                                          " here. With another Lagrangian, force or damping a new trajectory begins at that state");
+    }
     return point;
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hilger/differentiation/trace.hpp"
+#include "hilger/differentiation/traced/trace.hpp"
 
 namespace hilger::detail {
 

@@ -152,7 +152,7 @@ struct jets_for<V> {
     using of_force = position;
 };
 
-/// Derivatives at one node, with forces, as node_jet has them (step/small_node.hpp).
+/// Derivatives at one node, with forces, as node_jet has them (step/small/node.hpp).
 template <class V>
 struct node_table {
     expansion<V> e;

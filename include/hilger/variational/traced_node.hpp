@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // The derivatives of a Lagrangian, and of a force, at one node of a step by formulas that are traced where they are first needed
-// (differentiation/trace.hpp). A callable that compares its arguments is traced again where a comparison comes out differently, and one
-// that is told the time for each time, unless it says that it takes a traced time: is_generic_in_time.
+// (differentiation/traced/trace.hpp). A callable that compares its arguments is traced again where a comparison comes out differently, and
+// one that is told the time for each time, unless it says that it takes a traced time: is_generic_in_time.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "hilger/differentiation/trace.hpp"
+#include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/variational/node_values.hpp"
 #include "hilger/variational/problem.hpp"
 

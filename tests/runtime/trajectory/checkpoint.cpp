@@ -78,11 +78,11 @@ TEST_CASE("a run goes on beyond its scale's end") {
 TEST_CASE("the format, and what is said of text that is not in it") {
     auto const path = pendulum_path<double>(embed(pendulum, order_one), 10);
     std::string const text = written(path);
-    CHECK(text.find("hilger checkpoint 1\nscalar with 53 digits\npoint 3\ntime 0x1.3333333333334p-2\nposition 0x") == 0);
+    CHECK(text.find("hilger checkpoint 2\nscalar with 53 digits\npoint 3\ntime 0x1.3333333333334p-2\nposition 0x") == 0);
     CHECK(why_unreadable(text, path) == "it was readable");
-    CHECK(why_unreadable("", path) == "line 1 of 'run.txt' should be 'hilger checkpoint 1', and the text ends before it");
-    CHECK(why_unreadable("hilger checkpoint 2\n", path) ==
-          "line 1 of 'run.txt' should be 'hilger checkpoint 1', and is 'hilger checkpoint 2'");
+    CHECK(why_unreadable("", path) == "line 1 of 'run.txt' should be 'hilger checkpoint 2', and the text ends before it");
+    CHECK(why_unreadable("hilger checkpoint 1\n", path) ==
+          "line 1 of 'run.txt' should be 'hilger checkpoint 2', and is 'hilger checkpoint 1'");
     CHECK(why_unreadable(text.substr(0, text.find("momentum")), path) ==
           "line 6 of 'run.txt' should be 'momentum' and a number, and the text ends before it");
     auto const with = [&](std::string const& line) { // instead of the sixth
@@ -95,9 +95,50 @@ TEST_CASE("the format, and what is said of text that is not in it") {
     CHECK(why_unreadable(written(pendulum_path<float50>(embed(pendulum, order_one), 10)), path) ==
           "line 2 of 'run.txt' should be 'scalar with 53 digits', and is 'scalar with 168 digits'");
     CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, order_one, compensated), 10)), path)
-              .find("should be 'end', and is 'carry ") != std::string::npos);
-    CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, mid_point), 10)), path).find("should be 'end', and is 'velocity ") !=
-          std::string::npos);
+              .find("should be 'step' and a number, and is 'carry ") != std::string::npos);
+    CHECK(why_unreadable(written(pendulum_path<double>(embed(pendulum, mid_point), 10)), path)
+              .find("should be 'step' and a number, and is 'velocity ") != std::string::npos);
+}
+
+TEST_CASE("a checkpoint of another problem does not go on in silence") {
+    auto const refuses = [](auto const& from, auto const& to) {
+        std::istringstream in(written(from));
+        try {
+            (void)read_checkpoint(in, to, "'run.txt'");
+        } catch (error::mismatch const& e) {
+            return std::string(e.what()).find(
+                       "'run.txt' is a checkpoint of another problem or method: a step of 0.1 from its state at t = 0.3") == 0;
+        }
+        return false;
+    };
+    auto const along = [](auto const& flow) { return pendulum_path<double>(flow, 10); };
+    auto const driven = [](double f) { return with_force(pendulum, [f](auto const& t, auto const&, auto const&) { return f * (1 + t); }); };
+    auto const heavier = [](double g) { return [g](auto const& q, auto const& v) { return v * v / 2 + g * cos(q); }; };
+    auto const damped = [&](double rho, double alpha) { return along(embed(with_fractional_damping(pendulum, rho, alpha), mid_point)); };
+    CHECK_FALSE(refuses(along(embed(driven(0.2), mid_point)), along(embed(driven(0.2), mid_point))));
+    CHECK(refuses(along(embed(driven(0.2), mid_point)), along(embed(driven(0.2001), mid_point))));
+    CHECK(refuses(along(embed(heavier(1.0), order_one)), along(embed(heavier(1.0001), order_one))));
+    CHECK(refuses(along(embed(pendulum, theta_at(0.25))), along(embed(pendulum, theta_at(0.5)))));
+    CHECK_FALSE(refuses(damped(0.2, 0.5), damped(0.2, 0.5)));
+    CHECK(refuses(damped(0.2, 0.5), damped(0.3, 0.5)));
+    CHECK(refuses(damped(0.2, 0.5), damped(0.2, 0.6)));
+    // At the end of T the step before is made again; a longer T goes on.
+    auto const part = along(embed(driven(0.2), mid_point));
+    auto at = part.begin();
+    while (at.number() < 10) ++at;
+    std::stringstream text;
+    write_checkpoint(text, part, at.checkpoint());
+    CHECK(read_checkpoint(text, pendulum_path<double>(embed(driven(0.2), mid_point), 20)).number == 10);
+    text.clear();
+    text.seekg(0);
+    CHECK_THROWS_AS((void)read_checkpoint(text, pendulum_path<double>(embed(driven(0.1), mid_point), 20)), error::mismatch);
+    // Where a step fails it tells nothing, and what is read back fails where the run did.
+    auto const pole = [](auto const& q, auto const& v) { return v * v / 2 + log(q); };
+    auto const falling = embed(pole, mid_point).along(uniform(0.0, 4.0, 3), 1e-3, -9.0);
+    std::stringstream lost;
+    write_checkpoint(lost, falling, falling.begin().checkpoint());
+    CHECK(lost.str().find("\nstep 0x0p+0\nend\n") != std::string::npos);
+    CHECK(read_checkpoint(lost, falling).number == 0);
 }
 
 } // namespace checkpoint_tests

@@ -3,7 +3,7 @@
 // no lambdas, which an optimiser sees through less well.
 #pragma once
 
-#include "hilger/differentiation/jet.hpp"
+#include "hilger/differentiation/jet/jet.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {

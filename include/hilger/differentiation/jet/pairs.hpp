@@ -2,7 +2,7 @@
 // Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
 #pragma once
 
-#include "hilger/differentiation/jet_comparisons.hpp"
+#include "hilger/differentiation/jet/comparisons.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {

@@ -5,7 +5,7 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
-namespace small_node_tests {
+namespace node_tests {
 
 using namespace hilger;
 
@@ -101,4 +101,4 @@ TEST_CASE("degrees: a force is the derivative of something of a degree more") {
     CHECK(degrees([](auto const& x, auto const& v) { return cos(x) - v; }).q > 4);
 }
 
-} // namespace small_node_tests
+} // namespace node_tests

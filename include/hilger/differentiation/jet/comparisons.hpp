@@ -5,7 +5,7 @@
 #pragma once
 
 #include "hilger/differentiation/branches.hpp"
-#include "hilger/differentiation/jet_arithmetic.hpp"
+#include "hilger/differentiation/jet/arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {

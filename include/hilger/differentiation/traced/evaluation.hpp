@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "hilger/differentiation/graph.hpp"
-#include "hilger/differentiation/translation.hpp"
+#include "hilger/differentiation/traced/graph.hpp"
+#include "hilger/differentiation/traced/translation.hpp"
 
 namespace hilger::detail {
 

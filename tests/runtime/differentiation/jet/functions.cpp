@@ -9,7 +9,7 @@
 #include "hilger/float128.hpp"
 #endif
 
-namespace jet_functions_tests {
+namespace jet_function_tests {
 
 using namespace hilger;
 
@@ -97,4 +97,4 @@ TEST_CASE("max, min and copysign of jets and constants, in rationals too") {
     CHECK(d.by_v == 3 + 3 - 9);
 }
 
-} // namespace jet_functions_tests
+} // namespace jet_function_tests

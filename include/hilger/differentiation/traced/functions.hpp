@@ -1,139 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// Traced numbers beside constants, their comparisons and elementary functions, and what Eigen must know to make vectors of them.
+// Elementary functions of traced numbers, and their derivatives.
 #pragma once
 
+#include <cmath>
 #include <unordered_set>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "hilger/differentiation/jet_functions.hpp"
-#include "hilger/differentiation/traced.hpp"
+#include "hilger/differentiation/jet/functions.hpp"
+#include "hilger/differentiation/traced/comparisons.hpp"
 
 namespace hilger {
-
-template <class S, constant_beside<S> K>
-traced<S> operator+(traced<S> const& x, K const& c) {
-    return x + traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator+(K const& c, traced<S> const& x) {
-    return traced<S>(c) + x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator-(traced<S> const& x, K const& c) {
-    return x - traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator-(K const& c, traced<S> const& x) {
-    return traced<S>(c) - x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator*(traced<S> const& x, K const& c) {
-    return x * traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator*(K const& c, traced<S> const& x) {
-    return traced<S>(c) * x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator/(traced<S> const& x, K const& c) {
-    return x / traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator/(K const& c, traced<S> const& x) {
-    return traced<S>(c) / x;
-}
-
-namespace detail {
-/// Either a traced number, or both operands of which one is.
-template <class X, class Y>
-struct traced_pair_ {};
-template <class S>
-struct traced_pair_<traced<S>, traced<S>> {
-    using type = traced<S>;
-};
-template <class S, constant_beside<S> K>
-struct traced_pair_<traced<S>, K> {
-    using type = traced<S>;
-};
-template <class S, constant_beside<S> K>
-struct traced_pair_<K, traced<S>> {
-    using type = traced<S>;
-};
-template <class X, class Y>
-using traced_pair = typename traced_pair_<X, Y>::type;
-
-/// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
-template <class X, class Y>
-bool watched(relation how, X const& of, Y const& with) {
-    using T = traced_pair<X, Y>;
-    using S = typename T::scalar_type;
-    T const x(of), y(with);
-    bool const outcome = holds(how, x.value, y.value);
-    if (x.is_constant() and y.is_constant()) return outcome;
-    auto& g = *formula_graph<S>::of_this_thread();
-    int const a = x.place(), b = y.place();
-    g.watch(how, a, b, outcome);
-    return compared(outcome, ((g[a].on | g[b].on) & on_velocity) != 0);
-}
-/// At least one of two operands is traced, the other one may be a constant.
-template <class X, class Y>
-concept compared_traced = requires {
-    typename traced_pair<X, Y>;
-};
-} // namespace detail
-
-template <class X, class Y>
-    requires detail::compared_traced<X, Y>
-bool operator==(X const& x, Y const& y) { return detail::watched(detail::relation::equal, x, y); }
-template <class X, class Y>
-    requires detail::compared_traced<X, Y>
-bool operator<(X const& x, Y const& y) { return detail::watched(detail::relation::less, x, y); }
-template <class X, class Y>
-    requires detail::compared_traced<X, Y>
-bool operator<=(X const& x, Y const& y) { return detail::watched(detail::relation::less_or_equal, x, y); }
-template <class X, class Y>
-    requires detail::compared_traced<X, Y>
-bool operator>(X const& x, Y const& y) { return y < x; }
-template <class X, class Y>
-    requires detail::compared_traced<X, Y>
-bool operator>=(X const& x, Y const& y) { return y <= x; }
-
-template <class S>
-traced<S> abs(traced<S> const& x) {
-    return x < S(0) ? -x : x;
-}
-template <class S>
-traced<S> fabs(traced<S> const& x) {
-    return abs(x);
-}
-template <class X, class Y>
-detail::traced_pair<X, Y> max(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return x < y ? T(y) : T(x);
-}
-template <class X, class Y>
-detail::traced_pair<X, Y> min(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return y < x ? T(y) : T(x);
-}
-template <class X, class Y>
-detail::traced_pair<X, Y> fmax(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return x < y or T(x).value != T(x).value ? T(y) : T(x);
-}
-template <class X, class Y>
-detail::traced_pair<X, Y> fmin(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return y < x or T(x).value != T(x).value ? T(y) : T(x);
-}
-/// |x| with the sign of y.
-template <class X, class Y>
-detail::traced_pair<X, Y> copysign(X const& x, Y const& y) {
-    detail::traced_pair<X, Y> const a(x);
-    return detail::watched(detail::relation::signs_differ, x, y) ? -a : a;
-}
 
 namespace detail {
 /// What the functions of one argument have in common.
@@ -339,26 +215,3 @@ traced<S> pow(K const& base, traced<S> const& x) {
 }
 
 } // namespace hilger
-
-namespace Eigen {
-
-template <class S>
-struct NumTraits<hilger::traced<S>> : NumTraits<S> {
-    using Real = hilger::traced<S>;
-    using NonInteger = Real;
-    using Nested = Real;
-    using Literal = typename NumTraits<S>::Literal;
-    enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 4, AddCost = 32, MulCost = 32 };
-};
-template <class S, class K, class Operation>
-    requires hilger::constant_beside<K, S>
-struct ScalarBinaryOpTraits<hilger::traced<S>, K, Operation> {
-    using ReturnType = hilger::traced<S>;
-};
-template <class S, class K, class Operation>
-    requires hilger::constant_beside<K, S>
-struct ScalarBinaryOpTraits<K, hilger::traced<S>, Operation> {
-    using ReturnType = hilger::traced<S>;
-};
-
-} // namespace Eigen

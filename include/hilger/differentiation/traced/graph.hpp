@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A formula as an acyclic graph of operations on its arguments and on numbers, in which equal operations on equal operands are one node.
 // Operands come before what is made of them, so that the order of the nodes is an order to evaluate them in. What an operation is - its
-// value, its loop over many operands, its derivative - stands in traced.hpp and traced_functions.hpp; a node only points there.
+// value, its loop over many operands, its derivative - stands in arithmetic.hpp and functions.hpp; a node only points there.
 #pragma once
 
 #include <cstddef>

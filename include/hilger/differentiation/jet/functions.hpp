@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "hilger/differentiation/jet_arithmetic.hpp"
-#include "hilger/differentiation/jet_comparisons.hpp"
-#include "hilger/differentiation/jet_pairs.hpp"
+#include "hilger/differentiation/jet/arithmetic.hpp"
+#include "hilger/differentiation/jet/comparisons.hpp"
+#include "hilger/differentiation/jet/pairs.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {

@@ -7,7 +7,7 @@
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/newton/small_stop.hpp"
-#include "hilger/step/small_node.hpp"
+#include "hilger/step/small/node.hpp"
 #include "hilger/step/state.hpp"
 
 namespace hilger::detail {

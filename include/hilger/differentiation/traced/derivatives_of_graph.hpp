@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hilger/differentiation/traced_functions.hpp"
+#include "hilger/differentiation/traced/functions.hpp"
 
 namespace hilger::detail {
 
