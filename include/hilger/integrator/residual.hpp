@@ -43,8 +43,8 @@ auto positions_along(Path const& path) {
 
 /// The largest component of the residual of the equation that a flow was derived from, at positions q in C(T), forces included. Terms of
 /// the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of this size it is along
-/// a solution. For flows under embeddings by operators; a composition, and a step with positions inside, have equations in positions that a
-/// trajectory does not have. @throws error::singular, newton_failure where there are points inside the steps and no solution for them
+/// a solution. For flows under embeddings by operators; compositions and adjoints are judged along trajectories (composition/residual.hpp).
+/// @throws error::singular, newton_failure where there are points inside the steps and no solution for them
 template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, discrete_function X>
 auto largest_residual(flow<F, Force, embedding<A, B, W, Checked>, Sums> const& method, X const& q) {
     auto const equation = equation_of(method, q.root());

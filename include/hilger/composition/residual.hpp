@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSL-1.0
+// The equation is the judge of compositions and adjoints too. A composition of steps of length c_k h with discrete Lagrangians L_k is the
+// motion of their sum over one step (Marsden-West 2001, section 2.5), and its equations are balances of momenta, at each point of T and at
+// each position U_k between its parts:
+//   d_2 L_k(U_{k-1}, U_k) + d_1 L_{k+1}(U_k, U_{k+1}) = 0
+// A trajectory has no U_k. They are found part by part from its momentum at the beginning of the step; the last part has to lead to its
+// next point, and to the momentum there. What the momenta before and after that part are off by is the residual.
+//   largest_residual(stoermer_verlet(L).along(T, q0, p0))
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hilger/composition/composition.hpp"
+#include "hilger/trajectory/diagnostics.hpp"
+#include "hilger/variational/node_derivatives.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// One part of a step, or a step that is none.
+template <class Flow, class S, class V>
+class judged_part;
+
+template <class F, class Force, class E, sums Sums, class S, class V>
+class judged_part<flow<F, Force, E, Sums>, S, V> {
+    static_assert(controls_of<E> == 2,
+                  "parts of a step with positions inside, as Galerkin's, have equations in positions that a trajectory "
+                  "does not have: judge them alone");
+    using of = flow<F, Force, E, Sums>;
+    using s = shape<V>;
+
+public:
+    judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like) {}
+    /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. off becomes no less than what
+    /// the momentum of the part begins with differs by.
+    void go(of const& f, state<S, V>& x, S const& h, V const* end, S& off) {
+        V q = x.q;
+        if (end != nullptr)
+            q = *end;
+        else {
+            state<S, V> y = x;
+            memory_.advance(f, y, h);
+            q = y.q;
+        }
+        tableau<S> const b = tableau_of(f.embedding(), h);
+        V before = zero_like(q), after = before;
+        for (int k = 0; k < b.nodes; ++k) {
+            (void)node_.evaluate(f.mechanics(), b.time(k, x.t, h), V(x.q * b.a(k, 0) + q * b.a(k, 1)), V(x.q * b.b(k, 0) + q * b.b(k, 1)),
+                                 wanted::first_order);
+            for (int c = 0; c < s::dimension(q); ++c) {
+                auto const share = [&](int j) { return S(b.w(k) * (b.a(k, j) * node_.by_q(c) + b.b(k, j) * node_.by_v(c))); };
+                s::component(before, c) = s::component(before, c) - share(0);
+                s::component(after, c) = s::component(after, c) + share(1);
+            }
+        }
+        off = larger(off, S(magnitude(V(x.p - before))));
+        x = {S(x.t + h), std::move(q), std::move(after)};
+    }
+
+private:
+    typename of::template memory<S, V> memory_;
+    node_derivatives<problem<F, Force>, V> node_;
+};
+
+template <class Parts, class... Flows, class S, class V>
+class judged_part<composed_flow<Parts, Flows...>, S, V> {
+    using of = composed_flow<Parts, Flows...>;
+    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
+    using all = std::index_sequence_for<Flows...>;
+
+public:
+    judged_part(of const& f, S const& h, V const& like) : lengths_(whole<S>(f.parts())) {
+        for (std::size_t turn = 0; turn < turns; ++turn) add(f, turn, h, like, all{});
+    }
+    void go(of const& f, state<S, V>& x, S const& h, V const* end, S& off) {
+        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, x, h, end, off, all{});
+    }
+
+private:
+    template <std::size_t... J>
+    void add(of const& f, std::size_t turn, S const& h, V const& like, std::index_sequence<J...>) {
+        (std::get<J>(parts_).emplace_back(std::get<J>(f.flows()), S(lengths_[turn * sizeof...(Flows) + J] * h), like), ...);
+    }
+    template <std::size_t... J>
+    void take(of const& f, std::size_t turn, state<S, V>& x, S const& h, V const* end, S& off, std::index_sequence<J...>) {
+        auto const one = [&](std::size_t k, auto const& flow, auto& part) {
+            part.go(flow, x, S(lengths_[k] * h), k + 1 == Parts::size ? end : nullptr, off);
+        };
+        (one(turn * sizeof...(Flows) + J, std::get<J>(f.flows()), std::get<J>(parts_)[turn]), ...);
+    }
+    std::array<S, Parts::size> lengths_;
+    std::tuple<std::vector<judged_part<Flows, S, V>>...> parts_;
+};
+
+/// Of the flow that `path` should have walked.
+template <class Flow, class Path>
+auto largest_residual_of_parts(Flow const& method, Path const& path) {
+    using V = std::remove_cvref_t<decltype((*path.begin()).q)>;
+    using S = scalar_of<V>;
+    auto const& T = path.scale();
+    std::optional<judged_part<Flow, S, V>> part;
+    S worst(0);
+    auto at = path.begin();
+    for (state<S, V> from = *at; at.number() < T.last(); from = *at) {
+        S const h = T.domain().base.step(T.root(), at.number());
+        ++at;
+        if (not part) part.emplace(method, h, from.q);
+        S off(0);
+        part->go(method, from, h, &at->q, off);
+        worst = larger(worst, S(larger(off, S(magnitude(V(from.p - at->p)))) / magnitude(h)));
+    }
+    return worst;
+}
+
+} // namespace detail
+
+/// The largest component of what a trajectory leaves of the equations of a composition's parts, forces included, divided by the step: of
+/// the size of the residual of one step (integrator/residual.hpp). @throws what walking does
+template <class Parts, class... Flows, class Scale, class V>
+auto largest_residual(trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
+    return detail::largest_residual_of_parts(path.method(), path);
+}
+/// The same of an embedding that is read from the end of each step (composition/reversed.hpp).
+template <class F, class Force, class E, sums Sums, class Scale, class V>
+auto largest_residual(trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
+    return detail::largest_residual_of_parts(path.method(), path);
+}
+
+} // namespace hilger
