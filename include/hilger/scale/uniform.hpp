@@ -15,6 +15,8 @@ struct interval {
 };
 template <class A, class B>
 interval(A, B) -> interval<std::conditional_t<std::is_integral_v<A> and not std::is_integral_v<B>, B, A>>;
+template <std::floating_point A, std::floating_point B>
+interval(A, B) -> interval<std::common_type_t<A, B>>;
 
 /// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
 template <ordered_scalar S, index_type Steps = run_time_extent>
@@ -92,6 +94,15 @@ consteval auto common_scalar() {
 template <class A, class B>
 using common_scalar_t = typename decltype(common_scalar<A, B>())::type;
 
+/// A number of steps that is given as a floating number, as 1e6. @throws error::invalid_scale where it is not whole: of b/h rounding may
+/// have taken one step.
+template <std::floating_point N>
+constexpr index_type whole_steps(N steps) {
+    if (not(steps > N(-9e18)) or not(steps < N(9e18)) or not(static_cast<N>(static_cast<index_type>(steps)) == steps))
+        error::raise<error::invalid_scale>("the number of steps of a time scale is a whole number, and ", steps,
+                                           " is none: std::lround(b / h) is, or uniform(interval{a, b}, N)");
+    return static_cast<index_type>(steps);
+}
 /// Why two numbers make no scale, in one sentence.
 template <class A, class H>
 constexpr auto no_common_scalar() {
@@ -132,6 +143,11 @@ constexpr auto uniform(A const& a, H const& h, index_type steps) {
     }
 }
 
+template <class A, class H, std::floating_point N>
+constexpr auto uniform(A const& a, H const& h, N steps) {
+    return uniform(a, h, detail::whole_steps(steps));
+}
+
 /// [a, b] in N equal steps; t_N is b exactly. @throws error::invalid_scale when b <= a or N < 1.
 template <class S>
 constexpr auto uniform(interval<S> ab, index_type steps) {
@@ -141,6 +157,11 @@ constexpr auto uniform(interval<S> ab, index_type steps) {
         S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
         return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
     }
+}
+
+template <class S, std::floating_point N>
+constexpr auto uniform(interval<S> ab, N steps) {
+    return uniform(std::move(ab), detail::whole_steps(steps));
 }
 
 /// The same as uniform(a, h, N) with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.

@@ -105,17 +105,11 @@ void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Vis
 
 template <class Path>
 inline constexpr bool goes_by_its_history = has_history<std::remove_cvref_t<decltype(std::declval<Path>().method())>>;
-/// The length of the step that tells problems apart at a point of `path`: of the one after it, or at the end of T of the one before. 0
-/// where there is none.
+/// The length of the step that tells problems apart at a point of `path`: of the one after it, or at the end of T of the one before.
 template <class Path>
 auto telling_step(Path const& path, index_type i) {
     auto const& T = path.scale();
-    using S = std::remove_cvref_t<decltype(T.element(i))>;
-    if (T.last() <= i) {
-        if (goes_by_its_history<Path> or i <= T.first()) return S(0);
-        --i;
-    }
-    return S(T.domain().base.step(T.root(), i));
+    return T.domain().base.step(T.root(), i < T.last() ? i : std::max(i - 1, T.first()));
 }
 /// Where a step of length h leads from the state of a checkpoint: without what is remembered but where a step is nothing without that, as
 /// with a fractional damping. Nothing where it fails.
@@ -123,22 +117,23 @@ template <class Path, class S>
 auto step_from(Path const& path, typename Path::checkpoint_type const& point, S const& h) {
     std::optional<std::remove_cvref_t<decltype(point.at)>> made;
     try {
-        if (h == S(0)) return made;
         if constexpr (goes_by_its_history<Path>) {
-            auto const rest = path.resume(point);
-            auto next = rest.begin();
-            made = *++next;
+            auto x = point.at;
+            auto memory = point.memory;
+            memory.advance(path.method(), x, h);
+            made = std::move(x);
         } else
             made = path.method().step(point.at, h);
     } catch (std::exception const&) { // then it tells nothing
     }
     return made;
 }
-/// Equal but for what compilers make different of the same formula.
+/// Whether a step from `start` leads to b as it led to a, but for what compilers make different of the same formula.
 template <class V>
-bool is_the_same(V const& a, V const& b) {
+bool is_the_same(V const& start, V const& a, V const& b) {
     using S = scalar_of<V>;
-    return not(S(square_root_of_epsilon<S>() * std::max(S(magnitude(a)), S(magnitude(b)))) < S(magnitude(V(a - b))));
+    S const change = magnitude(V(a - start)), size = std::max(S(magnitude(a)), S(magnitude(start)));
+    return not(S(square_root_of_epsilon<S>() * change + S(64) * epsilon<S>() * size) < S(magnitude(V(a - b))));
 }
 template <class S>
 std::string scalar_line() {
@@ -183,9 +178,14 @@ typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& pat
         detail::visit_each("leads_to_momentum", then.p, reader);
     }
     reader.require("end");
-    if (tells and not(own == decltype(h)(0))) {
+    if (tells) {
+        bool const goes_on = not detail::goes_by_its_history<Path> or
+                             not(detail::square_root_of_epsilon<decltype(h)>() * h < magnitude(decltype(h)(own - h)));
+        if (not goes_on)
+            error::raise<error::mismatch>(source, " is a checkpoint of a walk in steps of ", h,
+                                          ", whose memory does not go on in steps of ", own);
         auto const now = detail::step_from(path, point, h);
-        if (not now or not detail::is_the_same(now->q, then.q) or not detail::is_the_same(now->p, then.p))
+        if (not now or not detail::is_the_same(point.at.q, then.q, now->q) or not detail::is_the_same(point.at.p, then.p, now->p))
             error::raise<error::mismatch>(source, " is a checkpoint of another problem or method: a step of ", h,
                                           " from its state at t = ", point.at.t, now ? " leads elsewhere" : " fails",
                                           " here. With another Lagrangian, force or damping a new trajectory begins at that state");

@@ -87,7 +87,7 @@ public:
 
     /// The state at t, the given ones exactly at the ends. @throws error::outside_domain
     [[nodiscard]] state<S, V> operator()(S const& t) const {
-        if (not(a_.t <= t) or not(t <= b_.t)) // NaN is outside too
+        if (not(std::min(a_.t, b_.t) <= t) or not(t <= std::max(a_.t, b_.t))) // NaN is outside too
             error::raise<error::outside_domain>(t, " is outside the step from ", a_.t, " to ", b_.t);
         state<S, V> y = at_fraction(S((t - a_.t) / (b_.t - a_.t)));
         y.t = t;
@@ -97,7 +97,9 @@ public:
     [[nodiscard]] state<S, V> at_fraction(S const& x) const {
         if (x == S(1)) return b_;
         S const h = b_.t - a_.t;
-        return {std::min(S(a_.t + x * h), b_.t), between(a_.q, da_.q, b_.q, db_.q, h, x), between(a_.p, da_.p, b_.p, db_.p, h, x)};
+        S const t = a_.t + x * h;
+        return {h < S(0) ? std::max(t, b_.t) : std::min(t, b_.t), between(a_.q, da_.q, b_.q, db_.q, h, x),
+                between(a_.p, da_.p, b_.p, db_.p, h, x)};
     }
 
 private:

@@ -3,6 +3,7 @@
 // points is located on the dense output of that step to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748); nothing is stored.
 //   for (auto const& x : events(path, g, crossing::rising)) ...        the states where g passes zero
 //   for (auto const& x : until(path, g)) ...                           the states up to there, and that one last
+// Where g is true or false an event is where it changes, rising where it becomes true.
 // An event is where g, not zero before, reaches or passes zero within a step: g = 0 at the start is none. Two within one step are not seen.
 #pragma once
 
@@ -59,7 +60,12 @@ public:
 private:
     /// @throws error::not_finite
     S value(state_type const& x) const {
-        S y = (*g_)(x);
+        S const y = [&] {
+            if constexpr (std::same_as<std::remove_cvref_t<decltype((*g_)(x))>, bool>)
+                return S((*g_)(x) ? 1 : -1);
+            else
+                return S((*g_)(x));
+        }();
         if (not is_finite(y)) error::raise<error::not_finite>("the function whose zeros are events is NaN or infinite at t = ", x.t);
         return y;
     }

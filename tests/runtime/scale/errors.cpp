@@ -90,6 +90,20 @@ TEST_CASE("the scales of quantum calculus and of the harmonic numbers have their
     CHECK_THROWS_AS(harmonic_numbers<double>(-1), error::invalid_scale);
 }
 
+TEST_CASE("a number of steps is whole, and is not rounded down") {
+    double const h = 0.1, b = 0.3; // b / h is a little less than 3
+    CHECK_THROWS_WITH_AS(uniform(0.0, h, b / h),
+                         "the number of steps of a time scale is a whole number, and 2.9999999999999996 is none: std::lround(b / h) is, or "
+                         "uniform(interval{a, b}, N)",
+                         error::invalid_scale);
+    CHECK_THROWS_AS(uniform(interval{0.0, 1.0}, 0.7 / 0.1), error::invalid_scale);
+    CHECK_THROWS_AS(uniform(0.0, h, not_a_number), error::invalid_scale);
+    CHECK_THROWS_AS(uniform(0.0, h, 1e30), error::invalid_scale);
+    CHECK(uniform(0.0, h, 1e3).steps() == 1000);
+    CHECK(uniform(interval{0.0, 1.0}, 1e3).steps() == 1000);
+    CHECK(uniform(interval{0.0F, 0.1}, 10).max() == 0.1);
+}
+
 TEST_CASE("lambda lies in its interval") {
     auto const T = uniform(0.0, 0.5, 4);
     CHECK_THROWS_WITH_AS(at_lambda(T, 1.0), "lambda lies in [0, 1[, and this one is 1", error::invalid_parameter);

@@ -111,6 +111,15 @@ TEST_CASE("a checkpoint of another problem does not go on in silence") {
         }
         return false;
     };
+    auto const refuses_in_any_step = [](auto const& from, auto const& to) {
+        std::istringstream in(written(from));
+        try {
+            (void)read_checkpoint(in, to);
+        } catch (error::mismatch const&) {
+            return true;
+        }
+        return false;
+    };
     auto const along = [](auto const& flow) { return pendulum_path<double>(flow, 10); };
     auto const driven = [](double f) { return with_force(pendulum, [f](auto const& t, auto const&, auto const&) { return f * (1 + t); }); };
     auto const heavier = [](double g) { return [g](auto const& q, auto const& v) { return v * v / 2 + g * cos(q); }; };
@@ -132,6 +141,27 @@ TEST_CASE("a checkpoint of another problem does not go on in silence") {
     text.clear();
     text.seekg(0);
     CHECK_THROWS_AS((void)read_checkpoint(text, pendulum_path<double>(embed(driven(0.1), mid_point), 20)), error::mismatch);
+    // So is a memory's, which does not go on in other steps.
+    auto const remembering = [&](double rho, auto const& T) {
+        return embed(with_fractional_damping(pendulum, rho, 0.5), mid_point).along(T, 1.0, 0.5);
+    };
+    auto const whole = remembering(0.2, uniform(0.0, 0.125, 24));
+    auto last = whole.begin();
+    while (last.number() < 24) ++last;
+    auto const goes_on = [&](auto const& to) {
+        std::stringstream kept;
+        write_checkpoint(kept, whole, last.checkpoint());
+        return read_checkpoint(kept, to).number == 24;
+    };
+    CHECK(goes_on(remembering(0.2, uniform(0.0, 0.125, 60))));
+    CHECK_THROWS_AS(goes_on(remembering(2.0, uniform(0.0, 0.125, 60))), error::mismatch);
+    CHECK_THROWS_WITH_AS(goes_on(remembering(0.2, uniform(1.5, 0.0625, 60))),
+                         "the input is a checkpoint of a walk in steps of 0.125, whose memory does not go on in steps of 0.0625",
+                         error::mismatch);
+    // However short the steps are.
+    auto const shortly = [&](double g) { return embed(heavier(g), mid_point).along(uniform(0.0, 0x1p-20, 10), 1.0, 0.25); };
+    CHECK_FALSE(refuses_in_any_step(shortly(9.81), shortly(9.81)));
+    CHECK(refuses_in_any_step(shortly(9.81), shortly(9.80665)));
     // Where a step fails it tells nothing, and what is read back fails where the run did.
     auto const pole = [](auto const& q, auto const& v) { return v * v / 2 + log(q); };
     auto const falling = embed(pole, mid_point).along(uniform(0.0, 4.0, 3), 1e-3, -9.0);

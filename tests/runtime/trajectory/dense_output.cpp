@@ -56,6 +56,16 @@ TEST_CASE("free fall is reproduced exactly in the rationals") {
     CHECK_THROWS_AS(dense_output(embed(fall, mid_point).mechanics(), std::vector{at(Q(0))}), error::mismatch);
 }
 
+TEST_CASE("a step back is looked into as one that goes on") {
+    auto const falls = [](auto const& q, auto const& v) { return v * v / 2 - q; };
+    auto const flow = embed(falls, mid_point);
+    state<double, double> const from{1.0, 1.0, 0.5}, to = flow.step(from, -0.5);
+    dense_step<double, double> const between(flow.mechanics(), from, to);
+    CHECK(between.at_fraction(0.5).t == 0.75);
+    CHECK(std::abs(between(0.75).q - (1 - 0.5 * 0.25 - 0.25 * 0.25 / 2)) <= 4 * epsilon<double>());
+    CHECK_THROWS_AS((void)between(1.25), error::outside_domain);
+}
+
 TEST_CASE("order 4 in q and in p, fitted in 50 digits") {
     auto const [q_coarse, p_coarse] = errors(float50(1) / 100);
     auto const [q_fine, p_fine] = errors(float50(1) / 200);

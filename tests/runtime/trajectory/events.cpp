@@ -69,6 +69,22 @@ TEST_CASE("directions, zeros at points of T, and none at the start") {
     CHECK(times(events(passing_zero(-2.0), fold, crossing::rising)) == std::vector{2.625});
 }
 
+TEST_CASE("a condition is an event where it changes") {
+    auto const free = [](auto const&, auto const& v) { return v * v / 2; };
+    auto const path = embed(free, mid_point).along(uniform(0.0, 0.25, 16), -1.0, 1.0);
+    auto const beyond = [](auto const& x) { return x.q > 0.1; };
+    std::vector<double> times;
+    for (auto const& x : events(path, beyond)) times.push_back(x.t);
+    REQUIRE(times.size() == 1);
+    CHECK(std::abs(times[0] - 1.1) <= 4 * epsilon<double>());
+    int falling = 0;
+    for (auto const& x : events(path, beyond, crossing::falling)) falling += x.t >= 0;
+    CHECK(falling == 0);
+    double end = 0;
+    for (auto const& x : until(path, beyond, crossing::rising)) end = x.t;
+    CHECK(end == times[0]);
+}
+
 TEST_CASE("until ends at the event, or with the trajectory") {
     CHECK(times(until(passing_zero(-0.75), position)) == std::vector{0.0, 0.5, 0.75});
     CHECK(times(until(passing_zero(-1.0), position)) == std::vector{0.0, 0.5, 1.0});
