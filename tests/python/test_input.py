@@ -112,6 +112,7 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "from q0 and v0, and nothing else", lambda: h.solve(L, (0, 1), q0=1, v0=0, p0=1, accuracy=1e-3))
         self.says(h.Unreadable, "a number ends before '−'", lambda: h.Lagrangian("v^2/2−q^2/2"))
 
+    def test_what_is_no_number_and_no_operator(self):
         self.says(h.InvalidParameter, "the order alpha is a real number, and here is 'half'", lambda: h.damping(0.4, "half"))
         x = h.variables("x", 2)
         self.says(TypeError, "an operator acts on another one", lambda: h.sigma[q])

@@ -13,7 +13,6 @@
 
 #include "hilger/composition/composition.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
-#include "hilger/variational/node_derivatives.hpp"
 
 namespace hilger {
 
@@ -29,39 +28,25 @@ class judged_part<flow<F, Force, E, Sums>, S, V> {
                   "parts of a step with positions inside, as Galerkin's, have equations in positions that a trajectory "
                   "does not have: judge them alone");
     using of = flow<F, Force, E, Sums>;
-    using s = shape<V>;
 
 public:
-    judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like) {}
-    /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. off becomes no less than what
-    /// the momentum of the part begins with differs by.
+    judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(f.mechanics()) {}
+    /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. `off` becomes at least the
+    /// distance of that momentum from the one that the part begins with.
     void go(of const& f, state<S, V>& x, S const& h, V const* end, S& off) {
-        V q = x.q;
+        state<S, V> y = x;
         if (end != nullptr)
-            q = *end;
-        else {
-            state<S, V> y = x;
+            y.q = *end;
+        else
             memory_.advance(f, y, h);
-            q = y.q;
-        }
-        tableau<S> const b = tableau_of(f.embedding(), h);
-        V before = zero_like(q), after = before;
-        for (int k = 0; k < b.nodes; ++k) {
-            (void)node_.evaluate(f.mechanics(), b.time(k, x.t, h), V(x.q * b.a(k, 0) + q * b.a(k, 1)), V(x.q * b.b(k, 0) + q * b.b(k, 1)),
-                                 wanted::first_order);
-            for (int c = 0; c < s::dimension(q); ++c) {
-                auto const share = [&](int j) { return S(b.w(k) * (b.a(k, j) * node_.by_q(c) + b.b(k, j) * node_.by_v(c))); };
-                s::component(before, c) = s::component(before, c) - share(0);
-                s::component(after, c) = s::component(after, c) + share(1);
-            }
-        }
+        auto [before, after] = momenta_of_step(derivatives_, tableau_of(f.embedding(), h), x.t, h, x.q, y.q);
         off = larger(off, S(magnitude(V(x.p - before))));
-        x = {S(x.t + h), std::move(q), std::move(after)};
+        x = {S(x.t + h), std::move(y.q), std::move(after)};
     }
 
 private:
     typename of::template memory<S, V> memory_;
-    node_derivatives<problem<F, Force>, V> node_;
+    kept_derivatives<problem<F, Force>> derivatives_;
 };
 
 template <class Parts, class... Flows, class S, class V>

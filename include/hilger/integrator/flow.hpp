@@ -36,6 +36,20 @@ struct no_step {
     void visit(Visit&) const {}
 };
 
+/// -d_1 L_h(q0, q1) and d_2 L_h(q0, q1), forces included: the momenta with which a step without control values inside begins and ends.
+template <class Problem, class S, class V>
+std::pair<V, V> momenta_of_step(kept_derivatives<Problem> const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0,
+                                V const& q1) {
+    V before = zero_like(q0), after = before;
+    for (int k = 0; k < b.nodes; ++k) {
+        auto const [by_q, by_v] =
+            derivatives.gradients(b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
+        before = before - (by_q * S(b.w(k) * b.a(k, 0)) + by_v * S(b.w(k) * b.b(k, 0)));
+        after = after + (by_q * S(b.w(k) * b.a(k, 1)) + by_v * S(b.w(k) * b.b(k, 1)));
+    }
+    return {std::move(before), std::move(after)};
+}
+
 } // namespace detail
 
 template <class F, class Force, class E, sums Sums>
@@ -136,15 +150,7 @@ public:
     template <class S, class V>
     [[nodiscard]] V momentum_between(S const& t, V const& q0, V const& q1, S const& h) const {
         static_assert(controls_of<E> == 2, "two positions give a momentum where a step has no inner control values");
-        using s = detail::shape<V>;
-        tableau<S> const b = tableau_of(embedding_, h);
-        V p = s::zero(s::dimension(q0));
-        for (int k = 0; k < b.nodes; ++k) {
-            auto const e =
-                detail::expand_at(problem_, b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
-            p = p - (e.e.by_q * S(b.w(k) * b.a(k, 0)) + e.e.by_v * S(b.w(k) * b.b(k, 0)));
-        }
-        return p;
+        return detail::momenta_of_step(detail::kept_derivatives(problem_), tableau_of(embedding_, h), t, h, q0, q1).first;
     }
     /// p = dL/dv(t, q, v)
     template <class S, class V>

@@ -62,7 +62,7 @@ public:
         each("known", known_);
         each("way", way_);
         if (way_ == by_forces)
-            for (V& f : F_) visit_components(each, "force", f);
+            for (V& f : F_) memory::visit_components("force", f, each);
         else
             equation_.visit(each);
         sum_q_.visit(each);
@@ -103,10 +103,6 @@ private:
     static Table const& table() { return Table::here(); }
     /// With compensated sums the error that an iteration leaves must not be seen either.
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
-    template <class Visit>
-    void visit_components(Visit& each, char const* label, V& x) {
-        for (int c = 0; c < d_; ++c) each(label, s::component(x, c));
-    }
 
     // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
     progress iterate_forces(Problem const& what, state<S, V> const& x) {

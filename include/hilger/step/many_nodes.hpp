@@ -53,13 +53,12 @@ public:
     void visit(Visit& each) {
         each("steps", steps_);
         each("guessed", guessed_);
-        past_.visit_newest(each);
         int stiff = stiff_ ? 1 : 0;
         each("stiff", stiff);
         stiff_ = stiff != 0;
-        for (int c = 0; c < dimension(); ++c) each("velocity", s::component(velocity_, c));
-        for (int c = 0; c < e_.unknowns(); ++c) each("increment", u::component(e_.moved, c));
-        past_.visit(each);
+        memory::visit_components("velocity", velocity_, each);
+        memory::visit_components("increment", e_.moved, each);
+        past_.visit("past", each);
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
@@ -283,7 +282,7 @@ private:
     int guessed_ = 0;
     bool stiff_ = false, is_corrected_ = false;
     V velocity_; ///< to start from where there are no steps of this length
-    past_steps<unknown, S> past_;
+    past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;

@@ -9,6 +9,7 @@
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/mass_solver.hpp"
+#include "hilger/step/past_steps.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/step/tableau.hpp"
@@ -42,9 +43,8 @@ class structured {
 public:
     structured(tableau<S> const& t, S const& h, L const& l, V const& like, Extra extra = {})
         : extra_(std::move(extra)), mass_(inertia(l, t, h, extra_), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like),
-          room_(like.size() + 1), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+          room_(like.size() + 1), past_(like), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
         l.potential().check(like.size());
-        past_.fill(V(like));
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
@@ -62,11 +62,9 @@ public:
     void visit(Visit& each) {
         int stiff = stiff_ ? 1 : 0;
         each("known", known_);
-        each("newest", newest_);
         each("stiff", stiff);
         stiff_ = stiff != 0;
-        for (V& v : past_)
-            for (int k = 0; k < s::dimension(v); ++k) each("velocity", v(k));
+        past_.visit("velocity", each);
         sum_q_.visit(each);
         sum_p_.visit(each);
     }
@@ -110,8 +108,7 @@ public:
         }
         x.t = x.t + h_;
         if constexpr (history > 1) {
-            newest_ = (newest_ + history - 1) % history;
-            past_[static_cast<std::size_t>(newest_)] = v_;
+            past_.keep(v_);
             if (known_ < history) ++known_;
         }
     }
@@ -140,7 +137,6 @@ private:
         else
             return S(-(w_ * g_(k)));
     }
-    [[nodiscard]] V const& past(int k) const { return past_[static_cast<std::size_t>((newest_ + k) % history)]; }
     template <class U>
     void force(U const& potential, V const& q) {
         tally<S>::add(work::force);
@@ -161,18 +157,10 @@ private:
         return on_one_branch();
     }
     void first_guess(state<S, V> const& x) {
-        if (known_ == history)
-            extrapolate(std::make_integer_sequence<int, history>{});
-        else if (known_ >= 2)
-            v_ = S(2) * past(0) - past(1);
-        else if (known_ == 1)
-            v_ = past(0);
+        if (known_ > 0)
+            past_.guess(v_, known_);
         else
             mass_.solve(start(x), v_);
-    }
-    template <int... I>
-    void extrapolate(std::integer_sequence<int, I...>) {
-        v_ = ((S(extrapolation(history, I)) * past(I)) + ...);
     }
     /// False where it converges too slowly to be worth it.
     template <class U>
@@ -268,7 +256,7 @@ private:
         };
         V y = v_, rest = v_;
         branch_search const how =
-            search_branches_twice(y, known_ > 0 ? past(0) : V(v_), rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+            search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {
@@ -300,8 +288,8 @@ private:
     V v_, r_, g_, A_, next_;
     Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
     branch_path path_, path_before_; ///< of the last force and of the one before
-    std::array<V, history> past_;
-    int newest_ = 0, known_ = 0;
+    past_steps<V, S, history> past_;
+    int known_ = 0;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
 };

@@ -13,6 +13,7 @@
 #include <optional>
 #include <ostream>
 
+#include "hilger/history/component.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/scale/read.hpp"
 #include "hilger/trajectory/trajectory.hpp"
@@ -87,10 +88,6 @@ struct checkpoint_reader {
     }
 };
 
-template <class V, class Visit>
-void visit_each(char const* label, V& x, Visit& each) {
-    for (int k = 0; k < shape<V>::dimension(x); ++k) each(label, shape<V>::component(x, k));
-}
 /// What a checkpoint is read into must have the same numbers in it; the scalar is told by its binary digits.
 template <class S, class V, class Memory, class Method, class Visit>
 void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Visit& each) {
@@ -98,8 +95,8 @@ void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Vis
         requires { point.memory.visit(method, each); }, "a method whose checkpoints are written has memory::visit(method, each)");
     each("point", point.number);
     each("time", point.at.t);
-    visit_each("position", point.at.q, each);
-    visit_each("momentum", point.at.p, each);
+    memory::visit_components("position", point.at.q, each);
+    memory::visit_components("momentum", point.at.p, each);
     point.memory.visit(method, each);
 }
 
@@ -153,8 +150,8 @@ void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkp
     auto next = detail::step_from(path, point, h);
     writer("step", next ? h : decltype(h)(0));
     if (next) {
-        detail::visit_each("leads_to_position", next->q, writer);
-        detail::visit_each("leads_to_momentum", next->p, writer);
+        detail::memory::visit_components("leads_to_position", next->q, writer);
+        detail::memory::visit_components("leads_to_momentum", next->p, writer);
     }
     out << "end\n";
 }
@@ -174,14 +171,12 @@ typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& pat
     reader("step", h);
     bool const tells = not(h == decltype(h)(0));
     if (tells) {
-        detail::visit_each("leads_to_position", then.q, reader);
-        detail::visit_each("leads_to_momentum", then.p, reader);
+        detail::memory::visit_components("leads_to_position", then.q, reader);
+        detail::memory::visit_components("leads_to_momentum", then.p, reader);
     }
     reader.require("end");
     if (tells) {
-        bool const goes_on = not detail::goes_by_its_history<Path> or
-                             not(detail::square_root_of_epsilon<decltype(h)>() * h < magnitude(decltype(h)(own - h)));
-        if (not goes_on)
+        if (detail::goes_by_its_history<Path> and detail::square_root_of_epsilon<decltype(h)>() * h < magnitude(decltype(h)(own - h)))
             error::raise<error::mismatch>(source, " is a checkpoint of a walk in steps of ", h,
                                           ", whose memory does not go on in steps of ", own);
         auto const now = detail::step_from(path, point, h);

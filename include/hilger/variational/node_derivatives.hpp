@@ -64,6 +64,19 @@ public:
         known.evaluate(what_, t, q, v, which);
         return use(std::as_const(known));
     }
+    /// dL/dq, with the force, and dL/dv, of states of any kind; second derivatives are not asked for.
+    template <class S, class V>
+    std::pair<V, V> gradients(S const& t, V const& q, V const& v) const {
+        if constexpr (is_traced_at<Problem, V>)
+            return at(t, q, v, wanted::first_order, [&](auto const& node) {
+                return std::pair(vector_like(q, [&](int k) { return node.by_q(k); }), vector_like(q, [&](int k) { return node.by_v(k); }));
+            });
+        else {
+            V by_q = zero_like(q), by_v = by_q;
+            gradients_at(what_, t, q, v, by_q, by_v);
+            return {std::move(by_q), std::move(by_v)};
+        }
+    }
     /// dL/dq, with the force, and dL/dv
     template <class S, class V>
     V by_q(S const& t, V const& q, V const& v) const {

@@ -129,10 +129,10 @@ $state    const lanes t = all(time), *y = v[0][0][0];
 $momenta    memcpy(x + width * $n, p, sizeof p);
     lanes K[$n][$n];
 $masses    for (int lane = 0; lane < width; ++lane) {
-        double mass[$n][$n], x[$n] = {0.0};
+        double mass[$n][$n], nothing[$n] = {0.0};
         for (int j = 0; j < $n; ++j)
             for (int k = 0; k < $n; ++k) mass[j][k] = K[j][k][lane];
-        lost_lanes[lane] = mass_solve(mass, x) ? 0 : -1;
+        lost_lanes[lane] = mass_solve(mass, nothing) ? 0 : -1;
     }
 }
 )";

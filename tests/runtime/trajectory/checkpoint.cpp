@@ -101,34 +101,28 @@ TEST_CASE("the format, and what is said of text that is not in it") {
 }
 
 TEST_CASE("a checkpoint of another problem does not go on in silence") {
-    auto const refuses = [](auto const& from, auto const& to) {
+    auto const complaint = [](auto const& from, auto const& to) -> std::string {
         std::istringstream in(written(from));
         try {
             (void)read_checkpoint(in, to, "'run.txt'");
         } catch (error::mismatch const& e) {
-            return std::string(e.what()).find(
-                       "'run.txt' is a checkpoint of another problem or method: a step of 0.1 from its state at t = 0.3") == 0;
+            return e.what();
         }
-        return false;
+        return "";
     };
-    auto const refuses_in_any_step = [](auto const& from, auto const& to) {
-        std::istringstream in(written(from));
-        try {
-            (void)read_checkpoint(in, to);
-        } catch (error::mismatch const&) {
-            return true;
-        }
-        return false;
+    auto const refuses = [&](auto const& from, auto const& to) {
+        return complaint(from, to).find(
+                   "'run.txt' is a checkpoint of another problem or method: a step of 0.1 from its state at t = 0.3") == 0;
     };
     auto const along = [](auto const& flow) { return pendulum_path<double>(flow, 10); };
     auto const driven = [](double f) { return with_force(pendulum, [f](auto const& t, auto const&, auto const&) { return f * (1 + t); }); };
     auto const heavier = [](double g) { return [g](auto const& q, auto const& v) { return v * v / 2 + g * cos(q); }; };
     auto const damped = [&](double rho, double alpha) { return along(embed(with_fractional_damping(pendulum, rho, alpha), mid_point)); };
-    CHECK_FALSE(refuses(along(embed(driven(0.2), mid_point)), along(embed(driven(0.2), mid_point))));
+    CHECK(complaint(along(embed(driven(0.2), mid_point)), along(embed(driven(0.2), mid_point))) == "");
     CHECK(refuses(along(embed(driven(0.2), mid_point)), along(embed(driven(0.2001), mid_point))));
     CHECK(refuses(along(embed(heavier(1.0), order_one)), along(embed(heavier(1.0001), order_one))));
     CHECK(refuses(along(embed(pendulum, theta_at(0.25))), along(embed(pendulum, theta_at(0.5)))));
-    CHECK_FALSE(refuses(damped(0.2, 0.5), damped(0.2, 0.5)));
+    CHECK(complaint(damped(0.2, 0.5), damped(0.2, 0.5)) == "");
     CHECK(refuses(damped(0.2, 0.5), damped(0.3, 0.5)));
     CHECK(refuses(damped(0.2, 0.5), damped(0.2, 0.6)));
     // At the end of T the step before is made again; a longer T goes on.
@@ -160,8 +154,8 @@ TEST_CASE("a checkpoint of another problem does not go on in silence") {
                          error::mismatch);
     // However short the steps are.
     auto const shortly = [&](double g) { return embed(heavier(g), mid_point).along(uniform(0.0, 0x1p-20, 10), 1.0, 0.25); };
-    CHECK_FALSE(refuses_in_any_step(shortly(9.81), shortly(9.81)));
-    CHECK(refuses_in_any_step(shortly(9.81), shortly(9.80665)));
+    CHECK(complaint(shortly(9.81), shortly(9.81)) == "");
+    CHECK(complaint(shortly(9.81), shortly(9.80665)) != "");
     // Where a step fails it tells nothing, and what is read back fails where the run did.
     auto const pole = [](auto const& q, auto const& v) { return v * v / 2 + log(q); };
     auto const falling = embed(pole, mid_point).along(uniform(0.0, 4.0, 3), 1e-3, -9.0);
