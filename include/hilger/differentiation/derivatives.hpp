@@ -8,6 +8,7 @@
 #pragma once
 
 #include "hilger/differentiation/jet/functions.hpp"
+#include "hilger/differentiation/jet/vector.hpp"
 #include "hilger/differentiation/shape.hpp"
 #include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/inlining.hpp"
@@ -73,8 +74,8 @@ flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const
         else
             return as_jet<J>(f(t..., x, y));
     } else {
-        Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
-        Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
+        jet_vector<q_jet<S, N, Order>, N> x;
+        jet_vector<v_jet<S, N, Order>, N> y;
         ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
         if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
             return f(t..., x, y);
@@ -91,8 +92,8 @@ qv_jet<S, static_cast<int>(Size), Order> plain_jets_of(F const& f, std::array<S,
     if constexpr (Scalar)
         return as_jet<J>(f(t..., q_jet<S, N, Order>::variable(q[0], 0, {1, 0}), v_jet<S, N, Order>::variable(v[0], N, {0, 1})));
     else {
-        Eigen::Matrix<q_jet<S, N, Order>, N, 1> x;
-        Eigen::Matrix<v_jet<S, N, Order>, N, 1> y;
+        jet_vector<q_jet<S, N, Order>, N> x;
+        jet_vector<v_jet<S, N, Order>, N> y;
         ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
         return as_jet<J>(f(t..., x, y));
     }

@@ -119,4 +119,50 @@ TEST_CASE("components of a vector are different variables") {
     CHECK(gradient_second(f, a, b) == e.by_v);
 }
 
+TEST_CASE("sums over the components of a vector are those that are written out") {
+    auto const check = []<int N>(std::integral_constant<int, N>) {
+        using vector = Eigen::Matrix<Q, N, 1>;
+        vector a, b, c;
+        for (int k = 0; k < N; ++k) {
+            a(k) = Q(2 * k + 1, 3);
+            b(k) = Q(5 - 3 * k, 7);
+            c(k) = Q(k * k - 2, 5);
+        }
+        auto const written = [&](auto const& x, auto const& y) {
+            auto squares = x(0) * x(0);
+            auto sum = 1 * y(0);
+            auto products = x(0) * y(0);
+            auto known = x(0) * c(0);
+            auto other = x(0) * (x(0) + y(0));
+            for (int k = 1; k < N; ++k) {
+                squares = squares + x(k) * x(k);
+                sum = sum + y(k);
+                products = products + x(k) * y(k);
+                known = known + x(k) * c(k);
+                other = other + x(k) * (x(k) + y(k));
+            }
+            return squares * sum + products * known * sum + other * squares;
+        };
+        auto const called = [&](auto const& x, auto const& y) {
+            return x.squaredNorm() * y.sum() + x.dot(y) * x.dot(c) * y.sum() + x.dot(x + y) * x.dot(x);
+        };
+        auto const e = expand(called, a, b), f = expand(written, a, b);
+        CHECK(called(a, b) == written(a, b));
+        CHECK(e.by_q == f.by_q);
+        CHECK(e.by_v == f.by_v);
+        CHECK(e.qq == f.qq);
+        CHECK(e.qv == f.qv);
+        CHECK(e.vv == f.vv);
+    };
+    check(std::integral_constant<int, 1>{});
+    check(std::integral_constant<int, 2>{});
+    check(std::integral_constant<int, 3>{});
+    check(std::integral_constant<int, 4>{});
+    // |x|, and a product that Eigen/Core declares alone
+    Eigen::Vector3d const a(3, 0, 4), b(1, 2, -1);
+    auto const e = expand([](auto const& x, auto const& y) { return x.norm() + x.cross(y).z(); }, a, b);
+    CHECK((e.by_q - Eigen::Vector3d(3.0 / 5 + 2, -1, 4.0 / 5)).norm() <= 4 * epsilon<double>());
+    CHECK(e.by_v == Eigen::Vector3d(0, 3, 0));
+}
+
 } // namespace derivatives_tests

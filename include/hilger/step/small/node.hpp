@@ -100,7 +100,7 @@ HILGER_ALWAYS_INLINE inline auto with_force_jets(Jet const& z, Force const& forc
         require_force<S>(f, 1);
         return node(z, J(f));
     } else {
-        Eigen::Matrix<J, N, 1> x, y;
+        jet_vector<J, N> x, y;
         ((x(K) = J::variable(q[K], K, {1, 0}), y(K) = J::variable(v[K], N + K, {0, 1})), ...);
         auto const f = at_time{force, t}(x, y);
         require_force<Eigen::Matrix<S, N, 1>>(f, N);
