@@ -3,6 +3,8 @@
 // have those whose odd part is below 2^24 or 2^53, and the others are refused, for their neighbours are not what was given.
 #pragma once
 
+#include <optional>
+
 #include "hilger/error.hpp"
 #include "hilger/scalar.hpp"
 
@@ -28,6 +30,18 @@ constexpr S exactly(X const& x) {
         return S(static_cast<std::conditional_t<std::is_signed_v<X>, long long, unsigned long long>>(x));
     else
         return S(x);
+}
+
+template <class N>
+concept arithmetic = std::is_arithmetic_v<N> and not std::same_as<N, bool>;
+
+/// A count that is given as a floating number, as 1e6; nothing where it is not whole: rounding of b/h may have taken one.
+template <arithmetic N>
+constexpr std::optional<index_type> whole(N count) {
+    if constexpr (std::floating_point<N>)
+        if (not(count > N(-9e18)) or not(count < N(9e18)) or not(static_cast<N>(static_cast<index_type>(count)) == count))
+            return std::nullopt;
+    return static_cast<index_type>(count);
 }
 
 } // namespace hilger::detail

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect 1: a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers
-// expect 2: a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers
+// expect 1: a state is given in real numbers with no more digits than those of T: round them first, or make T of such numbers
+// expect 2: a state is given in real numbers with no more digits than those of T: round them first, or make T of such numbers
 // expect 3: a state is a number or a vector, one of Eigen (row or column) or an array of numbers, and this is neither
 // expect 4: the two parts of a state are two numbers or two vectors of one length, and these are not
 // expect 5: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
 // expect 6: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
-// expect 7: a state is given in numbers with no more digits than those of T
+// expect 7: a state is given in real numbers with no more digits than those of T
 // A number that would lose digits is rounded by whoever means it.
 #include "hilger/boundary/solve.hpp"
 #include "hilger/integrator/flow.hpp"

@@ -94,14 +94,14 @@ consteval auto common_scalar() {
 template <class A, class B>
 using common_scalar_t = typename decltype(common_scalar<A, B>())::type;
 
-/// A number of steps that is given as a floating number, as 1e6. @throws error::invalid_scale where it is not whole: of b/h rounding may
-/// have taken one step.
+/// A number of steps that is given as a floating number, as 1e6. @throws error::invalid_scale where it is not whole
 template <std::floating_point N>
 constexpr index_type whole_steps(N steps) {
-    if (not(steps > N(-9e18)) or not(steps < N(9e18)) or not(static_cast<N>(static_cast<index_type>(steps)) == steps))
+    auto const count = whole(steps);
+    if (not count)
         error::raise<error::invalid_scale>("the number of steps of a time scale is a whole number, and ", steps,
                                            " is none: std::lround(b / h) is, or uniform(interval{a, b}, N)");
-    return static_cast<index_type>(steps);
+    return *count;
 }
 /// Why two numbers make no scale, in one sentence.
 template <class A, class H>

@@ -126,7 +126,8 @@ constexpr int not_initial_data() {
     static_assert(
         not std::same_as<T, T>,
         "data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or "
-        "two vectors of one length, in numbers with no more digits than those of T; vectors of fixed size above 6 are initial_velocity{q0, "
+        "two vectors of one length, in real numbers with no more digits than those of T; vectors of fixed size above 6 are "
+        "initial_velocity{q0, "
         "v0}");
     return 0;
 }

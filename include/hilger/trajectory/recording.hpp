@@ -9,6 +9,7 @@
 
 #include "hilger/function/function.hpp"
 #include "hilger/trajectory/trajectory.hpp"
+#include "hilger/whole_number.hpp"
 
 namespace hilger {
 
@@ -47,8 +48,14 @@ using recording_of = recording<std::remove_cvref_t<decltype((*std::declval<Path 
                                std::remove_cvref_t<decltype((*std::declval<Path const&>().begin()).q)>,
                                std::remove_cvref_t<decltype(std::declval<Path const&>().scale())>>;
 
-inline void require_stride(index_type stride) {
-    if (stride < 1) error::raise<error::invalid_parameter>("a recording keeps every stride-th state, and its stride was given as ", stride);
+/// A stride as it is given, as 10 or 1e3. @throws error::invalid_parameter where it is no whole number from 1
+template <arithmetic N>
+index_type whole_stride(N stride) {
+    auto const count = whole(stride);
+    if (not count or *count < 1)
+        error::raise<error::invalid_parameter>(
+            "a recording keeps every stride-th state, a whole number from 1, and its stride was given as ", stride);
+    return *count;
 }
 /// Keeps states as it walks, the one that was reached in any case; so that whoever catches what a step throws has them.
 template <class Path>
@@ -75,22 +82,22 @@ void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
 } // namespace detail
 
 /// Walks a trajectory, or what is left of one, and keeps the first state, every stride-th one after it, and the last.
-/// @throws error::invalid_parameter when stride < 1, and what steps throw: nothing is kept then
-template <class Path>
-[[nodiscard]] auto record(Path const& path, index_type stride = 1) {
-    detail::require_stride(stride);
+/// @throws error::invalid_parameter when stride < 1 or not whole, and what steps throw: nothing is kept then
+template <class Path, detail::arithmetic N = index_type>
+[[nodiscard]] auto record(Path const& path, N stride = 1) {
+    auto const every = detail::whole_stride(stride);
     detail::recording_of<Path> result{{}, {}, path.scale()};
-    detail::record_into(result, path, stride);
+    detail::record_into(result, path, every);
     return result;
 }
 /// The same, and where a step fails the states that were reached stay, the last of them at any stride: `stopped` says why and where. It is
-/// to be read before anything else. @throws error::invalid_parameter when stride < 1
-template <class Path>
-[[nodiscard]] auto record(Path const& path, index_type stride, keep_partial_t) {
-    detail::require_stride(stride);
+/// to be read before anything else. @throws error::invalid_parameter as above
+template <class Path, detail::arithmetic N>
+[[nodiscard]] auto record(Path const& path, N stride, keep_partial_t) {
+    auto const every = detail::whole_stride(stride);
     detail::recording_of<Path> result{{}, {}, path.scale()};
     try {
-        detail::record_into(result, path, stride);
+        detail::record_into(result, path, every);
     } catch (std::exception const& why) { // a failed step, or what the Lagrangian itself throws
         result.stopped = why.what();
     }
@@ -98,7 +105,7 @@ template <class Path>
 }
 template <class Path>
 [[nodiscard]] auto record(Path const& path, keep_partial_t) {
-    return record(path, 1, keep_partial);
+    return record(path, index_type(1), keep_partial);
 }
 
 } // namespace hilger

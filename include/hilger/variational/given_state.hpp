@@ -108,7 +108,7 @@ constexpr void refuse_states() {
                       "a state is a number or a vector, one of Eigen (row or column) or an array of numbers, and this is neither");
     else if constexpr (not is_exact_state<X, S> or not is_exact_state<Y, S>)
         static_assert(is_exact_state<X, S> and is_exact_state<Y, S>,
-                      "a state is given in numbers with no more digits than those of T: round them first, or make T of such numbers");
+                      "a state is given in real numbers with no more digits than those of T: round them first, or make T of such numbers");
     else
         static_assert(fit_together<X, Y>, "the two parts of a state are two numbers or two vectors of one length, and these are not");
 }

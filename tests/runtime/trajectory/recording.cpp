@@ -24,7 +24,7 @@ TEST_CASE("a recording has the states of the walk") {
 
 TEST_CASE("every stride-th state and always the last") {
     auto const path = embed(pendulum, mid_point).along(uniform(0.0, 0.5, 10), 1.0, 0.0);
-    auto const times = [&](hilger::index_type stride) {
+    auto const times = [&](auto stride) {
         std::vector<double> result;
         for (auto const& x : record(path, stride).states) result.push_back(x.t);
         return result;
@@ -32,8 +32,13 @@ TEST_CASE("every stride-th state and always the last") {
     CHECK(times(4) == std::vector{0.0, 2.0, 4.0, 5.0});
     CHECK(times(5) == std::vector{0.0, 2.5, 5.0});
     CHECK(times(100) == std::vector{0.0, 5.0});
-    CHECK_THROWS_WITH_AS((void)record(path, 0), "a recording keeps every stride-th state, and its stride was given as 0",
+    CHECK(times(1e2) == times(100));
+    CHECK(times(0.5 / 0.125) == times(4));
+    CHECK_THROWS_WITH_AS((void)record(path, 0),
+                         "a recording keeps every stride-th state, a whole number from 1, and its stride was given as 0",
                          error::invalid_parameter);
+    CHECK_THROWS_AS((void)record(path, 0.3 / 0.1), error::invalid_parameter); // 2.9999999999999996
+    CHECK_THROWS_AS((void)record(path, std::nan(""), keep_partial), error::invalid_parameter);
 }
 
 TEST_CASE("positions are the solution in C(T), momenta satisfy their definition, exactly") {
