@@ -83,13 +83,15 @@ public:
     /// The positions that join two ends. @throws hilger::error::invalid_parameter where the method has no equation in positions, or a
     /// memory
     [[nodiscard]] virtual std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const = 0;
-    /// What the positions at the points of T leave of the equation that the method comes from; with a memory, what those that `from` leads
-    /// to leave of it. @throws hilger::error::invalid_parameter where it has none
-    [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const = 0;
+    /// What the positions at the points of T leave of the equation that the method comes from; of compositions, what they and the momenta
+    /// leave of those of their parts; with a memory, what those that `from` leads to leave of it.
+    /// @throws hilger::error::invalid_parameter where it has none
+    [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
+                                     std::vector<vector<S>> const& momenta) const = 0;
     /// The discrete Euler-Lagrange equation and Hamiltonian system, or what the method is called.
     [[nodiscard]] virtual std::string equation(bool latex) const = 0;
-    /// H(p, q) = p v - L at a state.
-    [[nodiscard]] virtual S energy(state<S> const& x) const = 0;
+    /// H(p, q) = p v - L at a state, with the velocity near the given one where several have its momentum.
+    [[nodiscard]] virtual S energy(state<S> const& x, vector<S> const& near) const = 0;
     /// The state at t between two neighbouring ones, of order 4. @throws hilger::error::invalid_parameter with a memory, which is no part
     /// of a state
     [[nodiscard]] virtual state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const = 0;

@@ -22,6 +22,12 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
+/// Whether it is made of parts, and judged by the momenta between them.
+template <class Flow, class S, class Scale>
+concept has_parts = requires(Flow const& f, hilger::recording<S, vector<S>, Scale> const& run) {
+    largest_residual(f, run);
+};
+
 template <class S, class Scale>
 std::vector<S> elements_of(Scale const& T) {
     std::vector<S> all;
@@ -60,8 +66,14 @@ public:
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
                                     : "is solved from initial values: what joins two ends is found for embeddings");
     }
-    [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions) const override {
-        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
+    [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
+                             std::vector<vector<S>> const& momenta) const override {
+        if constexpr (has_parts<Flow, S, Scale>) {
+            hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta.at(i)});
+            return largest_residual(flow_, run);
+        } else if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
             return largest_residual(flow_, hilger::function_on(T_, positions));
         else if constexpr (has_memory<Flow>) {
             S worst(0);
@@ -82,14 +94,15 @@ public:
         } else
             return name_;
     }
-    [[nodiscard]] S energy(state<S> const& x) const override { return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}); }
+    [[nodiscard]] S energy(state<S> const& x, vector<S> const& near) const override {
+        return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}, near);
+    }
     [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
         if constexpr (has_memory<Flow>)
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
         else {
             hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
-            auto const slopes = [this](auto const& at) { return hilger::detail::slopes_by(derivatives_, at); };
-            auto const z = hilger::dense_step<S, vector<S>>(from, slopes(from), to, slopes(to))(t);
+            auto const z = hilger::dense_step<S, vector<S>>(derivatives_, from, to)(t);
             return {z.t, z.q, z.p};
         }
     }

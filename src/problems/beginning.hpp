@@ -16,21 +16,30 @@ public:
     observation(observation const&) = delete;
     observation& operator=(observation const&) = delete;
     virtual ~observation() = default;
-    [[nodiscard]] virtual std::vector<S> constants(state const& x) const = 0;
-    [[nodiscard]] virtual std::vector<S> shown(state const& x) const = 0;
+    /// `near` is a velocity near that of x.
+    [[nodiscard]] virtual std::vector<S> constants(state const& x, engine::vector<S> const& near) const = 0;
+    [[nodiscard]] virtual std::vector<S> shown(state const& x, engine::vector<S> const& near) const = 0;
 };
-/// The same of states of any kind.
+/// The same of states of any kind: of the first one, and of others with a velocity near theirs.
 template <class S>
 class observed {
 public:
-    explicit observed(std::shared_ptr<observation<S> const> by) : by_(std::move(by)) {}
+    observed(std::shared_ptr<observation<S> const> by, engine::vector<S> velocity) : by_(std::move(by)), velocity_(std::move(velocity)) {}
     template <class State>
     std::vector<S> operator()(State const& x) const {
-        return by_->constants(of_any_size(x));
+        return by_->constants(of_any_size(x), velocity_);
+    }
+    template <class State, class V>
+    std::vector<S> operator()(State const& x, V const& near) const {
+        return by_->constants(of_any_size(x), engine::as_vector<S>(near));
     }
     template <class State>
     std::vector<S> shown(State const& x) const {
-        return by_->shown(of_any_size(x));
+        return by_->shown(of_any_size(x), velocity_);
+    }
+    template <class State, class V>
+    std::vector<S> shown(State const& x, V const& near) const {
+        return by_->shown(of_any_size(x), engine::as_vector<S>(near));
     }
 
 private:
@@ -39,14 +48,20 @@ private:
         return {x.t, engine::as_vector<S>(x.q), engine::as_vector<S>(x.p)};
     }
     std::shared_ptr<observation<S> const> by_;
+    engine::vector<S> velocity_; ///< of the first state
 };
 
 /// What all walks in numbers S begin with.
 template <class S>
 struct beginning {
     S start, end;
-    engine::vector<S> q, p;
+    engine::vector<S> q, v, p;
     observed<S> seen;
+    /// In states V.
+    template <class V = engine::vector<S>>
+    [[nodiscard]] hilger::initial_velocity<V> from() const {
+        return {V(q), V(v)};
+    }
     [[nodiscard]] auto scale(hilger::index_type steps) const { return hilger::uniform(hilger::interval<S>{start, end}, steps); }
 };
 /// From q and v, compiled once for each S (in_numbers.hpp).

@@ -13,7 +13,7 @@ std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration con
     engine::problem of = what.of;
     of.history = c.history;
     engine::with_damped(of, engine::with_any_force(of), c.steps, [&](auto const& how) {
-        made = walk_along(hilger::embed(how, hilger::mid_point).along(begin.scale(c.steps), begin.q, begin.p), begin.seen);
+        made = walk_along(hilger::embed(how, hilger::mid_point).along(begin.scale(c.steps), begin.from()), begin.seen);
     });
     return made;
 }

@@ -16,22 +16,22 @@ public:
         : of_(what), derivatives_({of_.of.lagrangian, {}}), energy_(hilger::energy(of_.of.lagrangian)) {
         of_.known.clear();
     }
-    [[nodiscard]] std::vector<S> constants(state const& x) const override {
+    [[nodiscard]] std::vector<S> constants(state const& x, engine::vector<S> const& near) const override {
         std::vector<S> all;
-        if (of_.conserves_energy()) all.push_back(energy_(x));
-        evaluate(of_.conserved, x, all);
+        if (of_.conserves_energy()) all.push_back(energy_(x, near));
+        evaluate(of_.conserved, x, near, all);
         return all;
     }
-    [[nodiscard]] std::vector<S> shown(state const& x) const override {
+    [[nodiscard]] std::vector<S> shown(state const& x, engine::vector<S> const& near) const override {
         std::vector<S> all;
-        evaluate(of_.observed, x, all);
+        evaluate(of_.observed, x, near, all);
         return all;
     }
 
 private:
-    void evaluate(std::vector<named_formula> const& formulas, state const& x, std::vector<S>& to) const {
+    void evaluate(std::vector<named_formula> const& formulas, state const& x, engine::vector<S> const& near, std::vector<S>& to) const {
         if (formulas.empty()) return;
-        auto const v = hilger::detail::velocity_by(derivatives_, x.t, x.q, x.p);
+        auto const v = hilger::detail::velocity_by(derivatives_, x.t, x.q, x.p, near);
         for (auto const& f : formulas) to.push_back(f.of.value(x.t, x.q, v));
     }
     stated_problem of_;
@@ -43,14 +43,14 @@ beginning<S> beginning_from(stated_problem const& what, engine::vector<S> const&
     auto const number = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
     S const start = number(what.start);
     auto const p = hilger::momentum_of(hilger::detail::at_time{what.of.lagrangian, start}, q, v);
-    return {start, number(what.end), q, p, observed<S>(std::make_shared<observation_of<S> const>(what))};
+    return {start, number(what.end), q, v, p, observed<S>(std::make_shared<observation_of<S> const>(what), v)};
 }
 
 template <class S, class WithFlow>
 std::unique_ptr<walk> begin_in_any_size(stated_problem const& what, configuration const& c, WithFlow const& with_flow) {
     std::unique_ptr<walk> made;
     auto const& begin = beginning_of<S>(what);
-    with_flow([&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.q, begin.p), begin.seen); });
+    with_flow([&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.from()), begin.seen); });
     return made;
 }
 template <class S>

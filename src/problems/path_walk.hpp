@@ -37,7 +37,12 @@ public:
         hilger::index_type const last = std::min(path_.scale().last(), at_.number() + steps);
         iterator at = at_; // where nobody else can see it, the optimiser may keep it in registers
         try {
-            while (at.number() < last) ++at;
+            while (at.number() < last - 1) ++at;
+            if (at.number() < last) {
+                auto const before = *at;
+                ++at;
+                mean_ = hilger::detail::mean_velocity(before, *at);
+            }
         } catch (...) {
             at_ = at;
             throw;
@@ -51,14 +56,14 @@ public:
         for (int k = 0; k < s::dimension(x.q); ++k) text += ',' + digits_of(S(s::component(x.q, k)));
         for (int k = 0; k < s::dimension(x.p); ++k) text += ',' + digits_of(S(s::component(x.p, k)));
         auto const& start = start_of_all();
-        auto const now = observe_(x);
+        auto const now = observed(x);
         for (std::size_t k = 0; k < now.size(); ++k) {
             auto const change = static_cast<double>(S(now[k] - start[k]));
             largest_[k] = std::max(largest_[k], std::abs(change));
             text += ',' + digits_of(change);
         }
         if constexpr (requires { observe_.shown(x); })
-            for (S const& value : observe_.shown(x)) text += ',' + digits_of(value);
+            for (S const& value : mean_ ? observe_.shown(x, *mean_) : observe_.shown(x)) text += ',' + digits_of(value);
         return text;
     }
     [[nodiscard]] std::vector<hilger::float100> position() const override {
@@ -104,8 +109,15 @@ private:
         }
         return *start_;
     }
+    /// Where several velocities have one momentum, that of x is near the mean one of the step that led there.
+    auto observed(typename iterator::value_type const& x) const {
+        if constexpr (requires(V const& near) { observe_(x, near); })
+            if (mean_) return observe_(x, *mean_);
+        return observe_(x);
+    }
     Path path_;
     Observe observe_;
+    std::optional<V> mean_;
     std::optional<hilger::resumed<Path>> resumed_;
     iterator at_;
     std::remove_cvref_t<decltype(*std::declval<iterator const&>())> first_;

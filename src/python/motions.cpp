@@ -89,18 +89,20 @@ void add_motion(py::module_& m, char const* name) {
                  return with::array(std::move(q), static_cast<int>(a.size()));
              })
         .def("residual",
-             [](motion const& path, given const& q0, std::string const& what, given const& other, std::vector<given> const& positions) {
+             [](motion const& path, given const& q0, std::string const& what, given const& other, std::vector<given> const& positions,
+                std::vector<given> const& momenta) {
                  auto const from = initial_of<S>(q0, what, other);
-                 std::vector<engine::vector<S>> all;
-                 for (given const& q : positions) all.push_back(with::vector_of(q));
+                 std::vector<engine::vector<S>> q, p;
+                 for (given const& x : positions) q.push_back(with::vector_of(x));
+                 for (given const& x : momenta) p.push_back(with::vector_of(x));
                  py::gil_scoped_release const others_run;
-                 S const worst = path.residual(from, all);
+                 S const worst = path.residual(from, q, p);
                  py::gil_scoped_acquire const here;
                  return with::word(worst);
              })
         .def("equation", &motion::equation)
-        .def("energy", [state_of](motion const& path, number const& t, given const& q,
-                                  given const& p) { return with::word(path.energy(state_of(t, q, p))); })
+        .def("energy", [state_of](motion const& path, number const& t, given const& q, given const& p,
+                                  given const& near) { return with::word(path.energy(state_of(t, q, p), with::vector_of(near))); })
         .def("zero_between",
              [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1, given const& q1,
                         given const& p1, number const& was, number const& now, py::function const& g) {

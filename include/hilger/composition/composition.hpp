@@ -12,75 +12,14 @@
 #include <optional>
 #include <tuple>
 
+#include "hilger/composition/by_turns.hpp"
 #include "hilger/composition/splitting.hpp"
 
 namespace hilger {
 
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
-    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
-    static_assert(turns * sizeof...(Flows) == Parts::size, "each flow of a composition has the same number of parts of the step");
-
-    /// One memory for each part: its steps have one length, c_k h, and its guesses are made from its own steps.
-    template <class S, class V>
-    class by_turns {
-        using all = std::index_sequence_for<Flows...>;
-        template <class Flow>
-        using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
-
-    public:
-        by_turns(composed_flow const& f, S const& h, V const& like)
-            : parts_(detail::whole<S>(f.parts_)), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like},
-              memories_(made(f, lengths_, like, all{})) {}
-        void advance(composed_flow const& f, state<S, V>& x, S const& h) {
-            if (not(h == h_)) [[unlikely]] {
-                lengths_ = scaled(parts_, h);
-                h_ = h;
-            }
-            x_ = x;
-            for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
-            x_.t = x.t + h;
-            x = x_;
-        }
-        /// Everything that later steps depend on, for checkpoints.
-        template <class Visit>
-        void visit(composed_flow const& f, Visit& each) {
-            each("step", h_);
-            lengths_ = scaled(parts_, h_);
-            for (std::size_t turn = 0; turn < turns; ++turn) visit(f, each, turn, all{});
-        }
-
-    private:
-        using numbers = std::array<S, Parts::size>;
-        static numbers scaled(numbers c, S const& h) {
-            for (S& part : c) part = part * h;
-            return c;
-        }
-        template <std::size_t... J>
-        static auto made(composed_flow const& f, numbers const& lengths, V const& like, std::index_sequence<J...>) {
-            return std::tuple<of_a_turn<Flows>...>(of_flow<J>(std::get<J>(f.flows_), lengths, like, std::make_index_sequence<turns>{})...);
-        }
-        template <std::size_t J, class Flow, std::size_t... Turn>
-        static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
-            return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
-        }
-        template <std::size_t... J>
-        void take(composed_flow const& f, std::size_t turn, std::index_sequence<J...>) {
-            (std::get<J>(memories_)[turn].advance(std::get<J>(f.flows_), x_, lengths_[turn * sizeof...(Flows) + J]), ...);
-        }
-
-        template <class Visit, std::size_t... J>
-        void visit(composed_flow const& f, Visit& each, std::size_t turn, std::index_sequence<J...>) {
-            (std::get<J>(memories_)[turn].visit(std::get<J>(f.flows_), each), ...);
-        }
-
-        numbers parts_;
-        S h_;
-        numbers lengths_;
-        /// Inside the step: handed over when its last part is made.
-        state<S, V> x_;
-        std::tuple<of_a_turn<Flows>...> memories_;
-    };
+    static_assert(Parts::size % sizeof...(Flows) == 0, "each flow of a composition has the same number of parts of the step");
     struct nothing {
         template <class... Arguments>
         constexpr explicit nothing(Arguments const&...) {}
@@ -98,51 +37,113 @@ public:
         static constexpr auto ways = detail::splits<composed_flow, S, V>;
         static constexpr bool kicks = ways != detail::kicks_and_drifts::no, turns_too = ways != detail::kicks_and_drifts::always;
 
+        static constexpr bool in_registers = [] {
+            if constexpr (kicks)
+                return detail::splitting<composed_flow, S, V>::in_registers;
+            else
+                return false;
+        }();
+
     public:
         /// @throws error::invalid_parameter when the parts do not add up to the step
         memory(composed_flow const& f, S const& h, V const& like) : kicks_(f, h, like) {
-            if constexpr (not kicks) turns_.emplace(f, h, like);
+            if constexpr (not kicks) turns_->made(f, h, state<S, V>{S(0), like, like});
         }
-
+        /// The velocity that the first step begins with, at x, or one near it.
+        void start_with(state<S, V> const& x, V const& v) {
+            if constexpr (turns_too) turns_->start_with(x, v);
+        }
         /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
         /// be those of the parts that were made.
         void advance(composed_flow const& f, state<S, V>& x, S const& h) {
             if constexpr (kicks)
                 if (kicks_.advance(f, x, h)) return;
-            if constexpr (turns_too) {
-                if (not turns_) turns_.emplace(f, h, x.q);
-                turns_->advance(f, x, h);
-            } else
-                error::raise<error::not_finite>("the kicks and drifts of the step meet NaN or infinity");
+            in_turns(f, turns_.get(), x, h);
+        }
+        void begin(composed_flow const& f, state<S, V> const& x, S const& h) requires in_registers { kicks_.begin(f, x, h); }
+        /// x one step further, of the length that it began with. Neither the state nor the kicks and drifts have their address taken, so
+        /// that both can live in registers. @throws the same as a step_failure
+        HILGER_ALWAYS_INLINE void advance_equally(composed_flow const& f, state<S, V>& x) requires in_registers {
+            if (not kicks_.advance_equally(f, x)) [[unlikely]]
+                x = in_turns_saying_where(f, turns_.get(), x, kicks_.h());
         }
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(composed_flow const& f, Visit& each) {
             if constexpr (kicks) kicks_.visit(f, each);
             if constexpr (turns_too) {
-                int turns = turns_ ? 1 : 0;
+                auto& flows = turns_->flows;
+                int turns = flows ? 1 : 0;
                 each("turns", turns);
-                if (turns != 0 and not turns_) make_turns(f);
-                if (turns == 0) turns_.reset();
-                if (turns_) turns_->visit(f, each);
+                if (turns == 0) flows.reset();
+                // What was read from a checkpoint may say that there are turns.
+                if constexpr (kicks)
+                    if (turns != 0 and not flows) flows.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
+                if (flows) flows->visit(f, each);
             }
         }
 
     private:
-        /// What was read from a checkpoint says that there are turns.
-        void make_turns(composed_flow const& f) {
-            if constexpr (kicks) turns_.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
+        /// Made when they are needed, in a place of their own.
+        using turns = detail::by_turns<S, V, Parts, Flows...>;
+        struct in_turns_of {
+            std::optional<turns> flows;
+            std::optional<std::pair<state<S, V>, V>> start;
+            turns& made(composed_flow const& f, S const& h, state<S, V> const& x) {
+                if (not flows) {
+                    flows.emplace(f, h, x.q);
+                    if (start and start->first == x) flows->start_with(x, start->second);
+                }
+                return *flows;
+            }
+            void start_with(state<S, V> const& x, V const& v) {
+                if (flows)
+                    flows->start_with(x, v);
+                else
+                    start.emplace(x, v);
+            }
+        };
+        using flows_in_turns = std::conditional_t<turns_too, in_turns_of, nothing>;
+        static void in_turns(composed_flow const& f, flows_in_turns* turns, state<S, V>& x, S const& h) {
+            if constexpr (turns_too)
+                turns->made(f, h, x).advance(f, x, h);
+            else
+                error::raise<error::not_finite>("the kicks and drifts of the step meet NaN or infinity");
+        }
+        [[gnu::noinline]] static state<S, V> in_turns_saying_where(composed_flow const& f, flows_in_turns* turns, state<S, V> x, S h) {
+            saying_where(x, h, [&] { in_turns(f, turns, x, h); });
+            return x;
         }
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
-        /// Made when it is needed.
-        [[no_unique_address]] std::conditional_t<turns_too, std::optional<by_turns<S, V>>, nothing> turns_;
+        detail::in_its_place<flows_in_turns> turns_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
         (void)mechanics();
-        return std::get<0>(flows_).momentum(t, q, v);
+        V p = std::get<0>(flows_).momentum(t, q, v);
+        std::apply([&](auto const&, auto const&... other) { (require_the_same(p, other.momentum(t, q, v)), ...); }, flows_);
+        return p;
+    }
+    /// That the flows step one problem, as far as its momenta and forces at x say so: what belongs to one of them, as a velocity or a
+    /// slope, belongs to all then. Lambdas of one type may hold other numbers. @throws error::mismatch
+    template <class S, class V>
+    void require_one_problem(state<S, V> const& x) const {
+        auto const& first = mechanics();
+        auto const check = [&](auto const& other, V const& q, V const& v) {
+            detail::at_time const L{first.lagrangian, x.t}, M{other.lagrangian, x.t};
+            require_the_same(gradient_first(L, q, v), gradient_first(M, q, v));
+            require_the_same(gradient_second(L, q, v), gradient_second(M, q, v));
+        };
+        auto const look = [&](auto const& flow) {
+            if constexpr (not detail::of_one_problem<Parts>) {
+                check(flow.mechanics(), x.q, x.p);
+                check(flow.mechanics(), x.p, x.q); // at rest or at the origin different ones may be the same
+            }
+            if constexpr (requires { flow.require_one_problem(x); }) flow.require_one_problem(x);
+        };
+        std::apply([&](auto const&... flow) { (look(flow), ...); }, flows_);
     }
     template <class S, class V>
     [[nodiscard]] V momentum_between(S const&, V const&, V const&, S const&) const {
@@ -152,13 +153,20 @@ public:
     [[nodiscard]] auto const& mechanics() const {
         using first = std::remove_cvref_t<decltype(std::get<0>(flows_).mechanics())>;
         static_assert((std::same_as<first, std::remove_cvref_t<decltype(std::declval<Flows const&>().mechanics())>> and ...),
-                      "a velocity has a momentum where all flows of a composition have the same Lagrangian: give q0 and p0");
+                      "velocities, and slopes between the points, are those of one Lagrangian, and the flows of this composition have "
+                      "several: a walk from q0 and p0 has its points alone");
         return std::get<0>(flows_).mechanics();
     }
     [[nodiscard]] Parts const& parts() const { return parts_; }
     [[nodiscard]] std::tuple<Flows...> const& flows() const { return flows_; }
 
 private:
+    template <class V>
+    static void require_the_same(V const& a, V const& b) {
+        if (not(a == b) and is_finite(a) and is_finite(b))
+            error::raise<error::mismatch>("velocities, and slopes between the points, are those of one Lagrangian, and the flows of this "
+                                          "composition have several: a walk from q0 and p0 has its points alone");
+    }
     [[no_unique_address]] Parts parts_;
     std::tuple<Flows...> flows_;
 };

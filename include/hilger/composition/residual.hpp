@@ -6,6 +6,7 @@
 // A trajectory has no U_k. They are found part by part from its momentum at the beginning of the step; the last part has to lead to its
 // next point, and to the momentum there. What the momenta before and after that part are off by is the residual.
 //   largest_residual(stoermer_verlet(L).along(T, q0, p0))
+//   largest_residual(stoermer_verlet(L), record(path))      states that were kept, or are another program's
 #pragma once
 
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "hilger/composition/composition.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
+#include "hilger/trajectory/recording.hpp"
 
 namespace hilger {
 
@@ -32,13 +34,15 @@ class judged_part<flow<F, Force, E, Sums>, S, V> {
 public:
     judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(f.mechanics()) {}
     /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. `off` becomes at least the
-    /// distance of that momentum from the one that the part begins with.
-    void go(of const& f, state<S, V>& x, S const& h, V const* end, S& off) {
+    /// distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step.
+    void go(of const& f, state<S, V>& x, S const& h, V const& near, V const* end, S& off) {
         state<S, V> y = x;
         if (end != nullptr)
             y.q = *end;
-        else
+        else {
+            memory_.start_with(x, near);
             memory_.advance(f, y, h);
+        }
         auto [before, after] = momenta_of_step(derivatives_, tableau_of(f.embedding(), h), x.t, h, x.q, y.q);
         off = larger(off, S(magnitude(V(x.p - before))));
         x = {S(x.t + h), std::move(y.q), std::move(after)};
@@ -59,8 +63,8 @@ public:
     judged_part(of const& f, S const& h, V const& like) : lengths_(whole<S>(f.parts())) {
         for (std::size_t turn = 0; turn < turns; ++turn) add(f, turn, h, like, all{});
     }
-    void go(of const& f, state<S, V>& x, S const& h, V const* end, S& off) {
-        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, x, h, end, off, all{});
+    void go(of const& f, state<S, V>& x, S const& h, V const& near, V const* end, S& off) {
+        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, x, h, near, end, off, all{});
     }
 
 private:
@@ -69,9 +73,9 @@ private:
         (std::get<J>(parts_).emplace_back(std::get<J>(f.flows()), S(lengths_[turn * sizeof...(Flows) + J] * h), like), ...);
     }
     template <std::size_t... J>
-    void take(of const& f, std::size_t turn, state<S, V>& x, S const& h, V const* end, S& off, std::index_sequence<J...>) {
+    void take(of const& f, std::size_t turn, state<S, V>& x, S const& h, V const& near, V const* end, S& off, std::index_sequence<J...>) {
         auto const one = [&](std::size_t k, auto const& flow, auto& part) {
-            part.go(flow, x, S(lengths_[k] * h), k + 1 == Parts::size ? end : nullptr, off);
+            part.go(flow, x, S(lengths_[k] * h), near, k + 1 == Parts::size ? end : nullptr, off);
         };
         (one(turn * sizeof...(Flows) + J, std::get<J>(f.flows()), std::get<J>(parts_)[turn]), ...);
     }
@@ -79,24 +83,32 @@ private:
     std::tuple<std::vector<judged_part<Flows, S, V>>...> parts_;
 };
 
-/// Of the flow that `path` should have walked.
-template <class Flow, class Path>
-auto largest_residual_of_parts(Flow const& method, Path const& path) {
-    using V = std::remove_cvref_t<decltype((*path.begin()).q)>;
-    using S = scalar_of<V>;
-    auto const& T = path.scale();
+/// Of states at the points of T, one after the other, and the flow that should have walked them.
+template <class Flow, class Scale, class States>
+auto largest_residual_of_parts(Flow const& method, Scale const& T, States const& states) {
+    auto at = std::begin(states);
+    auto from = *at;
+    using V = decltype(from.q);
+    using S = decltype(from.t);
     std::optional<judged_part<Flow, S, V>> part;
     S worst(0);
-    auto at = path.begin();
-    for (state<S, V> from = *at; at.number() < T.last(); from = *at) {
-        S const h = T.domain().base.step(T.root(), at.number());
+    for (index_type i = T.first(); i < T.last(); ++i) {
+        S const h = T.domain().base.step(T.root(), i);
         ++at;
         if (not part) part.emplace(method, h, from.q);
         S off(0);
-        part->go(method, from, h, &at->q, off);
+        part->go(method, from, h, V((at->q - from.q) / h), &at->q, off);
         worst = larger(worst, S(larger(off, S(magnitude(V(from.p - at->p)))) / magnitude(h)));
+        from = *at;
     }
     return worst;
+}
+template <class Flow, class S, class V, class Scale>
+auto largest_residual_of_parts(Flow const& method, recording<S, V, Scale> const& run) {
+    if (run.stopped or std::ssize(run.states) != run.scale.size())
+        error::raise<error::mismatch>("a recording is judged that has a state at each point of ", run.scale, ", and this one has ",
+                                      run.states.size());
+    return largest_residual_of_parts(method, run.scale, run.states);
 }
 
 } // namespace detail
@@ -105,12 +117,21 @@ auto largest_residual_of_parts(Flow const& method, Path const& path) {
 /// the size of the residual of one step (integrator/residual.hpp). @throws what walking does
 template <class Parts, class... Flows, class Scale, class V>
 auto largest_residual(trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
-    return detail::largest_residual_of_parts(path.method(), path);
+    return detail::largest_residual_of_parts(path.method(), path.scale(), path);
 }
 /// The same of an embedding that is read from the end of each step (composition/reversed.hpp).
 template <class F, class Force, class E, sums Sums, class Scale, class V>
 auto largest_residual(trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
-    return detail::largest_residual_of_parts(path.method(), path);
+    return detail::largest_residual_of_parts(path.method(), path.scale(), path);
+}
+/// The same of states that were kept, wherever they come from. @throws error::mismatch where there is not one at each point of their scale
+template <class Parts, class... Flows, class S, class V, class Scale>
+auto largest_residual(composed_flow<Parts, Flows...> const& method, recording<S, V, Scale> const& run) {
+    return detail::largest_residual_of_parts(method, run);
+}
+template <class F, class Force, class E, sums Sums, class S, class V, class Scale>
+auto largest_residual(flow<F, Force, reversed<E>, Sums> const& method, recording<S, V, Scale> const& run) {
+    return detail::largest_residual_of_parts(method, run);
 }
 
 } // namespace hilger

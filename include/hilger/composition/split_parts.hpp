@@ -41,8 +41,8 @@ public:
     HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum) {
         add(x, w, y, sum, all{});
     }
-    /// 0, or NaN where not all numbers are finite.
-    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p) { return overflow(q, p, all{}); }
+    /// Whether all numbers are finite. Their sum is not where one is not; where it alone is too large they are looked at one by one.
+    HILGER_ALWAYS_INLINE static bool are_finite(vector const& q, vector const& p) { return are_finite(q, p, all{}); }
 
 private:
     using all = std::make_integer_sequence<int, static_cast<int>(N)>;
@@ -84,8 +84,9 @@ private:
         (sum.add(x[K], S(w * y[K]), K), ...);
     }
     template <int... K>
-    HILGER_ALWAYS_INLINE static S overflow(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
-        return S((S(q[K] - q[K]) + ...) + (S(p[K] - p[K]) + ...));
+    HILGER_ALWAYS_INLINE static bool are_finite(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
+        return [](S const& s) HILGER_ALWAYS_INLINE { return S(s - s) == S(0); }(S((q[K] + ...) + (p[K] + ...))) or
+               ((is_finite(q[K]) and is_finite(p[K])) and ...);
     }
     using matrix = std::array<S, N * N>;
     matrix inertia_{}; ///< M and a where the last drift began
@@ -108,7 +109,7 @@ public:
         else
             for (int k = 0; k < shape<V>::dimension(x); ++k) sum.add(x(k), S(w * y(k)), k);
     }
-    static S overflow(V const& q, V const& p) { return S((q - q).sum() + (p - p).sum()); }
+    static bool are_finite(V const& q, V const& p) { return is_finite(S(q.sum() + p.sum())) or (all_finite(q) and all_finite(p)); }
 };
 /// The same of a system that says so, of a formula that is traced, and of a Lagrangian with derivatives of its own (step/separable.hpp).
 template <class Problem, class S, class V>

@@ -35,13 +35,12 @@ template <class F, class E, sums Sums>
 struct turns<flow<F, no_force, E, Sums>> {
     static constexpr bool possible = true, compensated = Sums == sums::compensated;
     static constexpr bool starts_with_kick = facts_of<E>.at_start;
-    static constexpr std::size_t leaves = 1;
+    static constexpr std::array<bool, 2> is_kick{starts_with_kick, not starts_with_kick};
     using problem_type = problem<F, no_force>;
     template <class S, class Use>
     static void each(flow<F, no_force, E, Sums> const& f, S const& h, Use const& use) {
         S const w = tableau_of(f.embedding(), h).w(0);
-        use(starts_with_kick, w);
-        use(not starts_with_kick, w);
+        for (bool const kick : is_kick) use(kick, w);
     }
 };
 template <class Parts, class First, class... Others>
@@ -50,7 +49,17 @@ struct turns<composed_flow<Parts, First, Others...>> {
     static constexpr bool possible = true, compensated = turns<First>::compensated;
     static constexpr bool starts_with_kick = turns<First>::starts_with_kick;
     static constexpr std::size_t flows = 1 + sizeof...(Others);
-    static constexpr std::size_t leaves = Parts::size / flows * (turns<First>::leaves + (turns<Others>::leaves + ... + 0));
+    /// Of each kick and drift, in the order in which they are made.
+    static constexpr auto is_kick = [] {
+        constexpr std::size_t in_turn = turns<First>::is_kick.size() + (turns<Others>::is_kick.size() + ... + 0);
+        std::array<bool, Parts::size / flows * in_turn> kinds{};
+        std::size_t k = 0;
+        auto const add = [&](auto const& of_flow) {
+            for (bool const kick : of_flow) kinds[k++] = kick;
+        };
+        while (k < kinds.size()) add(turns<First>::is_kick), (add(turns<Others>::is_kick), ...);
+        return kinds;
+    }();
     using problem_type = typename turns<First>::problem_type;
     template <class S, class Use>
     static void each(composed_flow<Parts, First, Others...> const& f, S const& h, Use const& use) {
@@ -73,21 +82,39 @@ class splitting {
     static constexpr bool large = parts::has_whole_vectors;
     using vector = typename parts::vector;
 
+    /// Neighbours of one kind are one.
+    static constexpr std::size_t size = [] {
+        std::size_t n = 1;
+        for (std::size_t k = 1; k < of::is_kick.size(); ++k) n += of::is_kick[k] != of::is_kick[k - 1];
+        return n;
+    }();
+    static constexpr bool ends_with_kick = of::is_kick.back();
+
 public:
+    /// Whether a step is short enough to be written out, and small enough to be made in registers.
+    static constexpr bool in_registers = not large and size <= 8 and std::is_floating_point_v<S>;
+
     splitting(Flow const& f, S const& h, V const& like)
         : parts_(f.mechanics(), like), q_(parts_.taken(like)), p_(q_), v_(q_), g_(q_), last_(q_), sum_q_(shape<V>::dimension(like)),
           sum_p_(sum_q_), next_q_(sum_q_), next_p_(sum_q_) {
         prepare(f, h);
     }
-    /// x one step h further. False, and nothing has happened, where L turns out to have other parts, or numbers are not finite.
-    bool advance(Flow const& f, state<S, V>& x, S const& h) {
+    /// What steps of length h from x need: the force there is forgotten, where it is another's.
+    void begin(Flow const& f, state<S, V> const& x, S const& h) {
         if (not(h == h_)) [[unlikely]]
             prepare(f, h);
-        if constexpr (not large and std::is_floating_point_v<S>)
-            return flat_loop(f.mechanics(), x);
-        else
-            return loop(f.mechanics(), x);
+        known_ = known_ and last_ == parts_.taken(x.q);
     }
+    /// x one step h further. False, and nothing has happened, where L turns out to have other parts, or numbers are not finite.
+    bool advance(Flow const& f, state<S, V>& x, S const& h) {
+        begin(f, x, h);
+        if constexpr (not large and std::is_floating_point_v<S>)
+            return flat_step(f.mechanics(), x);
+        else
+            return step(f.mechanics(), x);
+    }
+    /// The same from where it began, or went last.
+    HILGER_ALWAYS_INLINE bool advance_equally(Flow const& f, state<S, V>& x) { return flat_step(f.mechanics(), x); }
 
     [[nodiscard]] S const& h() const { return h_; }
     [[nodiscard]] int dimension() const { return static_cast<int>(last_.size()); }
@@ -113,47 +140,48 @@ private:
         else
             return x[k];
     }
-    /// Neighbours of one kind are one: their lengths add up.
+    /// Of neighbours of one kind the lengths add up.
     void prepare(Flow const& f, S const& h) {
         h_ = h;
-        size_ = 0;
+        std::size_t made = 0;
+        bool was_kick = not of::starts_with_kick;
         of::each(f, h, [&](bool is_kick, S const& w) {
-            bool const next = (size_ % 2 == 0) == (is_kick == of::starts_with_kick);
-            if (next)
-                lengths_[size_++] = w;
+            if (is_kick != was_kick)
+                lengths_[made++] = w;
             else
-                lengths_[size_ - 1] = lengths_[size_ - 1] + w;
+                lengths_[made - 1] = lengths_[made - 1] + w;
+            was_kick = is_kick;
         });
     }
-    HILGER_FLATTEN bool flat_loop(Problem const& what, state<S, V>& x) { return loop(what, x); }
-    HILGER_ALWAYS_INLINE bool loop(Problem const& what, state<S, V>& x) {
+    HILGER_FLATTEN bool flat_step(Problem const& what, state<S, V>& x) { return step(what, x); }
+    HILGER_ALWAYS_INLINE bool step(Problem const& what, state<S, V>& x) {
         next_q_ = sum_q_;
         next_p_ = sum_p_;
         room q = q_, p = p_, v = v_, g = g_;
         q = parts_.taken(x.q);
         p = parts_.taken(x.p);
         parts_.begin();
-        std::size_t k = 0;
-        if constexpr (of::starts_with_kick) {
-            if (not(known_ and last_ == q) and not parts_.force(what, q, g)) return false;
-            parts_.add(p, lengths_[k++], g, next_p_);
-        }
+        bool const knew = known_;
         known_ = false;
-        for (;;) {
-            if (not parts_.velocity(what, q, p, v)) return false;
-            parts_.add(q, lengths_[k++], v, next_q_);
-            if (k == size_) break;
-            if (not parts_.force(what, q, g)) return false;
-            parts_.add(p, lengths_[k++], g, next_p_);
-            if (k == size_) {
-                last_ = q;
-                g_ = g;
-                known_ = true;
-                break;
+        auto const turn = [&](auto k) HILGER_ALWAYS_INLINE -> bool {
+            if ((k % 2 == 0) == of::starts_with_kick) {
+                if (not(k == 0 and knew) and not parts_.force(what, q, g)) return false;
+                parts_.add(p, lengths_[k], g, next_p_);
+            } else {
+                if (not parts_.velocity(what, q, p, v)) return false;
+                parts_.add(q, lengths_[k], v, next_q_);
             }
-        }
+            return true;
+        };
+        if (not turns_made(turn, std::make_index_sequence<size>{})) return false;
         if constexpr (not std::numeric_limits<S>::is_exact)
-            if (not(parts_.overflow(q, p) == S(0))) return known_ = false;
+            if (not parts_.are_finite(q, p)) [[unlikely]]
+                return false;
+        if constexpr (ends_with_kick) {
+            last_ = q;
+            g_ = g;
+            known_ = true;
+        }
         parts_.give(q, x.q);
         parts_.give(p, x.p);
         x.t = x.t + h_;
@@ -161,13 +189,23 @@ private:
         sum_p_ = next_p_;
         return true;
     }
+    /// What is short is written out: then it needs no memory to count in.
+    template <class Turn, std::size_t... K>
+    HILGER_ALWAYS_INLINE static bool turns_made(Turn const& turn, std::index_sequence<K...>) {
+        if constexpr (in_registers)
+            return (turn(std::integral_constant<std::size_t, K>{}) and ...);
+        else {
+            for (std::size_t k = 0; k < size; ++k)
+                if (not turn(k)) return false;
+            return true;
+        }
+    }
     /// What has few components is in registers while a step is made; what has many stays in its place.
     using room = std::conditional_t<is_traced_state<V>, vector&, vector>;
 
     parts parts_;
     S h_;
-    std::size_t size_ = 0;
-    std::array<S, 2 * of::leaves> lengths_;
+    std::array<S, size> lengths_;
     vector q_, p_, v_, g_, last_; ///< the state inside the step; where the force g is known, while it is
     bool known_ = false;
     /// What sums carry; and what they carry inside the step.

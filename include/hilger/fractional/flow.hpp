@@ -33,6 +33,11 @@ public:
         memory(damped_flow const& f, S const& h, V const& like)
             : history_(f.damping_, h, like), step_(f.undamped_, h, like, history_.extra_force(like)), h_(h), before_{S(0), like, like} {}
 
+        /// The velocity that the first step begins with: Newton's method starts there, and a history may ask for it.
+        void start_with(state<S, V> const& x, V const& v) {
+            start_ = v;
+            step_.start_with(x, v);
+        }
         /// x one step h further. @throws error::mismatch when h is not the length that the history has; error::no_convergence,
         /// error::singular, error::not_finite; x is then as it was. In the first step also what the damping refuses.
         void advance(damped_flow const& f, state<S, V>& x, S const& h) {
@@ -46,7 +51,7 @@ public:
             auto const& mechanics = f.undamped_.mechanics();
             V v0 = zero_like(x.q);
             if constexpr (history::may_need_velocity)
-                if (history_.needs_velocity()) v0 = velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
+                if (history_.needs_velocity()) v0 = start_ ? *start_ : velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
             history_.begin(mechanics, x, v0);
             begun_ = true;
         }
@@ -113,6 +118,7 @@ public:
         undamped step_;
         S h_;
         state<S, V> before_;
+        std::optional<V> start_; ///< the first velocity, where it is given
         bool begun_ = false;
     };
 

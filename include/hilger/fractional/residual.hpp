@@ -71,6 +71,7 @@ std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const
 /// As largest_residual of a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is
 /// seen here. @throws as walking does
 template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
+    requires(controls_of<embedding<A, B, W>> == 2)
 auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
     using S = typename Scale::root_type::scalar_type;
     auto const& flow = path.method().undamped();
@@ -80,7 +81,8 @@ auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, 
     std::vector<V> q;
     for (auto const& x : path) q.push_back(x.q);
     auto const start = *path.begin();
-    V const v0 = velocity_of(detail::at_time{mechanics.lagrangian, start.t}, start.q, start.p);
+    V const v0 = path.starting_velocity() ? *path.starting_velocity()
+                                          : velocity_of(detail::at_time{mechanics.lagrangian, start.t}, start.q, start.p);
     auto const damping = detail::damping_along(path.method().damping(), T.h(), q, v0);
     auto const equation = equation_of(flow, T);
     auto const judge = [&](auto const& residual) {
@@ -94,6 +96,16 @@ auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, 
     };
     auto const x = function_on(T, q);
     return judge(equation.residual(x, mechanics.force));
+}
+
+/// Refused.
+template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
+    requires(controls_of<embedding<A, B, W>> > 2)
+auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
+    static_assert(sizeof(path) == 0,
+                  "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
+                  "points of T alone that this could be judged by");
+    return typename Scale::root_type::scalar_type(0);
 }
 
 } // namespace hilger

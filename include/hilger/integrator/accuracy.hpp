@@ -68,8 +68,9 @@ class solving_by_doubling {
 
 public:
     using result = accurate_solution<S, V, solution_function>;
-    solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, state<S, V> start)
-        : flow_(std::move(flow)), method_(method), order_(order), I_(I), start_(std::move(start)), end_(start_) {}
+    solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, state<S, V> start, V velocity)
+        : flow_(std::move(flow)), method_(method), order_(order), I_(I), start_(std::move(start)), velocity_(std::move(velocity)),
+          end_(start_) {}
 
     /// Nothing where kinks of L leave of the method's order less than two, so that a step that costs less does as much.
     std::optional<result> reach(accuracy const& goal) {
@@ -80,14 +81,23 @@ public:
         S const gain = is_low ? S(3) : S(std::ldexp(1.0, order_ / 2)) * S(1.25), luck = is_low ? S(5.5) : S(std::ldexp(1.0, order_ + 2));
         std::vector<V> coarse;
         S earlier(-1), before(-1), error(-1), told(-1);
-        int slow = 0; // comparisons in a row
+        int slow = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
+        S ended = I_.a;
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
             std::vector<V> fine = run(steps, goal);
             if (goal.stop.stop_requested())
                 error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " was given up on request, after ", walked_,
                                                     " steps of ", method_);
-            if (not fine.empty() and not coarse.empty()) {
+            if (fine.empty()) {
+                // However short the steps are, they come no further: the motion itself ends there, or its speed is without bound.
+                S const length = (I_.b - I_.a) / static_cast<S>(steps);
+                stuck = steps >= 1024 and magnitude(S(end_.t - ended)) <= S(8) * magnitude(length) ? stuck + 1 : 0;
+                ended = end_.t;
+                if (stuck == 3)
+                    error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached: steps of ", method_,
+                                                        " come no further than t = ", ended, ", however short they are");
+            } else if (not coarse.empty()) {
                 earlier = std::exchange(before, std::exchange(error, distance(coarse, 1, fine, 2)));
                 // Twice in a row, and not by more than the order explains: over jumps in time, which nothing sees, two runs agree by
                 // chance.
@@ -133,7 +143,8 @@ private:
         q.reserve(static_cast<std::size_t>(steps) + 1);
         walked_ += steps;
         try {
-            auto const path = flow_.along(uniform(I_, steps), start_.q, start_.p);
+            auto path = flow_.along(uniform(I_, steps), start_.q, start_.p);
+            path.starts_with(velocity_);
             for (auto const& x : path) {
                 q.push_back(x.q);
                 end_ = x;
@@ -176,7 +187,9 @@ private:
     char const* method_;
     int order_;
     interval<S> I_;
-    state<S, V> start_, end_;
+    state<S, V> start_;
+    V velocity_; ///< at the start
+    state<S, V> end_;
     index_type walked_ = 0;
 };
 
@@ -204,7 +217,7 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     index_type walked = 0;
     auto const reached = [&](auto const& how, char const* method, int order) {
         auto const flow = embed(L, how);
-        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {I.a, q0, p0});
+        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {I.a, q0, p0}, v0);
         auto made = solving.reach(goal);
         walked += solving.walked();
         return made;

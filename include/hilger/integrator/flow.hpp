@@ -99,6 +99,13 @@ public:
         /// The force that is constant in a step (step/force.hpp).
         [[nodiscard]] Extra& extra() { return stepper_.extra(); }
 
+        /// The velocity that the first step begins with, or one near it: Newton's method starts there.
+        void start_with(state<S, V> const&, V const& v) {
+            if constexpr (inner)
+                stepper_.start_with(v);
+            else if constexpr (not known)
+                if (stepper_.needs_guess()) stepper_.guess(v);
+        }
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);

@@ -53,13 +53,22 @@ S smallest_determinant() {
         return S(4) * (std::numeric_limits<S>::min)();
 }
 
-/// x in K x = r for a small row-major matrix; false where K is singular to rounding.
+/// Neither zero nor beyond the largest number: r / inf is 0, and would pass for a solution.
+template <class S>
+HILGER_ALWAYS_INLINE inline bool is_divisor(S const& k) {
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return not(k == S(0));
+    else
+        return not(k == S(0)) and S(k - k) == S(0);
+}
+
+/// x in K x = r for a small row-major matrix; false where K is singular to rounding, or not finite.
 template <class S, std::size_t M, std::size_t MM>
 HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
     using std::abs;
     tally<S>::small_solve(K);
     if constexpr (M == 1) {
-        if (K[0] == S(0)) return false;
+        if (not is_divisor(K[0])) return false;
         r[0] = r[0] / K[0];
         return true;
     } else if constexpr (M == 2) {
@@ -78,7 +87,7 @@ HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S,
     } else {
         if (is_known_diagonal<M>(K, std::make_index_sequence<MM>{})) { // a mass for each component, under order one
             for (std::size_t k = 0; k < M; ++k) {
-                if (K[k * M + k] == S(0)) return false;
+                if (not is_divisor(K[k * M + k])) return false;
                 r[k] = r[k] / K[k * M + k];
             }
             return true;

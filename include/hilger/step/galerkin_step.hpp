@@ -54,6 +54,10 @@ public:
         inspected_ = false;
         equation_.prepare(t, h);
     }
+    /// The velocity that the first step begins with.
+    void start_with(V const& v) {
+        if (known_ == 0) start_ = v;
+    }
     [[nodiscard]] S const& h() const { return h_; }
     [[nodiscard]] Extra& extra() { return equation_.extra(); }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
@@ -94,9 +98,10 @@ public:
                 known_ = 0;
             }
         }
-        if (known_ == 0) equation_.restart(velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
+        if (known_ == 0) equation_.restart(start_ ? *start_ : velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
         finish_by_equation(what, x);
         known_ = 1;
+        start_.reset();
     }
 
 private:
@@ -183,12 +188,12 @@ private:
     }
     /// A_k - q_0 from the forces, and how far the nodes have moved.
     HILGER_ALWAYS_INLINE S move_nodes() {
-        S const square = h_ * h_;
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {
             combine(table().twice[k], F_, room_);
+            room_ = room_ * h_; // neither h^2 nor a force without h over a mass has to be a number
             separable_.solve(room_, next_);
-            next_ = v_ * S(h_ * table().node[k]) + next_ * square;
+            next_ = (v_ * table().node[k] + next_) * h_;
             room_ = next_ - D_[k];
             size = std::max(size, S(magnitude(room_)));
             D_[k] = next_;
@@ -199,8 +204,9 @@ private:
     /// q_{i+1} - q_i from the forces at the nodes, into next_.
     HILGER_ALWAYS_INLINE void reach_end() {
         combine(table().reach, F_, room_);
+        room_ = room_ * h_;
         separable_.solve(room_, next_);
-        next_ = v_ * h_ + next_ * S(h_ * h_);
+        next_ = (v_ + next_) * h_;
     }
     /// The extra force for the end that the forces lead to, and how far that has moved.
     S renew_extra() {
@@ -241,6 +247,7 @@ private:
     V v_, next_, room_;                                ///< v_0, and room
     S largest_{0};                                     ///< of the sizes of components
     std::array<V, N> before_;                          ///< D_ one round before, where components are of different sizes
+    std::optional<V> start_;                           ///< the velocity that the first step begins with, where it is given
     std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
     [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;

@@ -34,6 +34,12 @@ struct step_failure : Cause, interrupted<S, V> {
 
 namespace detail {
 
+/// The mean velocity between two states.
+template <class S, class V>
+V mean_velocity(state<S, V> const& x, state<S, V> const& y) {
+    return (y.q - x.q) / S(y.t - x.t);
+}
+
 template <class Cause, class S, class V>
 [[noreturn, gnu::noinline, gnu::cold]] void stop_at(state<S, V> const& at, S const& h, Cause const& cause) {
     std::ostringstream message;

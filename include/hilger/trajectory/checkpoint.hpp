@@ -14,8 +14,8 @@
 #include <ostream>
 
 #include "hilger/history/component.hpp"
-#include "hilger/newton/stop.hpp"
 #include "hilger/scale/read.hpp"
+#include "hilger/trajectory/resuming.hpp"
 #include "hilger/trajectory/trajectory.hpp"
 
 namespace hilger {
@@ -124,13 +124,6 @@ auto step_from(Path const& path, typename Path::checkpoint_type const& point, S 
     } catch (std::exception const&) { // then it tells nothing
     }
     return made;
-}
-/// Whether a step from `start` leads to b as it led to a, but for what compilers make different of the same formula.
-template <class V>
-bool is_the_same(V const& start, V const& a, V const& b) {
-    using S = scalar_of<V>;
-    S const change = magnitude(V(a - start)), size = std::max(S(magnitude(a)), S(magnitude(start)));
-    return not(S(square_root_of_epsilon<S>() * change + S(64) * epsilon<S>() * size) < S(magnitude(V(a - b))));
 }
 template <class S>
 std::string scalar_line() {

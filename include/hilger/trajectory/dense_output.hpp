@@ -19,10 +19,10 @@ struct slopes {
 };
 
 namespace detail {
-/// The slopes at a state of the problem, by derivatives that are kept.
+/// The slopes at a state of the problem, by derivatives that are kept; `near` is a velocity near that one, where several have its momentum.
 template <class F, class Force, class S, class V>
-slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x) {
-    V v = velocity_by(kept, x.t, x.q, x.p);
+slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x, std::same_as<V> auto const&... near) {
+    V v = velocity_by(kept, x.t, x.q, x.p, near...);
     V p = [&] {
         if constexpr (is_traced_at<problem<F, Force>, V>)
             return kept.by_q(x.t, x.q, v);
@@ -39,7 +39,7 @@ slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V>
 /// Refused: the force of a history is not in the state.
 template <class Damped, class S, class V>
     requires requires(Damped const& d) { d.mechanics, d.damping; }
-slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x) {
+slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x, std::same_as<V> auto const&...) {
     static_assert(sizeof(Damped) == 0, "the slopes of a flow with fractional damping come from its history: give dense_output the path, "
                                        "dense_output(flow.along(T, q0, p0))");
     return {x.q, x.p};
@@ -65,10 +65,15 @@ auto derivatives_of(Method const& method) {
         return kept_derivatives(method.mechanics());
     }
 }
+/// A composition may be of several problems, and its slopes of none. @throws error::mismatch
+template <class Method, class State>
+void require_one_problem(Method const& method, State const& x) {
+    if constexpr (requires { method.require_one_problem(x); }) method.require_one_problem(x);
+}
 /// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
-template <class Walk, class Kept, class State>
-auto slopes_on(Walk const& walk, Kept const& kept, State const& x, bool back) {
-    auto result = slopes_by(kept, x);
+template <class Walk, class Kept, class State, class V>
+auto slopes_on(Walk const& walk, Kept const& kept, State const& x, V const& near, bool back) {
+    auto result = slopes_by(kept, x, near);
     if constexpr (requires { walk.remembered().damping_force(back); }) result.p = result.p + walk.remembered().damping_force(back);
     return result;
 }
@@ -83,7 +88,11 @@ public:
         : a_(std::move(from)), b_(std::move(to)), da_(std::move(slopes_from)), db_(std::move(slopes_to)) {}
     template <class Mechanics>
     dense_step(Mechanics const& mechanics, state<S, V> const& from, state<S, V> const& to)
-        : dense_step(from, slopes_at(mechanics, from), to, slopes_at(mechanics, to)) {}
+        : dense_step(detail::kept_derivatives(mechanics), from, to) {}
+    template <class Problem>
+    dense_step(detail::kept_derivatives<Problem> const& kept, state<S, V> const& from, state<S, V> const& to)
+        : dense_step(from, detail::slopes_by(kept, from, detail::mean_velocity(from, to)), to,
+                     detail::slopes_by(kept, to, detail::mean_velocity(from, to))) {}
 
     /// The state at t, the given ones exactly at the ends. @throws error::outside_domain
     [[nodiscard]] state<S, V> operator()(S const& t) const {
@@ -123,15 +132,23 @@ public:
             error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
         slopes_.reserve(states_.size());
         detail::kept_derivatives const kept(mechanics);
-        for (auto const& x : states_) slopes_.push_back(detail::slopes_by(kept, x));
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            std::size_t const before = i == 0 ? 0 : i - 1;
+            slopes_.push_back(detail::slopes_by(kept, states_[i], detail::mean_velocity(states_[before], states_[before + 1])));
+        }
     }
     /// @throws what walking throws, and slopes_at
     template <class Path>
         requires requires(Path const& path) { path.begin(), path.method(); }
     explicit dense_output(Path const& path) {
         auto const kept = detail::derivatives_of(path.method());
-        for (auto at = path.begin(); not(at == path.end()); ++at) {
-            slopes_.push_back(detail::slopes_on(at, kept, *at, false));
+        auto at = path.begin();
+        detail::require_one_problem(path.method(), *at);
+        states_.push_back(*at);
+        for (++at; not(at == path.end()); ++at) {
+            V const near = detail::mean_velocity(states_.back(), *at);
+            if (slopes_.empty()) slopes_.push_back(detail::slopes_on(at, kept, states_.back(), near, true));
+            slopes_.push_back(detail::slopes_on(at, kept, *at, near, false));
             states_.push_back(*at);
         }
     }

@@ -9,6 +9,9 @@
 // Numerical Integration, theorem IX.8.1).
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "hilger/trajectory/trajectory.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/problem.hpp"
@@ -39,6 +42,20 @@ struct drift_statistics {
     }
 };
 
+namespace detail {
+/// quantity(x), of a quantity that may be that of one of several velocities of the one near the velocity that led to x.
+template <class Quantity, class Path, class State>
+auto along_a_walk(Quantity const& quantity, Path const& path, std::optional<State>& before, State const& x) {
+    if constexpr (requires { typename Quantity::depends_on_velocity; }) {
+        auto const last = std::exchange(before, x);
+        if (last) return quantity(x, mean_velocity(*last, x));
+        if constexpr (requires { path.starting_velocity(); })
+            if (path.starting_velocity()) return quantity(x, *path.starting_velocity());
+    }
+    return quantity(x);
+}
+} // namespace detail
+
 /// The drift of quantity(state) along any range of states, in one pass and with nothing stored (Welford's update of means and sums).
 template <class Path, class Quantity>
 auto drift_along(Path const& path, Quantity const& quantity) {
@@ -46,8 +63,9 @@ auto drift_along(Path const& path, Quantity const& quantity) {
     drift_statistics<S> result;
     S start(0), mean_t(0), mean_e(0);
     long long count = 0;
+    std::optional<std::remove_cvref_t<decltype(*path.begin())>> before;
     for (auto const& x : path) {
-        S const value = quantity(x);
+        S const value = detail::along_a_walk(quantity, path, before, x);
         if (count == 0) start = value;
         S const error = value - start;
         result.largest = detail::larger(result.largest, S(magnitude(error)));
@@ -61,12 +79,24 @@ auto drift_along(Path const& path, Quantity const& quantity) {
     return result;
 }
 
-/// The energy H(p, q) = p.v - L(q, v) of a state, for L(q, v) or L(t, q, v).
+/// The energy H(p, q) = p.v - L(q, v) of a state, for L(q, v) or L(t, q, v): energy(L)(x). Where several velocities have the momentum of x,
+/// as with L = v^4 - v^2, energy(L)(x, v) is that of the one near v.
+template <class L>
+class energy_of_states {
+public:
+    using depends_on_velocity = void;
+    explicit energy_of_states(L lagrangian) : kept_(problem<L>{std::move(lagrangian), {}}) {}
+    auto operator()(auto const& x, auto const&... near) const {
+        return detail::energy_of(detail::at_time{kept_.what().lagrangian, x.t}, x.q, detail::velocity_by(kept_, x.t, x.q, x.p, near...),
+                                 x.p);
+    }
+
+private:
+    detail::kept_derivatives<problem<L>> kept_;
+};
 template <class L>
 auto energy(L lagrangian) {
-    return [kept = detail::kept_derivatives(problem<L>{std::move(lagrangian), {}})](auto const& x) {
-        return detail::energy_of(detail::at_time{kept.what().lagrangian, x.t}, x.q, detail::velocity_by(kept, x.t, x.q, x.p), x.p);
-    };
+    return energy_of_states<L>(std::move(lagrangian));
 }
 /// The momentum map p.xi(q) of a one-parameter group of symmetries of L with infinitesimal generator xi, a vector field.
 template <class Generator>

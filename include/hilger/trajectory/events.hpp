@@ -7,6 +7,9 @@
 // An event is where g, not zero before, reaches or passes zero within a step: g = 0 at the start is none. Two within one step are not seen.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "hilger/trajectory/dense_output.hpp"
@@ -37,10 +40,13 @@ public:
     static_assert(not std::numeric_limits<S>::is_exact, "events are located by root finding, which an exact scalar has not");
 
     crossing_search(Path const& path, G const& g, crossing which)
-        : kept_(derivatives_of(path.method())), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {}
+        : kept_(derivatives_of(path.method())), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {
+        require_one_problem(path.method(), before_);
+    }
     [[nodiscard]] bool ended() const { return walk_ == std::default_sentinel; }
     [[nodiscard]] state_type const& state() const { return *walk_; }
-    /// One step; true when there was an event in it, unless that step would lead beyond the end.
+    /// One step; true when there was an event in it, unless that step would lead beyond the end. A pole, where |g| is larger than at both
+    /// ends of the step, is none.
     bool step() {
         before_ = *walk_;
         was_ = now_;
@@ -49,31 +55,40 @@ public:
         now_ = value(*walk_);
         S const zero(0);
         bool const rising = was_ < zero and not(now_ < zero), falling = zero < was_ and not(zero < now_);
-        return (rising and which_ != crossing::falling) or (falling and which_ != crossing::rising);
+        if (not((rising and which_ != crossing::falling) or (falling and which_ != crossing::rising))) return false;
+        auto const near = mean_velocity(before_, *walk_);
+        auto const inside =
+            dense_step(before_, slopes_on(walk_, kept_, before_, near, true), *walk_, slopes_on(walk_, kept_, *walk_, near, false));
+        S const largest = std::max(S(magnitude(was_)), S(magnitude(now_)));
+        // At a pole it may be infinite, which says on which side it is.
+        auto const below_infinity = [&](S const& x) {
+            S const y = number(inside.at_fraction(x)), most = (std::numeric_limits<S>::max)();
+            return most < y ? most : y < -most ? S(-most) : finite(y, inside.at_fraction(x).t);
+        };
+        located_ = inside.at_fraction(fraction_at_zero(below_infinity, was_, now_));
+        return magnitude(number(located_)) <= largest;
     }
     /// The first state at or behind the zero of g that step() told of.
-    [[nodiscard]] state_type located() const {
-        auto const inside = dense_step(before_, slopes_on(walk_, kept_, before_, true), *walk_, slopes_on(walk_, kept_, *walk_, false));
-        return inside.at_fraction(fraction_at_zero([&](S const& x) { return value(inside.at_fraction(x)); }, was_, now_));
-    }
+    [[nodiscard]] state_type const& located() const { return located_; }
 
 private:
+    S number(state_type const& x) const {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype((*g_)(x))>, bool>)
+            return S((*g_)(x) ? 1 : -1);
+        else
+            return S((*g_)(x));
+    }
     /// @throws error::not_finite
-    S value(state_type const& x) const {
-        S const y = [&] {
-            if constexpr (std::same_as<std::remove_cvref_t<decltype((*g_)(x))>, bool>)
-                return S((*g_)(x) ? 1 : -1);
-            else
-                return S((*g_)(x));
-        }();
-        if (not is_finite(y)) error::raise<error::not_finite>("the function whose zeros are events is NaN or infinite at t = ", x.t);
+    static S finite(S const& y, S const& t) {
+        if (not is_finite(y)) error::raise<error::not_finite>("the function whose zeros are events is NaN or infinite at t = ", t);
         return y;
     }
+    S value(state_type const& x) const { return finite(number(x), x.t); }
     decltype(derivatives_of(std::declval<Path const&>().method())) kept_;
     G const* g_;
     crossing which_;
     walk walk_;
-    state_type before_;
+    state_type before_, located_{before_};
     S now_, was_{0};
 };
 

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <iterator>
+#include <optional>
 
 #include "hilger/inlining.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/trajectory/initial_data.hpp"
+#include "hilger/trajectory/resuming.hpp"
 #include "hilger/variational/check.hpp"
 #include "hilger/variational/variation.hpp"
 
@@ -83,9 +85,9 @@ public:
         using value_type = state<S, V>;
         using difference_type = index_type;
         explicit iterator(trajectory const& path)
-            : path_(&path), memory_(begun(path)), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
+            : path_(&path), memory_(moved(begun(path))), at_(path.start_), number_(path.T_.first()), last_(path.T_.last()) {}
         iterator(trajectory const& path, checkpoint_type const& from)
-            : path_(&path), memory_(begun(path, from)), at_(from.at), number_(from.number), last_(path.T_.last()) {}
+            : path_(&path), memory_(moved(begun(path, from))), at_(from.at), number_(from.number), last_(path.T_.last()) {}
         HILGER_ALWAYS_INLINE value_type const& operator*() const { return at_; }
         HILGER_ALWAYS_INLINE value_type const* operator->() const { return &at_; }
         HILGER_ALWAYS_INLINE iterator& operator++() {
@@ -123,7 +125,10 @@ public:
         // here.
         [[gnu::noinline]] static memory begun(trajectory const& path) {
             index_type const first = path.T_.first();
-            return begun(path, {path.start_, memory(path.method_, path.step(first), path.start_.q), first});
+            checkpoint_type from{path.start_, memory(path.method_, path.step(first), path.start_.q), first};
+            if constexpr (requires(V const& v) { from.memory.start_with(from.at, v); })
+                if (path.velocity_) from.memory.start_with(from.at, *path.velocity_);
+            return begun(path, std::move(from));
         }
         [[gnu::noinline]] static memory begun(trajectory const& path, checkpoint_type from) {
             if constexpr (equal_steps)
@@ -133,6 +138,8 @@ public:
                 }
             return std::move(from.memory);
         }
+        /// Whose address no call has seen.
+        HILGER_ALWAYS_INLINE static memory moved(memory&& begun) { return std::move(begun); }
         trajectory const* path_;
         memory memory_;
         value_type at_;
@@ -145,6 +152,9 @@ public:
             error::raise<error::not_finite>("the initial position and momentum are finite numbers, and these contain NaN or infinity");
         detail::require_same_dimension(start_.q, start_.p, "the initial position and momentum");
     }
+    /// The velocity that the initial momentum is from, where several have it (L = v^4 - v^2); or one near it.
+    void starts_with(V velocity) { velocity_ = std::move(velocity); }
+    [[nodiscard]] std::optional<V> const& starting_velocity() const { return velocity_; }
     [[nodiscard]] iterator begin() const& { return iterator(*this); }
     template <class Kept = trajectory>
     iterator begin() const&& {
@@ -155,12 +165,17 @@ public:
     [[nodiscard]] Scale const& scale() const { return T_; }
     [[nodiscard]] Method const& method() const { return method_; }
     /// The rest of the trajectory, beginning with the checkpoint's own state; T may go further than the one that the checkpoint is from.
-    /// @throws error::mismatch when the checkpoint's point is not the one of that number in T.
+    /// @throws error::mismatch when the checkpoint's point is not the one of that number in T, or its memory is another problem's.
     [[nodiscard]] resumed<trajectory> resume(checkpoint_type from) const {
         if (from.number < T_.first() or T_.last() < from.number or not(T_.element(from.number) == from.at.t))
             error::raise<error::mismatch>("a trajectory on ", T_, " resumes from one of its points, and point ", from.number,
                                           " at t = ", from.at.t, " is none");
         detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
+        if (from.number < T_.last()) {
+            S const h = step(from.number);
+            from.memory = detail::taken_over(from.memory, method_, h, from.at.q);
+            if constexpr (not detail::has_history<Method>) detail::require_its_own(from.memory, method_, from.at, h);
+        }
         return {*this, std::move(from)};
     }
 
@@ -169,6 +184,7 @@ private:
     Method method_;
     Scale T_;
     state<S, V> start_;
+    std::optional<V> velocity_;
 };
 
 template <class Method>
@@ -197,7 +213,7 @@ public:
             V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
             detail::require_same_dimension(q0, v0, "the initial position and velocity");
             V p0 = self().momentum(T.min(), q0, v0);
-            return std::pair{std::move(q0), std::move(p0)};
+            return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
         });
     }
     template <time_scale_like Scale, class W>
@@ -211,8 +227,8 @@ public:
                 scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
                 V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
                 detail::require_same_dimension(q0, q1, "the first two positions");
-                V p0 = self().momentum_between(T.min(), q0, q1, h);
-                return std::pair{std::move(q0), std::move(p0)};
+                V p0 = self().momentum_between(T.min(), q0, q1, h), v0 = (q1 - q0) / h;
+                return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
             });
         else
             return no_states<root_scalar, root_scalar>;
@@ -242,7 +258,8 @@ public:
     }
 
 private:
-    /// The trajectory from the state that begin(type) makes of what was given, an X and a Y; or nothing, after a sentence that says why.
+    /// The trajectory from the position and momentum, and perhaps velocity, that begin(type) makes of what was given, an X and a Y; or
+    /// nothing, after a sentence that says why.
     template <class X, class Y, class Scale, class Begin>
     auto walked(Scale const& T, Begin const& begin) const {
         using S = scalar_on<Scale>;
@@ -254,8 +271,10 @@ private:
         else if constexpr (not detail::is_lagrangian<F, S, V>() or not detail::is_force<Force, S, V>())
             return detail::refuse_mechanics<F, Force, S, V>(), no_states<S, V>;
         else {
-            auto [q0, p0] = begin(std::type_identity<V>{});
-            return self().start(T, std::move(q0), std::move(p0));
+            auto from = begin(std::type_identity<V>{});
+            auto path = self().start(T, std::move(std::get<0>(from)), std::move(std::get<1>(from)));
+            if constexpr (std::tuple_size_v<decltype(from)> == 3) path.starts_with(std::move(std::get<2>(from)));
+            return path;
         }
     }
     [[nodiscard]] Method const& self() const { return static_cast<Method const&>(*this); }

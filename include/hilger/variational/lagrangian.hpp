@@ -27,6 +27,7 @@ constexpr auto seen_on_two() {
 
 /// L(q, v) or L(t, q, v), any callable for states of every number type: [](auto const& q, auto const& v) { ... }. Functions have no std::
 /// before them, as cos(q). Branches have one type: c ? a : b, or a lambda that says -> decltype(q + v) where it has two returns of numbers.
+/// What it reads beside its arguments, as through a pointer, does not change while it is walked: formulas and derivatives are kept.
 /// In such a lambda the first two components of a vector are q.head(2), or q.template head<2>().
 template <class F>
 struct lagrangian {

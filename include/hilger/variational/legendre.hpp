@@ -29,15 +29,33 @@ newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, E
     each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
-/// velocity_from(guess) with v = 0; or, where there is no mass at rest, as in L = v^4, with v = p.
+/// velocity_from(guess) with v = 0; or, where there is no mass at rest or next to none, or L is not defined there, as in L = v^4 and
+/// L = v log v, with v = p.
 template <class V, class From>
 V velocity_from_rest(V const& p, From const& velocity_from) {
     try {
         return velocity_from(zero_like(p));
-    } catch (error::singular const&) {
+    } catch (error::exception const&) {
         if (magnitude(p) == scalar_of<V>(0)) throw;
+        try {
+            return velocity_from(p);
+        } catch (error::exception const&) { // the first one says more
+        }
+        throw;
     }
-    return velocity_from(p);
+}
+/// velocity_from(near), where it is given and leads anywhere; else from rest.
+template <class V, class From>
+V near_or_from_rest(V const& p, From const& velocity_from) {
+    return velocity_from_rest(p, velocity_from);
+}
+template <class V, class From>
+V near_or_from_rest(V const& p, From const& velocity_from, V const& near) {
+    try {
+        return velocity_from(near);
+    } catch (error::exception const&) {
+        return velocity_from_rest(p, velocity_from);
+    }
 }
 } // namespace detail
 
@@ -61,19 +79,21 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
         return newton(equation, guess, p, detail::legendre_map);
     }
 }
-/// From v = 0; or, where there is no mass at rest, as in L = v^4, from v = p.
+/// From v = 0, and if there is none from there from v = p. Where several velocities have the momentum p, as with L = v^4 - v^2, it is one
+/// of them.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
     return detail::velocity_from_rest(p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
 }
 
 namespace detail {
-/// The same at time t by derivatives that are kept.
+/// The same at time t by derivatives that are kept: from rest, or from the velocity `near`.
 template <class Problem, class S, class V>
-V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p) {
+V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, std::same_as<V> auto const&... near) {
     at_time const lagrangian{kept.what().lagrangian, t};
     if constexpr (not is_traced_at<Problem, V> or requires { lagrangian.velocity(q, p); })
-        return hilger::velocity_of(lagrangian, q, p);
+        return near_or_from_rest(
+            p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); }, near...);
     else {
         auto const equation = [&](V const& v) {
             return kept.at(t, q, v, wanted::with_seconds, [&](auto const& node) {
@@ -85,7 +105,8 @@ V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V c
                 });
             });
         };
-        return velocity_from_rest(p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
+        auto const from = [&](V const& guess) { return newton(equation, guess, p, legendre_map); };
+        return near_or_from_rest(p, from, near...);
     }
 }
 /// p.v - L(q, v)

@@ -33,7 +33,8 @@ public:
     [[nodiscard]] std::vector<vector<double>> between(vector<double> const&, vector<double> const&) const override {
         refuse("is solved from initial values");
     }
-    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const&) const override {
+    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const&,
+                                  std::vector<vector<double>> const&) const override {
         refuse("has no discrete Euler-Lagrange equation");
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
@@ -48,7 +49,7 @@ public:
         return (what_.material ? "M q̈ + (E∞/E₀) K (q − qₐ) = f,   qₐ + τᵅ Dᵅ[qₐ] = (1 − E₀/E∞) q" : "M q̈ + ρ Dᵅ[q] + K q = f") +
                ("   by " + scheme + "\n");
     }
-    [[nodiscard]] double energy(state<double> const& x) const override {
+    [[nodiscard]] double energy(state<double> const& x, vector<double> const&) const override {
         return energy_(hilger::state<double, vector<double>>{x.t, x.q, x.p});
     }
     [[nodiscard]] state<double> between_states(state<double> const&, state<double> const&, double const&) const override {

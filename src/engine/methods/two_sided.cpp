@@ -29,7 +29,8 @@ public:
         for (hilger::index_type i = x.first(); i <= x.last(); ++i) positions.push_back(x[i]);
         return positions;
     }
-    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions) const override {
+    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions,
+                                  std::vector<vector<double>> const&) const override {
         return largest_residual(derived(), hilger::function_on(T_, positions));
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
@@ -41,7 +42,7 @@ public:
             out << EL;
         return out.str();
     }
-    [[nodiscard]] double energy(state<double> const&) const override { refuse("it has no energy at a point"); }
+    [[nodiscard]] double energy(state<double> const&, vector<double> const&) const override { refuse("it has no energy at a point"); }
     [[nodiscard]] state<double> between_states(state<double> const&, state<double> const&, double const&) const override {
         refuse("there is nothing between the points of T");
     }

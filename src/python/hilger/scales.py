@@ -17,13 +17,15 @@ def kind_of(numbers: Iterable[object]) -> str:
     kinds = set()
     for x in numbers:
         name = type(x).__name__
+        if x is None or np.ndim(x) > 0:
+            raise TypeError(f"a number was expected, and here is {x!r}")
         if isinstance(x, str):
             kinds.add("exact")
         elif isinstance(x, Fraction):
             kinds.add("exact")
         elif name in ("mpf", "constant", "Decimal"):
             kinds.add("50 digits")
-        elif not isinstance(x, int):
+        elif not isinstance(x, (int, np.integer)):
             kinds.add("double")
     if len(kinds) > 1:
         raise _core.InvalidParameter(f"numbers of one kind are expected, and here are {' and '.join(sorted(kinds))}")
@@ -80,8 +82,8 @@ def digits(x: object) -> str:
         if type(x).__name__ == "constant":  # mpmath.pi, which has as many digits as it is asked for
             x = x(dps=60)
         return mpmath.nstr(x, 55, min_fixed=0, max_fixed=0)
-    if isinstance(x, int):
-        return _text_of_whole(x)
+    if isinstance(x, (int, np.integer)):
+        return _text_of_whole(int(x))
     if type(x).__name__ == "Decimal":
         return str(x)
     if isinstance(x, np.longdouble):
@@ -90,6 +92,18 @@ def digits(x: object) -> str:
         return repr(float(x))
     except (TypeError, ValueError):
         raise _core.InvalidParameter(f"a number was expected, and here is {x!r}") from None
+
+
+def real(x: object, what: str) -> float:
+    """A number as a double; "1/3" is one. @raises InvalidParameter where it is none, NotFinite where it is beyond them"""
+    try:
+        if isinstance(x, (complex, np.complexfloating)):
+            raise TypeError
+        return float(Fraction(x) if isinstance(x, str) else x)
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise _core.InvalidParameter(f"{what} is a real number, and here is {x!r}") from None
+    except OverflowError:
+        raise _core.NotFinite(f"{what} is a number that double has, and here is {x!r}") from None
 
 
 @dataclass(frozen=True)
@@ -132,7 +146,9 @@ def uniform(start: object, step: object, steps: int) -> Uniform:
     if not 0 < int(steps) < 2**62:
         raise _core.InvalidScale(f"the number of steps is a positive whole number, and here is {steps!r}")
     T = Uniform(start, step, int(steps))
-    T.kind()
+    if T.kind() == "double":
+        for x, what in ((start, "the start of a scale"), (step, "the step of a scale")):
+            real(x, what)
     return T
 
 

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import contextlib
+from fractions import Fraction
 from typing import Callable, NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _core
 from .equations import Equation
-from .scales import digits, fraction_from
+from .scales import digits, fraction_from, real
 
 
 class StepFailure(_core.Error):
@@ -64,7 +65,7 @@ class Events(NamedTuple):
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
-    `x(t)` is q between the points, of order 4 in the step; `x.events(g)` where a function passes zero; `x.residual()` what the positions
+    `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero; `x.residual()` what the positions
     leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did, `x.compiled` whether
     its steps were machine code as a whole. What joins two ends has positions alone, and p is None. It can be pickled; without fractional
     damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
@@ -105,11 +106,19 @@ class Solution:
     def _time(self, t: object):
         return float(t) if self.t.dtype != object else digits(t)
 
+    def _given_time(self, t: object):
+        kind = self.equation.scale.kind()
+        if kind == "double":
+            return real(t, "a time")
+        if kind == "exact" and not isinstance(t, (int, np.integer, Fraction, str)):
+            raise _core.InvalidParameter(f"a time on a scale of fractions is one, or a whole number, and here is {t!r}")
+        return number_from(kind, digits(t))
+
     def __call__(self, t: "float | Sequence[float]"):
         """q at t, a number or an array of them. @raises OutsideDomain"""
         if np.ndim(t) > 0:
             return np.array([self(s) for s in t])
-        p = self._momenta()
+        p, t = self._momenta(), self._given_time(t)
         if not self.t[0] <= t <= self.t[-1]:
             raise _core.OutsideDomain(f"t = {t} is outside of the solution, which goes from {self.t[0]} to {self.t[-1]}")
         if len(self) == 1:
@@ -125,7 +134,7 @@ class Solution:
     def events(self, g: Callable, crossing: str = "any") -> Events:
         """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
 
-        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, and two within one step are not seen.
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step are not seen, and a pole, where |g| is larger than at both ends of its step, is none.
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
@@ -134,6 +143,10 @@ class Solution:
         def value(t, q, p):
             with digits_of(kind):
                 y = g(t, q, p)
+                if isinstance(y, (bool, np.bool_)):
+                    return 1 if y else -1
+                if y is None or np.ndim(y) > 0 or np.iscomplexobj(y):
+                    raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
             if not y - y == 0:
                 raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
             return y
@@ -149,23 +162,38 @@ class Solution:
             now = value(self.t[i], self.q[i], p[i])
             if (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising"):
                 ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
-                found.append(state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made))))))
+                at = state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made)))))
+                if abs(value(*at)) <= max(abs(was), abs(now)):
+                    found.append(at)
             was = now
         t, q, momenta = zip(*found) if found else ((), (), ())
         empty = self.q[:0]
         return Events(np.array(t, dtype=self.t.dtype), np.array(q) if found else empty, np.array(momenta) if found else empty)
 
     def residual(self):
-        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding."""
+        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding.
+
+        Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts.
+        """
         if self.stopped:
             raise _core.InvalidParameter(f"the residual is that of a whole solution, and this one stopped: {self.stopped}")
-        positions = [self._row(self.q, i) for i in range(len(self))]
-        return number_from(self.equation.scale.kind(), self._motion.residual(*self._start, positions))
+        positions, momenta = ([self._row(x, i) for i in range(len(self))] if x is not None else [] for x in (self.q, self.p))
+        return number_from(self.equation.scale.kind(), self._motion.residual(*self._start, positions, momenta))
 
     def energy(self) -> np.ndarray:
         """H = p v - L at each point."""
         row, kind, p = self._row, self.equation.scale.kind(), self._momenta()
-        return np.array([number_from(kind, self._motion.energy(self._time(t), row(self.q, i), row(p, i))) for i, t in enumerate(self.t)])
+        with digits_of(kind):
+            mean = self._mean_velocities()
+        return np.array([number_from(kind, self._motion.energy(self._time(t), *(row(x, i) for x in (self.q, p, mean)))) for i, t in enumerate(self.t)])
+
+    def _mean_velocities(self):
+        """Of the step behind each point, and of the last step at the last one: velocities near those of the points, which several may have the momentum of."""
+        if len(self) == 1:
+            return np.zeros_like(self.q)
+        h = np.diff(self.t)
+        mean = np.diff(self.q, axis=0) / (h if self.q.ndim == 1 else h[:, None])
+        return np.concatenate([mean, mean[-1:]])
 
     def plot(self, ax=None, **style):
         """Positions over time, by matplotlib. Returns the axes."""

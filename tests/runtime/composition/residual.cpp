@@ -72,10 +72,29 @@ TEST_CASE("a step that leads elsewhere is seen") {
     auto const T = uniform(0.0, 0.125, 10);
     beside const wrong(verlet, 1e-9);
     // 1e-9 in the position is 1e-9 / (h/2) in the velocity of half a step, and over h in the residual
-    double const seen = detail::largest_residual_of_parts(verlet, wrong.along(T, 1.0, 0.25));
+    double const seen = largest_residual(verlet, record(wrong.along(T, 1.0, 0.25)));
     CHECK(seen > 1e-9 / 0.125);
     CHECK(seen < 1e-9 * 4 / (0.125 * 0.125));
-    CHECK(detail::largest_residual_of_parts(verlet, stoermer_verlet(with_force(pendulum, friction)).along(T, 1.0, 0.25)) > 1e-2);
+    CHECK(largest_residual(verlet, record(stoermer_verlet(with_force(pendulum, friction)).along(T, 1.0, 0.25))) > 1e-2);
+}
+
+TEST_CASE("states that were kept are judged as the walk is, and moved ones are seen") {
+    auto const verlet = stoermer_verlet(pendulum);
+    auto const left = adjoint(embed(pendulum, order_one));
+    auto const check = [](auto const& f, auto const& path) {
+        auto run = record(path);
+        CHECK(largest_residual(f, run) == largest_residual(path));
+        auto const kept = run.states;
+        for (auto const part : {&state<double, double>::q, &state<double, double>::p})
+            for (std::size_t i : {std::size_t(1), std::size_t(5), kept.size() - 1}) {
+                run.states[i].*part += 1e-9;
+                CHECK(largest_residual(f, run) > 1e-9);
+                run.states = kept;
+            }
+        CHECK_THROWS_AS((void)largest_residual(f, record(path, 2)), error::mismatch);
+    };
+    check(verlet, verlet.along(uniform(0.0, 0.125, 10), 1.0, 0.25));
+    check(left, left.along(time_scale<double>{0.0, 0.125, 0.1875, 0.5, 0.625, 0.75, 1.0}, 1.0, 0.25));
 }
 
 } // namespace residuals_of_compositions_tests

@@ -69,4 +69,73 @@ TEST_CASE("small components beside large ones keep their digits") {
     keeps_the_digits_of_each<6>(galerkin<2, gauss>);
 }
 
+TEST_CASE("a step whose equation is beyond the largest number is refused, not stood still") {
+    lagrangian const spring{[](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; }};
+    lagrangian const springs{[](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) / 2; }};
+    auto const check = [](auto const& f, auto const& q) {
+        using V = std::remove_cvref_t<decltype(q)>;
+        V const at_rest = q - q;
+        for (double const h : {1e150, 1e160, 1e200, 1e300}) { // h^2 is beyond it from 1e155 on
+            CAPTURE(h);
+            try {
+                auto const end = f.step(state<double, V>{0, q, at_rest}, h);
+                CHECK(magnitude(V(end.q + q)) <= 1e-12); // q_1 = (4 - h^2) / (4 + h^2)
+            } catch (error::exception const&) {
+                CHECK(h > 1e155);
+            }
+        }
+    };
+    check(embed(spring, mid_point), 1.0);
+    check(embed(springs, mid_point), Eigen::Vector2d(1, 0.5));
+    check(embed(springs, mid_point), Eigen::Vector4d(1, 0.5, -1, 0));
+    check(embed(springs, mid_point), Eigen::VectorXd(Eigen::Vector4d(1, 0.5, -1, 0)));
+    check(embed(with_force(spring, [](auto const& q, auto const&) { return 0 * q; }), mid_point), 1.0);
+}
+
+/// A quartic oscillator with lengths in units of 2^length and times in units of 2^time: in binary numbers all its steps are those of the
+/// units 1, or beyond the numbers there are.
+struct in_units {
+    double length, time;
+    auto operator()(auto const& q, auto const& v) const {
+        auto const x = q / length;
+        auto const y = v * time / length;
+        return y * y / 2 - x * x / 2 - x * x * x * x / 4;
+    }
+};
+
+TEST_CASE("in units of any size a step is the same, or refused") {
+    auto const check = [](auto const& method) {
+        auto const positions = [&](double length, double time) {
+            std::vector<double> q;
+            for (auto const& x :
+                 method(lagrangian{in_units{length, time}}).along(uniform(0.0, time / 8, 10), initial_velocity{length, 0.0}))
+                q.push_back(x.q / length);
+            return q;
+        };
+        auto const known = positions(1, 1);
+        int same = 0;
+        for (int length = -480; length <= 480; length += 80)
+            for (int time = -640; time <= 640; time += 160) {
+                if (std::abs(time - length) > 500) continue; // the mass is no normal number
+                CAPTURE(length);
+                CAPTURE(time);
+                try {
+                    auto const q = positions(std::ldexp(1.0, length), std::ldexp(1.0, time));
+                    CHECK(q == known);
+                    ++same;
+                } catch (error::exception const& why) {
+                    CAPTURE(why.what());
+                    CHECK(std::abs(length) + std::abs(time) > 500);
+                }
+            }
+        CHECK(same > 40);
+    };
+    check([](auto const& L) { return embed(L, order_one); });
+    check([](auto const& L) { return embed(L, mid_point); });
+    check([](auto const& L) { return embed(L, theta<1, 3>); });
+    check([](auto const& L) { return embed(L, galerkin<2, gauss>); });
+    check([](auto const& L) { return embed(L, galerkin<4, gauss>); });
+    check([](auto const& L) { return embed(L, galerkin<3, lobatto>); });
+}
+
 } // namespace sizes_tests

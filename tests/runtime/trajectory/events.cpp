@@ -85,6 +85,22 @@ TEST_CASE("a condition is an event where it changes") {
     CHECK(end == times[0]);
 }
 
+TEST_CASE("a pole is no zero") {
+    auto const free = embed(lagrangian{[](auto const&, auto const& v) { return v * v / 2; }}, mid_point);
+    auto const path = free.along(uniform(0.0, 0.125, 40), 0.0, 1.0);
+    auto const times = [&](auto const& g) {
+        std::vector<double> all;
+        for (auto const& x : events(path, g)) all.push_back(x.t);
+        return all;
+    };
+    CHECK(times([](auto const& x) { return 1 / (x.q - 0.55); }).empty());
+    auto const of_tangent = times([](auto const& x) { return std::tan(x.q); });
+    REQUIRE(of_tangent.size() == 1);
+    CHECK(std::abs(of_tangent[0] - std::acos(-1.0)) <= 8 * epsilon<double>());
+    // A jump is one, as that of a condition is.
+    CHECK(times([](auto const& x) { return x.q < 0.55 ? -1.0 : 3.0; }).size() == 1);
+}
+
 TEST_CASE("until ends at the event, or with the trajectory") {
     CHECK(times(until(passing_zero(-0.75), position)) == std::vector{0.0, 0.5, 0.75});
     CHECK(times(until(passing_zero(-1.0), position)) == std::vector{0.0, 0.5, 1.0});

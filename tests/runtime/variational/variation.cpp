@@ -192,4 +192,23 @@ TEST_CASE("the equation has a row for every point that a position in the middle 
     for (hilger::index_type k = 0; k <= 5; ++k) CHECK(line[k] == T.element(k));
 }
 
+TEST_CASE("the equation of a sum of actions is the sum of their equations, on uneven steps and with the time") {
+    time_scale<Q> const T{Q(0), Q(1), Q(3), Q(4), Q(6), Q(13, 2)};
+    auto const kinetic = [](auto const&, auto const& v) { return v * v / 2 + v * v * v / 9; };
+    auto const potential = [](auto const& t, auto const& x, auto const&) { return t * x * x / 3 - x * x * x / 5; };
+    constexpr auto q_o = extend[q];
+    auto const S = integral(lagrangian{kinetic}(q_o, Delta_o_plus[q_o]), half(T));
+    auto const timed =
+        integral(lagrangian{[&](auto const&, auto const& x, auto const& v) { return kinetic(x, v); }}(q_o, Delta_o_plus[q_o]), half(T));
+    auto const R = integral(lagrangian{potential}(q_o, Delta_o_plus[q_o]), half(T));
+    auto const x = function_on(T, std::vector<Q>{Q(1), Q(-2, 3), Q(5, 2), Q(0), Q(7, 5), Q(100)});
+    auto const of_sum = variation(timed + R).residual(x);
+    auto const first = variation(S).residual(x);
+    auto const second = variation(R).residual(x);
+    for (hilger::index_type k = 1; k <= 4; ++k) CHECK(of_sum[k] == first[k] + second[k]);
+    CHECK((timed + R)(x) == S(x) + R(x));
+    auto const elsewhere = integral(lagrangian{potential}(q_o, Delta_o_plus[q_o]), half(time_scale<Q>{Q(0), Q(1)}));
+    CHECK_THROWS_AS((void)(timed + elsewhere), error::mismatch);
+}
+
 } // namespace variation_tests

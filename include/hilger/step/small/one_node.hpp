@@ -122,11 +122,11 @@ private:
                             at_end ? S(0) : times(f, D[M]))...};
             if constexpr (has_step_force<Extra>) ((J[static_cast<std::size_t>(K * N + K)] += half_resistance<K>()), ...);
             d = r;
-            if (not small_solve(J, d)) {
-                singular = true;
+            bool const quadratic = not e.on().coupled and e.on().v <= 2, solved = small_solve(J, d);
+            if (not solved and not((at_start or at_end) and iteration == 0 and not quadratic)) {
+                singular = true; // which at rest says nothing of where the velocity is
                 break;
             }
-            bool const quadratic = not e.on().coupled and e.on().v <= 2;
             if (not(at_start or at_end) or not quadratic) tally<S>::add(work::newton_round);
             if constexpr (at_start or at_end)
                 if (iteration == 0 and not quadratic) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSL-1.0
+// A composition as its flows make it, part after part of each step, where it is not made of kicks and drifts (splitting.hpp).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <tuple>
+
+#include "hilger/composition/parts.hpp"
+#include "hilger/step/state.hpp"
+
+namespace hilger {
+
+template <parts_of_a_step Parts, class... Flows>
+class composed_flow;
+
+namespace detail {
+/// A value in a place of its own: what holds it can be in registers.
+template <class T>
+class in_its_place : public std::unique_ptr<T> {
+public:
+    in_its_place() : std::unique_ptr<T>(std::make_unique<T>()) {}
+    in_its_place(in_its_place const& other) : std::unique_ptr<T>(std::make_unique<T>(*other)) {}
+    in_its_place& operator=(in_its_place const& other) {
+        **this = *other;
+        return *this;
+    }
+    in_its_place(in_its_place&&) = default;
+    in_its_place& operator=(in_its_place&&) = default;
+};
+
+/// What a composition remembers whose flows take turns: one memory for each part, whose steps have one length, c_k h, and whose guesses are
+/// made from its own steps.
+template <class S, class V, class Parts, class... Flows>
+class by_turns {
+    using composed = composed_flow<Parts, Flows...>;
+    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
+    using all = std::index_sequence_for<Flows...>;
+    template <class Flow>
+    using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
+
+public:
+    by_turns(composed const& f, S const& h, V const& like)
+        : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
+    }
+    /// The velocity that the first step begins with: the parts of that step begin with the one of the part before.
+    void start_with(state<S, V> const& x, V const& v) { begin_part(std::get<0>(memories_)[0], x, v); }
+    void advance(composed const& f, state<S, V>& x, S const& h) {
+        if (not(h == h_)) [[unlikely]] {
+            lengths_ = scaled(parts_, h);
+            h_ = h;
+        }
+        x_ = x;
+        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
+        x_.t = x.t + h;
+        x = x_;
+        has_begun_ = true;
+    }
+    /// Everything that later steps depend on, for checkpoints.
+    template <class Visit>
+    void visit(composed const& f, Visit& each) {
+        each("step", h_);
+        lengths_ = scaled(parts_, h_);
+        for (std::size_t turn = 0; turn < turns; ++turn) visit(f, each, turn, all{});
+    }
+
+private:
+    using numbers = std::array<S, Parts::size>;
+    static numbers scaled(numbers c, S const& h) {
+        for (S& part : c) part = part * h;
+        return c;
+    }
+    template <std::size_t... J>
+    static auto made(composed const& f, numbers const& lengths, V const& like, std::index_sequence<J...>) {
+        return std::tuple<of_a_turn<Flows>...>(of_flow<J>(std::get<J>(f.flows()), lengths, like, std::make_index_sequence<turns>{})...);
+    }
+    template <std::size_t J, class Flow, std::size_t... Turn>
+    static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
+        return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
+    }
+    template <std::size_t... J>
+    void take(composed const& f, std::size_t turn, std::index_sequence<J...>) {
+        (part(std::get<J>(f.flows()), std::get<J>(memories_)[turn], turn * sizeof...(Flows) + J), ...);
+    }
+    template <class Flow, class Memory>
+    void part(Flow const& flow, Memory& memory, std::size_t k) {
+        S const& length = lengths_[k];
+        if (has_begun_) return memory.advance(flow, x_, length);
+        if (k > 0) begin_part(memory, x_, velocity_);
+        velocity_ = x_.q;
+        memory.advance(flow, x_, length);
+        velocity_ = length == S(0) ? velocity_ : V((x_.q - velocity_) / length);
+    }
+    template <class Memory>
+    static void begin_part(Memory& memory, state<S, V> const& x, V const& v) {
+        if constexpr (requires { memory.start_with(x, v); }) memory.start_with(x, v);
+    }
+
+    template <class Visit, std::size_t... J>
+    void visit(composed const& f, Visit& each, std::size_t turn, std::index_sequence<J...>) {
+        (std::get<J>(memories_)[turn].visit(std::get<J>(f.flows()), each), ...);
+    }
+
+    numbers parts_;
+    S h_;
+    numbers lengths_;
+    /// Inside the step: handed over when its last part is made.
+    state<S, V> x_;
+    std::tuple<of_a_turn<Flows>...> memories_;
+    bool has_begun_ = false; ///< a step was made
+    V velocity_{x_.q};       ///< in its first step: the mean of the part before
+};
+
+} // namespace detail
+} // namespace hilger

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSL-1.0
+// expect 1: actions add up that have one position, velocity and integral on one scale, and these differ in them
+// expect 2: fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the points of T alone
+// What one sentence has to say instead of the operators inside.
+#include <iostream>
+
+#include "hilger/hilger.hpp"
+
+using namespace hilger;
+
+int main() {
+    constexpr unknown q;
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+    auto const T = uniform(0.0, 0.5, 2);
+    auto const S = integral(L(q, Delta_plus[q]), T);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 1
+    auto const other = integral(L(extend[q], Delta_o_plus[extend[q]]), half(T));
+#else
+    auto const other = integral(L(q, Delta_plus[q]), T);
+#endif
+    (void)(S + other);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 2
+    constexpr auto how = galerkin<2, gauss>;
+#else
+    constexpr auto how = mid_point;
+#endif
+    std::cout << largest_residual(embed(with_fractional_damping(L, 0.1, 0.5), how).along(T, 1.0, 0.0));
+}
