@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 #include "hilger/composition/parts.hpp"
@@ -44,13 +45,16 @@ public:
         : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
     }
     /// The velocity that the first step begins with: the parts of that step begin with the one of the part before.
-    void start_with(state<S, V> const& x, V const& v) { begin_part(std::get<0>(memories_)[0], x, v); }
+    void start_with(composed const& f, state<S, V> const& x, V const& v) {
+        begin_part(std::get<0>(f.flows()), std::get<0>(memories_)[0], x, v);
+    }
     void advance(composed const& f, state<S, V>& x, S const& h) {
         if (not(h == h_)) [[unlikely]] {
             lengths_ = scaled(parts_, h);
             h_ = h;
         }
         x_ = x;
+        mean_.reset();
         for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
         x_.t = x.t + h;
         x = x_;
@@ -86,14 +90,14 @@ private:
     void part(Flow const& flow, Memory& memory, std::size_t k) {
         S const& length = lengths_[k];
         if (has_begun_) return memory.advance(flow, x_, length);
-        if (k > 0) begin_part(memory, x_, velocity_);
-        velocity_ = x_.q;
+        if (mean_) begin_part(flow, memory, x_, *mean_);
+        V const before = x_.q;
         memory.advance(flow, x_, length);
-        velocity_ = length == S(0) ? velocity_ : V((x_.q - velocity_) / length);
+        if (not(length == S(0))) mean_ = V((x_.q - before) / length);
     }
-    template <class Memory>
-    static void begin_part(Memory& memory, state<S, V> const& x, V const& v) {
-        if constexpr (requires { memory.start_with(x, v); }) memory.start_with(x, v);
+    template <class Flow, class Memory>
+    static void begin_part(Flow const& flow, Memory& memory, state<S, V> const& x, V const& v) {
+        if constexpr (requires { memory.start_with(flow, x, v); }) memory.start_with(flow, x, v);
     }
 
     template <class Visit, std::size_t... J>
@@ -108,7 +112,7 @@ private:
     state<S, V> x_;
     std::tuple<of_a_turn<Flows>...> memories_;
     bool has_begun_ = false; ///< a step was made
-    V velocity_{x_.q};       ///< in its first step: the mean of the part before
+    std::optional<V> mean_;  ///< the velocity of the part before, in that step
 };
 
 } // namespace detail

@@ -50,8 +50,8 @@ public:
             if constexpr (not kicks) turns_->made(f, h, state<S, V>{S(0), like, like});
         }
         /// The velocity that the first step begins with, at x, or one near it.
-        void start_with(state<S, V> const& x, V const& v) {
-            if constexpr (turns_too) turns_->start_with(x, v);
+        void start_with(composed_flow const& f, state<S, V> const& x, V const& v) {
+            if constexpr (turns_too) turns_->start_with(f, x, v);
         }
         /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
         /// be those of the parts that were made.
@@ -92,13 +92,13 @@ public:
             turns& made(composed_flow const& f, S const& h, state<S, V> const& x) {
                 if (not flows) {
                     flows.emplace(f, h, x.q);
-                    if (start and start->first == x) flows->start_with(x, start->second);
+                    if (start and start->first == x) flows->start_with(f, x, start->second);
                 }
                 return *flows;
             }
-            void start_with(state<S, V> const& x, V const& v) {
+            void start_with(composed_flow const& f, state<S, V> const& x, V const& v) {
                 if (flows)
-                    flows->start_with(x, v);
+                    flows->start_with(f, x, v);
                 else
                     start.emplace(x, v);
             }

@@ -40,7 +40,7 @@ public:
         if (end != nullptr)
             y.q = *end;
         else {
-            memory_.start_with(x, near);
+            memory_.start_with(f, x, near);
             memory_.advance(f, y, h);
         }
         auto [before, after] = momenta_of_step(derivatives_, tableau_of(f.embedding(), h), x.t, h, x.q, y.q);

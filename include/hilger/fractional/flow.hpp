@@ -34,9 +34,9 @@ public:
             : history_(f.damping_, h, like), step_(f.undamped_, h, like, history_.extra_force(like)), h_(h), before_{S(0), like, like} {}
 
         /// The velocity that the first step begins with: Newton's method starts there, and a history may ask for it.
-        void start_with(state<S, V> const& x, V const& v) {
+        void start_with(damped_flow const& f, state<S, V> const& x, V const& v) {
             start_ = v;
-            step_.start_with(x, v);
+            step_.start_with(f.undamped_, x, v);
         }
         /// x one step h further. @throws error::mismatch when h is not the length that the history has; error::no_convergence,
         /// error::singular, error::not_finite; x is then as it was. In the first step also what the damping refuses.

@@ -99,12 +99,13 @@ public:
         /// The force that is constant in a step (step/force.hpp).
         [[nodiscard]] Extra& extra() { return stepper_.extra(); }
 
-        /// The velocity that the first step begins with, or one near it: Newton's method starts there.
-        void start_with(state<S, V> const&, V const& v) {
+        /// The velocity that the first step begins with, at x, or one near it: Newton's method starts there.
+        /// @throws as velocity_of
+        void start_with(flow const& f, state<S, V> const& x, V const& v) {
             if constexpr (inner)
                 stepper_.start_with(v);
             else if constexpr (not known)
-                if (stepper_.needs_guess()) stepper_.guess(v);
+                if (stepper_.needs_guess()) stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p, v));
         }
         /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {

@@ -98,7 +98,10 @@ public:
                 known_ = 0;
             }
         }
-        if (known_ == 0) equation_.restart(start_ ? *start_ : velocity_of(at_time{what.lagrangian, x.t}, x.q, x.p));
+        if (known_ == 0) {
+            at_time const L{what.lagrangian, x.t};
+            equation_.restart(start_ ? velocity_of(L, x.q, x.p, *start_) : velocity_of(L, x.q, x.p));
+        }
         finish_by_equation(what, x);
         known_ = 1;
         start_.reset();

@@ -86,7 +86,7 @@ void require_its_own(Memory remembered, Method const& method, state<S, V> const&
         remembered.advance(method, x, h);
         with = x;
         Memory nothing(method, h, at.q);
-        if constexpr (requires(V const& v) { nothing.start_with(at, v); }) nothing.start_with(at, V((x.q - at.q) / h));
+        if constexpr (requires(V const& v) { nothing.start_with(method, at, v); }) nothing.start_with(method, at, V((x.q - at.q) / h));
         x = at;
         nothing.advance(method, x, h);
         without = x;

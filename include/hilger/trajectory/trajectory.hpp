@@ -126,8 +126,9 @@ public:
         [[gnu::noinline]] static memory begun(trajectory const& path) {
             index_type const first = path.T_.first();
             checkpoint_type from{path.start_, memory(path.method_, path.step(first), path.start_.q), first};
-            if constexpr (requires(V const& v) { from.memory.start_with(from.at, v); })
-                if (path.velocity_) from.memory.start_with(from.at, *path.velocity_);
+            if constexpr (requires(V const& v) { from.memory.start_with(path.method_, from.at, v); })
+                if (path.velocity_)
+                    saying_where(from.at, path.step(first), [&] { from.memory.start_with(path.method_, from.at, *path.velocity_); });
             return begun(path, std::move(from));
         }
         [[gnu::noinline]] static memory begun(trajectory const& path, checkpoint_type from) {

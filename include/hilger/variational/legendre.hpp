@@ -85,7 +85,6 @@ template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
     return detail::velocity_from_rest(p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
 }
-
 namespace detail {
 /// The same at time t by derivatives that are kept: from rest, or from the velocity `near`.
 template <class Problem, class S, class V>

@@ -111,6 +111,22 @@ TEST_CASE("a drift is that of the energy along the walk") {
     }
 }
 
+TEST_CASE("a velocity that no momentum tells from its neighbours is refused, and no other one is taken") {
+    auto const check = [](auto const& f, double q0, double v0) {
+        CHECK_THROWS_AS((void)record(f.along(uniform(0.0, h, 2), initial_velocity{q0, v0})), error::singular);
+    };
+    lagrangian const massless{[](auto const& q, auto const& v) { return q * q / 2 + 0 * v; }};
+    auto const check_all = [&](auto const& L, double q0, double v0) {
+        check(embed(L, order_one), q0, v0);
+        check(embed(L, mid_point), q0, v0);
+        check(embed(L, galerkin<2, gauss>), q0, v0);
+        check(stoermer_verlet(L), q0, v0);
+        check(compose(kahan_li<8>, embed(L, mid_point)), q0, v0);
+    };
+    check_all(massless, 1.0, 0.0);
+    check_all(crystal, 0.3, 1.0); // p = v^3/3 - v has its minimum there
+}
+
 TEST_CASE("a motion that ends before its interval does is not looked for in ever shorter steps") {
     // From q = 0.3, v = 0.2 it comes to v = 0, where its acceleration -q / v is without bound.
     try {
