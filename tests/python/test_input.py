@@ -59,7 +59,7 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "each name has one meaning, and 'q' was given two", lambda: h.Lagrangian(v**2, q, q))
         self.says(h.InvalidParameter, "the parameter 'k' is a number", lambda: h.Lagrangian("v^2/2 - k*q", k="heavy"))
         self.says(h.Mismatch, "each coordinate has its velocity", lambda: h.Lagrangian(v**2, h.variables("x[2]"), v))
-        self.says(IndexError, "out of range", lambda: h.variables("x", 2)[2])
+        self.says(IndexError, "has the components 0 to 1", lambda: h.variables("x", 2)[2])
         self.says(h.InvalidParameter, "variables are written as in 'q v'", lambda: h.variables("q; v"))
         self.says(TypeError, "a formula or a number was expected, and here is a ndarray", lambda: h.Lagrangian(h.variables("x", 2) / 2))
         self.says(h.InvalidParameter, "an operator is divided by 0", lambda: h.sigma / 0)

@@ -97,7 +97,7 @@ class Failures(unittest.TestCase):
             (h.InvalidScale, "positive whole number", lambda: h.uniform(0, 0.1, 2**70)),
             (TypeError, "one at a time", lambda: h.variables("x", 3)[0:2]),
             (h.InvalidParameter, "an interval is two numbers", lambda: h.solve(L, 5, q0=1, v0=0, accuracy=1e-6)),
-            (h.NotFinite, "numbers that double has", lambda: h.solve(oscillator, q0=10**400, v0=0)),
+            (h.NotFinite, "a number that double has", lambda: h.solve(oscillator, q0=10**400, v0=0)),
             (h.InvalidParameter, "a history is direct", lambda: h.solve(oscillator, q0=1, v0=0, history="nonsense")),
             (h.InvalidParameter, "a history is direct", lambda: h.solve_many(oscillator, q0=[1.0], v0=0, history="nonsense")),
             (h.InvalidParameter, "where there is fractional damping", lambda: h.solve(oscillator + h.damping(0.1, 0.5), q0=1, q1=1)),
@@ -106,6 +106,49 @@ class Failures(unittest.TestCase):
                 what()
             self.assertIn(sentence, str(caught.exception))
         self.assertEqual(h.Lagrangian("v^2/2 - k*q", k=np.array(2.0)).dimension, 1)
+
+    def test_whole_numbers_of_numpy(self):
+        large, L = 2**53 + 1, oscillator.lagrangian
+        T = h.uniform(Fraction(0), np.int64(1), 2)
+        for given in (large, np.int64(large), np.array([large])[0], np.uint64(large)):
+            self.assertEqual(h.solve(h.variation(L, T), q0=given, v0=0).q[0], large)
+            self.assertEqual(h.apply(h.identity, [given] * 3, h.TimeScale([Fraction(0), np.int64(1), 3]))[1][0], large)
+        free = h.variation(h.Lagrangian("v^2/2 - k*q", k=np.int64(large)), T)
+        self.assertEqual(free.lagrangian.dimension, 1)
+        fall = h.variation(h.Lagrangian("v^2/2 - k*q", k=large), T)
+        self.assertEqual(list(h.solve(free, q0=0, v0=0).q), list(h.solve(fall, q0=0, v0=0).q))
+
+    def test_what_is_clear_is_taken(self):
+        V = h.variables("v", 2)
+        self.assertEqual(h.Lagrangian(np.array(V @ V / 2), "q[2]", "v[2]").dimension, 2)
+        EL = h.variation(h.Lagrangian(V @ V / 2, "q[2]", "v[2]"), h.uniform(0, 0.5, 2))
+        column = h.solve(EL + h.force(np.array([[1 - V[0]], [h.t]])), q0=[0, "1/2"], v0=[0, 0]).q
+        np.testing.assert_array_equal(column, h.solve(EL + h.force(1 - V[0], h.t), q0=[0, 0.5], v0=[0, 0]).q)
+        V += 1
+        self.assertEqual(len(V), 2)
+        x = h.solve(h.variation(oscillator.lagrangian, h.uniform(mpmath.mpf(0), mpmath.mpf("0.5"), 4)), q0=1, v0=0)
+        self.assertEqual(x(Fraction(1, 4)), x("1/4"))
+        for given in (0.25, mpmath.mpf("0.25")):
+            self.assertAlmostEqual(x(given), x("0.25"), delta=1e-50)
+
+    def test_what_is_no_number(self):
+        x = h.solve(oscillator, q0=1, v0=0)
+        exact = h.solve(h.variation(oscillator.lagrangian, h.uniform(0, Fraction(1, 2), 4)), q0=1, v0=0)
+        for error, sentence, what in (
+            (TypeError, "a number was expected, and here is array", lambda: h.TimeScale(np.array([[0, 1], [2, 3]])).kind()),
+            (h.NotFinite, "the start of a scale is a number that double has", lambda: h.uniform(10**400, 1, 3)),
+            (h.InvalidParameter, "the step of a scale is a real number", lambda: h.uniform(0, 0.1j, 3)),
+            (h.InvalidParameter, "q0 is a real number, and here is None", lambda: h.solve(oscillator, q0=None, v0=1)),
+            (h.InvalidParameter, "a time is a real number, and here is None", lambda: x(None)),
+            (h.InvalidParameter, "a time on a scale of fractions", lambda: exact(0.3)),
+            (h.InvalidParameter, "returns a real number, or a bool, and at t = 0.0 it is None", lambda: x.events(lambda t, q, p: None)),
+            (h.InvalidParameter, "returns a real number, or a bool", lambda: x.events(lambda t, q, p: q + 0j)),
+            (IndexError, "has the components 0 to 2, and here is 3", lambda: h.variables("x", 3)[3]),
+            (TypeError, "f is a function of t", lambda: h.apply(h.sigma, h.sin(h.t), h.uniform(0, 0.1, 3))),
+        ):
+            with self.assertRaises(error) as caught:
+                what()
+            self.assertIn(sentence, str(caught.exception))
 
 
 class Shown(unittest.TestCase):

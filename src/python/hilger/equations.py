@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Optional, Sequence, Union
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from . import _core
 from ._core import Expression
 from .formulas import Formula, Vector, variables
-from .scales import TimeScale, Uniform, digits
+from .scales import TimeScale, Uniform, digits, real
 
 Variables = Union[str, Expression, Vector, Sequence[Union[Expression, Vector]]]
 
@@ -42,6 +41,8 @@ class Lagrangian:
                 raise _core.InvalidParameter("coordinates and velocities are variables, as h.variables makes them")
         self.coordinates = [(x.name, y.name, _size(x)) for x, y in zip(qs, vs)]
         self.time = time
+        if isinstance(L, np.ndarray) and L.size == 1:
+            L = L.item()
         formula = _core.read(L, "L") if isinstance(L, str) else _core.as_expression(L)
         given = {}
         for name, x in parameters.items():
@@ -162,27 +163,20 @@ class Zener:
 def force(*components: "Formula | str") -> Force:
     """force(-v/10), force("-v/10"), or force(f0, f1, ...) with one formula for each coordinate."""
     if len(components) == 1 and not isinstance(components[0], (str, _core.Expression)) and np.ndim(components[0]) > 0:
-        components = tuple(components[0])
+        components = tuple(np.ravel(components[0]) if isinstance(components[0], np.ndarray) else components[0])
     return Force(tuple(_core.read(f, "the force") if isinstance(f, str) else _core.as_expression(f) for f in components))
-
-
-def _number(x: object, what: str) -> float:
-    try:
-        return float(Fraction(x) if isinstance(x, str) else x)
-    except (TypeError, ValueError, ZeroDivisionError):
-        raise _core.InvalidParameter(f"{what} is a real number, and here is {x!r}") from None
 
 
 def damping(rho: float, alpha: float) -> Damping:
     """Fractional damping with Caputo's derivative, of q - q0 and for alpha > 1 of q - q0 - v0 t; alpha = 1 is friction."""
-    return Damping(_number(rho, "rho"), _number(alpha, "the order alpha"))
+    return Damping(real(rho, "rho"), real(alpha, "the order alpha"))
 
 
 def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: float, alpha: float) -> Zener:
     """σ + τ^α D^α σ = E₀ ε + E∞ τ^α D^α ε, 0 < α <= 1 and E∞ >= E₀, for g_alpha_newmark and gl_newmark: the Lagrangian of the structure is
     that of the relaxed modulus E₀."""
     names = ("the relaxed modulus", "the unrelaxed modulus", "the relaxation time", "the order alpha")
-    return Zener(*map(_number, (relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha), names))
+    return Zener(*map(real, (relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha), names))
 
 
 @dataclass(frozen=True)

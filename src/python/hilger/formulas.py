@@ -37,8 +37,10 @@ class Vector(np.lib.mixins.NDArrayOperatorsMixin):
     def __getitem__(self, k: int) -> Expression:
         if isinstance(k, slice):
             raise TypeError(f"a component of {self!r} is {self.name}[k], one at a time: [{self.name}[k] for k in range({self.size})[1:]]")
-        k = range(self.size)[k]  # negative ones from the end, and IndexError
-        return _core.element(self.name, k)
+        try:
+            return _core.element(self.name, range(self.size)[k])  # negative ones from the end
+        except IndexError:
+            raise IndexError(f"{self!r} has the components 0 to {self.size - 1}, and here is {k}") from None
 
     def __iter__(self) -> Iterator[Expression]:
         return (self[k] for k in range(self.size))
@@ -144,6 +146,8 @@ def _by_numpy(self, ufunc: np.ufunc, method: str, *inputs: object, **more: objec
     """numpy's functions of formulas, one by one. It asks what it does not know by itself from a method of that name, as q.sin(), of its
     first argument; and makes comparisons true or false, which no formula is."""
     objects = [np.asarray(x).astype(object) for x in inputs]
+    if not all(isinstance(x, np.ndarray) for x in more.get("out", ())):
+        more.pop("out")  # Q += 1 makes another Q
     if method == "__call__" and ufunc in _of_two and not more:
         return np.frompyfunc(_of_two[ufunc], 2, 1)(*objects)
     return getattr(ufunc, method)(*objects, **more)

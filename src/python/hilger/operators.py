@@ -14,7 +14,7 @@ from typing import Callable, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._core import Operator
+from ._core import Expression, Operator
 from .equations import Method
 from .scales import TimeScale, Uniform, digits, fraction_from, require_real
 from .solutions import digits_of, numbers_from
@@ -53,6 +53,8 @@ def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tu
     if not isinstance(T, (Uniform, TimeScale)):
         raise TypeError(f"a scale, as h.uniform(0, 0.1, 100), was expected, and here is {T!r}")
     kind = T.kind()
+    if isinstance(f, Expression):
+        raise TypeError(f"f is a function of t, as a lambda, or has a value for each point of T, and here is the formula {f!r}")
     with digits_of(kind):
         if isinstance(T, Uniform):
             start, step = (float(x) if kind == "double" else x for x in (T.start, T.step))

@@ -140,13 +140,15 @@ class Solution:
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
         p, kind, row, scalar = self._momenta(), self.equation.scale.kind(), self._row, self.q.ndim == 1
 
-        def value(t, q, p):
+        def value(t, q, p, inside=False):
             with digits_of(kind):
                 y = g(t, q, p)
                 if isinstance(y, (bool, np.bool_)):
                     return 1 if y else -1
                 if y is None or np.ndim(y) > 0 or np.iscomplexobj(y):
                     raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
+            if inside and abs(y) == float("inf"):
+                return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
             if not y - y == 0:
                 raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
             return y
@@ -162,8 +164,8 @@ class Solution:
             now = value(self.t[i], self.q[i], p[i])
             if (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising"):
                 ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
-                at = state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made)))))
-                if abs(value(*at)) <= max(abs(was), abs(now)):
+                at = state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made), inside=True))))
+                if abs(value(*at, inside=True)) <= max(abs(was), abs(now)):
                     found.append(at)
             was = now
         t, q, momenta = zip(*found) if found else ((), (), ())

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation, Lagrangian
-from .scales import digits, require_real
+from .scales import digits, real, require_real
 from .solutions import AccurateSolution, Solution, StepFailure, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -48,10 +48,7 @@ def _state(kind: str, x: object, L: Lagrangian, name: str):
     if len(flat) != L.dimension or any(np.ndim(y) > 0 for y in flat):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
-        try:
-            return np.array([float(y) for y in flat])
-        except OverflowError:
-            raise _core.NotFinite(f"{name} is made of numbers that double has, and here is {x!r}") from None
+        return np.array([real(y, f"each component of {name}" if len(flat) > 1 else name) for y in flat])
     if kind == "exact" and any(isinstance(y, (float, np.floating)) for y in flat):
         raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is a float")
     return [digits(y) for y in flat]
