@@ -5,6 +5,8 @@
 // is too little, are left to the equation of the step (step/many_nodes.hpp).
 #pragma once
 
+#include <optional>
+
 #include "hilger/inlining.hpp"
 #include "hilger/newton/contraction.hpp"
 #include "hilger/step/galerkin_table.hpp"
