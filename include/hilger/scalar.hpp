@@ -83,6 +83,8 @@ template <class V>
 constexpr bool is_finite(V const& x) {
     if constexpr (requires { x.allFinite(); })
         return x.allFinite();
+    else if constexpr (std::numeric_limits<V>::is_exact)
+        return true;
     else
         return x - x == V(0);
 }

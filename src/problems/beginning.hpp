@@ -20,22 +20,14 @@ public:
     [[nodiscard]] virtual std::vector<S> constants(state const& x, engine::vector<S> const& near) const = 0;
     [[nodiscard]] virtual std::vector<S> shown(state const& x, engine::vector<S> const& near) const = 0;
 };
-/// The same of states of any kind: of the first one, and of others with a velocity near theirs.
+/// The same of states of any kind.
 template <class S>
 class observed {
 public:
-    observed(std::shared_ptr<observation<S> const> by, engine::vector<S> velocity) : by_(std::move(by)), velocity_(std::move(velocity)) {}
-    template <class State>
-    std::vector<S> operator()(State const& x) const {
-        return by_->constants(of_any_size(x), velocity_);
-    }
+    explicit observed(std::shared_ptr<observation<S> const> by) : by_(std::move(by)) {}
     template <class State, class V>
     std::vector<S> operator()(State const& x, V const& near) const {
         return by_->constants(of_any_size(x), engine::as_vector<S>(near));
-    }
-    template <class State>
-    std::vector<S> shown(State const& x) const {
-        return by_->shown(of_any_size(x), velocity_);
     }
     template <class State, class V>
     std::vector<S> shown(State const& x, V const& near) const {
@@ -48,7 +40,6 @@ private:
         return {x.t, engine::as_vector<S>(x.q), engine::as_vector<S>(x.p)};
     }
     std::shared_ptr<observation<S> const> by_;
-    engine::vector<S> velocity_; ///< of the first state
 };
 
 /// What all walks in numbers S begin with.

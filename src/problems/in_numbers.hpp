@@ -43,7 +43,7 @@ beginning<S> beginning_from(stated_problem const& what, engine::vector<S> const&
     auto const number = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
     S const start = number(what.start);
     auto const p = hilger::momentum_of(hilger::detail::at_time{what.of.lagrangian, start}, q, v);
-    return {start, number(what.end), q, v, p, observed<S>(std::make_shared<observation_of<S> const>(what), v)};
+    return {start, number(what.end), q, v, p, observed<S>(std::make_shared<observation_of<S> const>(what))};
 }
 
 template <class S, class WithFlow>

@@ -18,7 +18,8 @@ std::string digits_of(S const& x) {
     return out.str();
 }
 
-/// Observe gives the numbers that should be constant at a state, and may give others, shown(x), that are looked at.
+/// Observe gives the numbers that should be constant at a state, and may give others, shown(x, v), that are looked at; v is a velocity near
+/// that of x, where several have its momentum.
 template <class Path, class Observe>
 class path_walk final : public walk {
     using iterator = typename Path::iterator;
@@ -31,7 +32,8 @@ class path_walk final : public walk {
 
 public:
     path_walk(Path path, Observe observe)
-        : path_(std::move(path)), observe_(std::move(observe)), at_(std::as_const(path_).begin()), first_(*at_) {}
+        : path_(std::move(path)), observe_(std::move(observe)), at_(std::as_const(path_).begin()), first_(*at_),
+          first_velocity_(path_.starting_velocity().value_or(hilger::zero_like(first_.q))), mean_(first_velocity_) {}
 
     void advance(hilger::index_type steps) override {
         hilger::index_type const last = std::min(path_.scale().last(), at_.number() + steps);
@@ -56,14 +58,14 @@ public:
         for (int k = 0; k < s::dimension(x.q); ++k) text += ',' + digits_of(S(s::component(x.q, k)));
         for (int k = 0; k < s::dimension(x.p); ++k) text += ',' + digits_of(S(s::component(x.p, k)));
         auto const& start = start_of_all();
-        auto const now = observed(x);
+        auto const now = observed(x, mean_);
         for (std::size_t k = 0; k < now.size(); ++k) {
             auto const change = static_cast<double>(S(now[k] - start[k]));
             largest_[k] = std::max(largest_[k], std::abs(change));
             text += ',' + digits_of(change);
         }
-        if constexpr (requires { observe_.shown(x); })
-            for (S const& value : mean_ ? observe_.shown(x, *mean_) : observe_.shown(x)) text += ',' + digits_of(value);
+        if constexpr (requires { observe_.shown(x, mean_); })
+            for (S const& value : observe_.shown(x, mean_)) text += ',' + digits_of(value);
         return text;
     }
     [[nodiscard]] std::vector<hilger::float100> position() const override {
@@ -104,24 +106,24 @@ private:
     /// What is observed at the first point. It is looked at when somebody asks for rows: that may take longer than to walk.
     auto const& start_of_all() const {
         if (not start_) {
-            start_.emplace(observe_(first_));
+            start_.emplace(observed(first_, first_velocity_));
             largest_.assign(start_->size(), 0);
         }
         return *start_;
     }
-    /// Where several velocities have one momentum, that of x is near the mean one of the step that led there.
-    auto observed(typename iterator::value_type const& x) const {
-        if constexpr (requires(V const& near) { observe_(x, near); })
-            if (mean_) return observe_(x, *mean_);
-        return observe_(x);
+    auto observed(typename iterator::value_type const& x, V const& near) const {
+        if constexpr (requires { observe_(x, near); })
+            return observe_(x, near);
+        else
+            return observe_(x);
     }
     Path path_;
     Observe observe_;
-    std::optional<V> mean_;
     std::optional<hilger::resumed<Path>> resumed_;
     iterator at_;
     std::remove_cvref_t<decltype(*std::declval<iterator const&>())> first_;
-    mutable std::optional<decltype(std::declval<Observe const&>()(*std::declval<iterator const&>()))> start_;
+    V first_velocity_, mean_; ///< the mean one of the last step
+    mutable std::optional<std::vector<S>> start_;
     mutable std::vector<double> largest_;
 };
 template <class Path, class Observe>

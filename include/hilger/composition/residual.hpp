@@ -97,7 +97,7 @@ auto largest_residual_of_parts(Flow const& method, Scale const& T, States const&
         ++at;
         if (not part) part.emplace(method, h, from.q);
         S off(0);
-        part->go(method, from, h, V((at->q - from.q) / h), &at->q, off);
+        part->go(method, from, h, mean_velocity(from, *at), &at->q, off);
         worst = larger(worst, S(larger(off, S(magnitude(V(from.p - at->p)))) / magnitude(h)));
         from = *at;
     }

@@ -85,8 +85,7 @@ private:
     }
     template <int... K>
     HILGER_ALWAYS_INLINE static bool are_finite(vector const& q, vector const& p, std::integer_sequence<int, K...>) {
-        return [](S const& s) HILGER_ALWAYS_INLINE { return S(s - s) == S(0); }(S((q[K] + ...) + (p[K] + ...))) or
-               ((is_finite(q[K]) and is_finite(p[K])) and ...);
+        return is_finite(S((q[K] + ...) + (p[K] + ...))) or ((is_finite(q[K]) and is_finite(p[K])) and ...);
     }
     using matrix = std::array<S, N * N>;
     matrix inertia_{}; ///< M and a where the last drift began

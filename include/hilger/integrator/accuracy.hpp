@@ -68,9 +68,9 @@ class solving_by_doubling {
 
 public:
     using result = accurate_solution<S, V, solution_function>;
-    solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, state<S, V> start, V velocity)
-        : flow_(std::move(flow)), method_(method), order_(order), I_(I), start_(std::move(start)), velocity_(std::move(velocity)),
-          end_(start_) {}
+    solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, initial_velocity<V> start)
+        : flow_(std::move(flow)), method_(method), order_(order), I_(I),
+          start_(std::move(start)), end_{I_.a, start_.q0, flow_.momentum(I_.a, start_.q0, start_.v0)} {}
 
     /// Nothing where kinks of L leave of the method's order less than two, so that a step that costs less does as much.
     std::optional<result> reach(accuracy const& goal) {
@@ -143,8 +143,7 @@ private:
         q.reserve(static_cast<std::size_t>(steps) + 1);
         walked_ += steps;
         try {
-            auto path = flow_.along(uniform(I_, steps), start_.q, start_.p);
-            path.starts_with(velocity_);
+            auto const path = flow_.along(uniform(I_, steps), start_);
             for (auto const& x : path) {
                 q.push_back(x.q);
                 end_ = x;
@@ -187,9 +186,8 @@ private:
     char const* method_;
     int order_;
     interval<S> I_;
-    state<S, V> start_;
-    V velocity_; ///< at the start
-    state<S, V> end_;
+    initial_velocity<V> start_;
+    state<S, V> end_; ///< that a run has reached
     index_type walked_ = 0;
 };
 
@@ -213,11 +211,10 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     using V = detail::given_state_t<S, W>;
     V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
     detail::require_same_dimension(q0, v0, "the initial position and velocity");
-    V const p0 = embed(L, mid_point).momentum(I.a, q0, v0);
     index_type walked = 0;
     auto const reached = [&](auto const& how, char const* method, int order) {
         auto const flow = embed(L, how);
-        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {I.a, q0, p0}, v0);
+        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {q0, v0});
         auto made = solving.reach(goal);
         walked += solving.walked();
         return made;

@@ -56,10 +56,7 @@ S smallest_determinant() {
 /// Neither zero nor beyond the largest number: r / inf is 0, and would pass for a solution.
 template <class S>
 HILGER_ALWAYS_INLINE inline bool is_divisor(S const& k) {
-    if constexpr (std::numeric_limits<S>::is_exact)
-        return not(k == S(0));
-    else
-        return not(k == S(0)) and S(k - k) == S(0);
+    return not(k == S(0)) and is_finite(k);
 }
 
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding, or not finite.

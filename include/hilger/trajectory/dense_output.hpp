@@ -21,8 +21,8 @@ struct slopes {
 namespace detail {
 /// The slopes at a state of the problem, by derivatives that are kept; `near` is a velocity near that one, where several have its momentum.
 template <class F, class Force, class S, class V>
-slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x, std::same_as<V> auto const&... near) {
-    V v = velocity_by(kept, x.t, x.q, x.p, near...);
+slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x, V const& near) {
+    V v = velocity_by(kept, x.t, x.q, x.p, near);
     V p = [&] {
         if constexpr (is_traced_at<problem<F, Force>, V>)
             return kept.by_q(x.t, x.q, v);
@@ -39,7 +39,7 @@ slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V>
 /// Refused: the force of a history is not in the state.
 template <class Damped, class S, class V>
     requires requires(Damped const& d) { d.mechanics, d.damping; }
-slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x, std::same_as<V> auto const&...) {
+slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x, V const&) {
     static_assert(sizeof(Damped) == 0, "the slopes of a flow with fractional damping come from its history: give dense_output the path, "
                                        "dense_output(flow.along(T, q0, p0))");
     return {x.q, x.p};
@@ -49,7 +49,7 @@ slopes<V> slopes_by(kept_derivatives<Damped> const&, state<S, V> const& x, std::
 /// The slopes at a state of the problem. @throws error::singular, error::no_convergence where the Legendre map has no inverse
 template <class Problem, class S, class V>
 slopes<V> slopes_at(Problem const& mechanics, state<S, V> const& x) {
-    return detail::slopes_by(detail::kept_derivatives(mechanics), x);
+    return detail::slopes_by(detail::kept_derivatives(mechanics), x, zero_like(x.q));
 }
 
 namespace detail {

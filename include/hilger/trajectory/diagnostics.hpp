@@ -10,7 +10,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "hilger/trajectory/trajectory.hpp"
 #include "hilger/variational/legendre.hpp"
@@ -47,8 +46,12 @@ namespace detail {
 template <class Quantity, class Path, class State>
 auto along_a_walk(Quantity const& quantity, Path const& path, std::optional<State>& before, State const& x) {
     if constexpr (requires { typename Quantity::depends_on_velocity; }) {
-        auto const last = std::exchange(before, x);
-        if (last) return quantity(x, mean_velocity(*last, x));
+        if (before) {
+            auto const near = mean_velocity(*before, x);
+            *before = x;
+            return quantity(x, near);
+        }
+        before = x;
         if constexpr (requires { path.starting_velocity(); })
             if (path.starting_velocity()) return quantity(x, *path.starting_velocity());
     }
@@ -86,10 +89,10 @@ class energy_of_states {
 public:
     using depends_on_velocity = void;
     explicit energy_of_states(L lagrangian) : kept_(problem<L>{std::move(lagrangian), {}}) {}
-    auto operator()(auto const& x, auto const&... near) const {
-        return detail::energy_of(detail::at_time{kept_.what().lagrangian, x.t}, x.q, detail::velocity_by(kept_, x.t, x.q, x.p, near...),
-                                 x.p);
+    auto operator()(auto const& x, auto const& near) const {
+        return detail::energy_of(detail::at_time{kept_.what().lagrangian, x.t}, x.q, detail::velocity_by(kept_, x.t, x.q, x.p, near), x.p);
     }
+    auto operator()(auto const& x) const { return (*this)(x, zero_like(x.q)); }
 
 private:
     detail::kept_derivatives<problem<L>> kept_;

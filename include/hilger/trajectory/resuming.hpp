@@ -64,18 +64,17 @@ private:
 
 /// What a trajectory of `method` remembers where another memory does, as far as it shows it.
 template <class S, class V, class Memory, class Method>
-Memory taken_over(Memory const& from, Method const& method, S const& h, V const& like) {
-    Memory copy = from;
-    if constexpr (requires(typename numbers_of_memory<S>::writer each) { copy.visit(method, each); }) {
+Memory taken_over(Memory from, Method const& method, S const& h, V const& like) {
+    if constexpr (requires(typename numbers_of_memory<S>::writer each) { from.visit(method, each); }) {
         numbers_of_memory<S> numbers;
         typename numbers_of_memory<S>::writer write{numbers};
-        copy.visit(method, write);
+        from.visit(method, write);
         Memory own(method, h, like);
         typename numbers_of_memory<S>::reader read{numbers};
         own.visit(method, read);
         return own;
-    }
-    return copy;
+    } else
+        return from;
 }
 /// That a step of length h with what is remembered leads where one without it does. @throws error::mismatch
 template <class S, class V, class Memory, class Method>
@@ -86,7 +85,7 @@ void require_its_own(Memory remembered, Method const& method, state<S, V> const&
         remembered.advance(method, x, h);
         with = x;
         Memory nothing(method, h, at.q);
-        if constexpr (requires(V const& v) { nothing.start_with(method, at, v); }) nothing.start_with(method, at, V((x.q - at.q) / h));
+        if constexpr (requires(V const& v) { nothing.start_with(method, at, v); }) nothing.start_with(method, at, mean_velocity(at, x));
         x = at;
         nothing.advance(method, x, h);
         without = x;

@@ -174,7 +174,7 @@ public:
         detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
         if (from.number < T_.last()) {
             S const h = step(from.number);
-            from.memory = detail::taken_over(from.memory, method_, h, from.at.q);
+            from.memory = detail::taken_over(std::move(from.memory), method_, h, from.at.q);
             if constexpr (not detail::has_history<Method>) detail::require_its_own(from.memory, method_, from.at, h);
         }
         return {*this, std::move(from)};

@@ -29,32 +29,19 @@ newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, E
     each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
-/// velocity_from(guess) with v = 0; or, where there is no mass at rest or next to none, or L is not defined there, as in L = v^4 and
-/// L = v log v, with v = p.
+/// velocity_from(near); where that leads nowhere, from rest; and where there is no mass at rest or next to none, or L is not defined there,
+/// as with L = v^4 and L = v log v, from v = p.
 template <class V, class From>
-V velocity_from_rest(V const& p, From const& velocity_from) {
-    try {
-        return velocity_from(zero_like(p));
-    } catch (error::exception const&) {
-        if (magnitude(p) == scalar_of<V>(0)) throw;
-        try {
-            return velocity_from(p);
-        } catch (error::exception const&) { // the first one says more
-        }
-        throw;
-    }
-}
-/// velocity_from(near), where it is given and leads anywhere; else from rest.
-template <class V, class From>
-V near_or_from_rest(V const& p, From const& velocity_from) {
-    return velocity_from_rest(p, velocity_from);
-}
-template <class V, class From>
-V near_or_from_rest(V const& p, From const& velocity_from, V const& near) {
+V velocity_near(V const& near, V const& p, From const& velocity_from) {
     try {
         return velocity_from(near);
     } catch (error::exception const&) {
-        return velocity_from_rest(p, velocity_from);
+        for (V const& guess : {zero_like(p), p})
+            if (not(guess == near)) try {
+                    return velocity_from(guess);
+                } catch (error::exception const&) { // the first one says more
+                }
+        throw;
     }
 }
 } // namespace detail
@@ -83,16 +70,15 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
 /// of them.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
-    return detail::velocity_from_rest(p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
+    return detail::velocity_near(zero_like(p), p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
 }
 namespace detail {
-/// The same at time t by derivatives that are kept: from rest, or from the velocity `near`.
+/// The same at time t by derivatives that are kept, from the velocity `near`: at rest where nothing is known of it.
 template <class Problem, class S, class V>
-V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, std::same_as<V> auto const&... near) {
+V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, V const& near) {
     at_time const lagrangian{kept.what().lagrangian, t};
     if constexpr (not is_traced_at<Problem, V> or requires { lagrangian.velocity(q, p); })
-        return near_or_from_rest(
-            p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); }, near...);
+        return velocity_near(near, p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); });
     else {
         auto const equation = [&](V const& v) {
             return kept.at(t, q, v, wanted::with_seconds, [&](auto const& node) {
@@ -104,8 +90,7 @@ V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V c
                 });
             });
         };
-        auto const from = [&](V const& guess) { return newton(equation, guess, p, legendre_map); };
-        return near_or_from_rest(p, from, near...);
+        return velocity_near(near, p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
     }
 }
 /// p.v - L(q, v)

@@ -65,10 +65,11 @@ class Events(NamedTuple):
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
-    `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero; `x.residual()` what the positions
-    leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its scale did, `x.compiled` whether
-    its steps were machine code as a whole. What joins two ends has positions alone, and p is None. It can be pickled; without fractional
-    damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+    `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero;
+    `x.residual()` what the positions leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
+    scale did, `x.compiled` whether its steps were machine code as a whole. What joins two ends has positions alone, and p is None. It can be
+    pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1],
+    p0=x.p[-1]).
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
@@ -134,7 +135,8 @@ class Solution:
     def events(self, g: Callable, crossing: str = "any") -> Events:
         """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
 
-        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step are not seen, and a pole, where |g| is larger than at both ends of its step, is none.
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step are not seen, and a pole, where
+        |g| is larger than at both ends of its step, is none. A g that is true or false passes zero where it changes.
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
@@ -190,7 +192,7 @@ class Solution:
         return np.array([number_from(kind, self._motion.energy(self._time(t), *(row(x, i) for x in (self.q, p, mean)))) for i, t in enumerate(self.t)])
 
     def _mean_velocities(self):
-        """Of the step behind each point, and of the last step at the last one: velocities near those of the points, which several may have the momentum of."""
+        """Of the step behind each point, and of the last step at the last one: near those of the points, whose momenta others may have too."""
         if len(self) == 1:
             return np.zeros_like(self.q)
         h = np.diff(self.t)
