@@ -20,7 +20,7 @@ struct polynomial_table {
     std::array<std::array<S, Degree + 1>, Count> value{}, slope{};
 
     template <class W, class Nodes>
-    static constexpr polynomial_table of(Nodes const& node) {
+    [[gnu::noinline, gnu::cold]] static constexpr polynomial_table of(Nodes const& node) {
         polynomial_table t;
         for (int m = 0; m <= Degree; ++m) {
             W scale(1);

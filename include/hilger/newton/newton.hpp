@@ -3,7 +3,9 @@
 // scalar's rounding, and gives up, saying where, when corrections stop shrinking.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/newton/on_branches.hpp"
@@ -60,11 +62,15 @@ V sizes(V const& x) {
     else
         return magnitude(x);
 }
+/// Iterate -> newton_system. Erased, so that one iteration is compiled for all systems of the same vectors and matrices.
+template <class V, class Jacobian>
+using newton_function = std::function<newton_system<V, Jacobian>(V const&)>;
+
 /// The root of a system with branches.
-template <class V, class System>
-V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> const& small, char const* what) {
+template <class V, class Jacobian>
+V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what) {
     using S = scalar_of<V>;
-    decltype(system(x).jacobian) J;
+    Jacobian J;
     auto const evaluate_at = [&](V const& y, V& r) {
         auto const at = system(y);
         r = at.residual;
@@ -77,42 +83,36 @@ V newton_on_branches(System const& system, V x, V const& given, scalar_of<V> con
         return true;
     };
     V residual = x;
-    branch_search const how = search_branches(x, residual, evaluate_at, correct, small);
+    branch_search const how = search_branches(x, residual, std::cref(evaluate_at), std::cref(correct), small);
     if (how != branch_search::found) give_up_on_branches(what, how, x, residual);
     return x;
 }
-} // namespace detail
-
-/// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
-/// the equation in messages, and `regular` when its derivative is. In an exact scalar the root must be reached exactly, which linear
-/// equations do in one iteration. A system with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable
-/// none of its branches count.
-/// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
-template <class V, class System>
-V newton(System const& system, V guess, V const& given, char const* what, char const* regular = detail::by_the_velocity) {
+/// newton(), below.
+template <class V, class Jacobian>
+V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given, char const* what, char const* regular) {
     using S = scalar_of<V>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int most = exact ? 4 : 50;
     // Convergence is quadratic: after a correction of size sqrt(eps) the error is of size eps.
-    S const small = detail::square_root_of_epsilon<S>() / S(16);
+    S const small = square_root_of_epsilon<S>() / S(16);
     V x = std::move(guess);
     S previous(-1), size(0);
     V residual = zero_like(x), last = residual;
-    detail::unwatched const inside;
+    unwatched const inside;
     for (int iteration = 0; iteration < most; ++iteration) {
         auto at = system(x);
         // A correction may lead to where there are no numbers, as beyond the speed of light: half of it, then, and half of that.
-        for (int halved = 0; halved < 20 and iteration > 0 and not detail::all_finite(at.residual); ++halved) {
+        for (int halved = 0; halved < 20 and iteration > 0 and not all_finite(at.residual); ++halved) {
             last = last * (S(1) / S(2));
             x = x + last;
             at = system(x);
         }
-        if (inside.before.saw_any()) return detail::newton_on_branches(system, std::move(x), given, small, what);
-        if (not detail::all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
+        if (inside.before.saw_any()) return newton_on_branches(system, std::move(x), given, small, what);
+        if (not all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
         residual = at.residual;
         // A guess that happens to solve a singular system is one of many solutions.
         if (magnitude(residual) == S(0) and iteration > 0) return x;
-        V const correction = detail::solve(at.jacobian, residual, what, regular);
+        V const correction = solve(at.jacobian, residual, what, regular);
         if (magnitude(residual) == S(0)) return x;
         S const before = magnitude(x);
         x = x - correction;
@@ -123,13 +123,24 @@ V newton(System const& system, V guess, V const& given, char const* what, char c
             // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink, and are rounding of the
             // iterate before (one that runs away is no measure of itself) and of what is given.
             bool const stalled = not(previous < S(0)) and not(size < previous);
-            if (stalled and size <= S(64) * epsilon<S>() *
-                                        std::max(before, S(magnitude(detail::solve(at.jacobian, detail::sizes(given), what, regular)))))
+            if (stalled and size <= S(64) * epsilon<S>() * std::max(before, S(magnitude(solve(at.jacobian, sizes(given), what, regular)))))
                 return x;
         }
         previous = size;
     }
-    detail::give_up(what, false, x, residual, size, most);
+    give_up(what, false, x, residual, size, most);
+}
+} // namespace detail
+
+/// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
+/// the equation in messages, and `regular` when its derivative is. In an exact scalar the root must be reached exactly, which linear
+/// equations do in one iteration. A system with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable
+/// none of its branches count.
+/// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
+template <class V, class System>
+V newton(System const& system, V guess, V const& given, char const* what, char const* regular = detail::by_the_velocity) {
+    using jacobian = decltype(system(guess).jacobian);
+    return detail::newton_of<V, jacobian>(std::cref(system), std::move(guess), given, what, regular);
 }
 
 } // namespace hilger

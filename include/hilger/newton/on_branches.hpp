@@ -8,6 +8,8 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <type_traits>
 
 #include "hilger/differentiation/branches.hpp"
 #include "hilger/newton/stop.hpp"
@@ -25,11 +27,18 @@ struct branch_point {
     branch_path path;
 };
 
+/// Erased, since a search is long and there is one in every step that has an implicit equation: it is compiled once for all of them.
+template <class X>
+using equation_on_branches = std::type_identity_t<std::function<scalar_of<X>(X const& x, X& r)>>;
+template <class X>
+using correction_on_branches = std::type_identity_t<std::function<bool(X const& r, X& d)>>;
+
 /// x in r(x) = 0. `evaluate(x, r)` puts r(x) into r and returns the size that its rounding is measured by; `correct(r, d)` puts Newton's
 /// correction at the last x evaluated into d, false where the derivative is singular there. `small` is the relative size below which a
 /// correction is the last. Found or not, x is the last one evaluated, and `residual` is r there.
-template <class X, class Evaluate, class Correct>
-branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Correct const& correct, scalar_of<X> const& small) {
+template <class X>
+branch_search search_branches(X& x, X& residual, equation_on_branches<X> const& evaluate, correction_on_branches<X> const& correct,
+                              scalar_of<X> const& small) {
     using S = scalar_of<X>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int full_steps = exact ? 6 : 12, rounds = exact ? 12 : 80, halvings = exact ? 6 : 40;
@@ -90,9 +99,9 @@ branch_search search_branches(X& x, X& residual, Evaluate const& evaluate, Corre
 }
 
 /// The same, and where it ends without a root once more, from `nearer`: an extrapolated x may lie where r is not defined.
-template <class X, class Evaluate, class Correct>
-branch_search search_branches_twice(X& x, X const& nearer, X& residual, Evaluate const& evaluate, Correct const& correct,
-                                    scalar_of<X> const& small) {
+template <class X>
+branch_search search_branches_twice(X& x, X const& nearer, X& residual, equation_on_branches<X> const& evaluate,
+                                    correction_on_branches<X> const& correct, scalar_of<X> const& small) {
     branch_search const how = search_branches(x, residual, evaluate, correct, small);
     if (how == branch_search::found) return how;
     x = nearer;

@@ -49,7 +49,8 @@ private:
             return gauss::on_unit_interval<S>(static_cast<int>(R));
     }
 
-    galerkin_table() {
+    // Never part of a flattened step: it is longer than ten of them.
+    [[gnu::noinline, gnu::cold]] galerkin_table() {
         constexpr int n = static_cast<int>(N), r = static_cast<int>(R);
         auto const nodes = wide_quadrature<S, Quadrature>(n);
         auto const points = velocity_points();

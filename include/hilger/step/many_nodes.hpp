@@ -7,6 +7,7 @@
 // constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -229,7 +230,7 @@ private:
             return true;
         };
         unknown rest = e_.moved, y = e_.moved;
-        branch_search const how = search_branches(y, rest, evaluate_at, correct, small_correction());
+        branch_search const how = search_branches(y, rest, std::cref(evaluate_at), std::cref(correct), small_correction());
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());

@@ -4,6 +4,8 @@
 // be in memory for this in every step that succeeds.
 #pragma once
 
+#include <functional>
+
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/newton/small_stop.hpp"
@@ -99,7 +101,7 @@ private:
             return true;
         };
         V residual = v;
-        branch_search const how = search_branches_twice(v, last, residual, evaluate_at, correct,
+        branch_search const how = search_branches_twice(v, last, residual, std::cref(evaluate_at), std::cref(correct),
                                                         S(square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>()));
         if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
         node_values const found{{s::component(v, K)...}, g};
