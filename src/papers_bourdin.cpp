@@ -60,10 +60,10 @@ void write_solutions(std::string const& out) {
     file << "# t, exact solution (19), discrete solution where there is one, alpha = 3/4, N = 100\n";
     auto const T = hilger::uniform(hilger::interval{0.0, 1.0}, 100);
     auto const fine = hilger::uniform(hilger::interval{0.0, 1.0}, 1000);
-    auto const solution = solve_boundary(hilger::fractional_problem(dirichlet, 0.75), T, 0, 1);
+    auto const solution = solve(dirichlet_equation(0.75, T), T, {.q0 = 0, .qN = 1});
     for (index_type k = 0; k <= 1000; ++k) {
         file << fine.point(k) << ',' << dirichlet_solution(0.75, fine.point(k)) << ',';
-        if (k % 10 == 0) file << solution.q[k / 10];
+        if (k % 10 == 0) file << solution[k / 10];
         file << '\n';
     }
 }

@@ -41,11 +41,11 @@
 
 // Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
 #include "hilger/boundary/extrapolation.hpp"
-#include "hilger/boundary/of_variation.hpp"
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/noether.hpp"
+#include "hilger/fractional/of_variation.hpp"
 #include "hilger/fractional/second_degree.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"

@@ -65,14 +65,16 @@ TEST_CASE("section 3.4, slopes: as printed they are within 0.02 of 2 alpha - 1, 
 }
 
 TEST_CASE("a hundred thousand steps: the error goes on like h^(2 alpha - 1)") {
-    fractional_problem const problem([](auto const&, auto const& v) { return v * v / 2; }, 0.75);
+    constexpr unknown q;
+    constexpr lagrangian L{[](auto const&, auto const& v) { return v * v / 2; }};
     auto const T = uniform(interval{0.0, 1.0}, 100'000);
-    auto const solution = solve_boundary(problem, T, 0, 1); // q in C(T), its residual, the iterations
+    auto const EL = variation(nabla_integral(L(q, Delta_minus(0.75)[q]), T));
+    auto const solution = solve(EL, T, {.q0 = 0, .qN = 1}, boundary_options{}); // q in C(T), its residual, the iterations
     double largest = 0;
     for (hilger::index_type k = 0; k <= T.steps(); k += 1000)
         largest = std::max(largest, std::abs(solution.q[k] - dirichlet_solution(0.75, T.point(k))));
-    double const coarse =
-        std::abs(solve_boundary(problem, uniform(interval{0.0, 1.0}, 1000), 0, 1).q[990] - dirichlet_solution(0.75, 0.99));
+    auto const few = uniform(interval{0.0, 1.0}, 1000);
+    double const coarse = std::abs(solve(EL, few, {.q0 = 0, .qN = 1})[990] - dirichlet_solution(0.75, 0.99));
     double const fine = std::abs(solution.q[99'000] - dirichlet_solution(0.75, 0.99));
     CHECK(std::abs(std::log(coarse / fine) / std::log(100.0) - 0.5) <= 0.02);
     CHECK(largest < 2 * fine);

@@ -7,10 +7,12 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/two_sided.hpp"
 
 namespace bourdin_errata_tests {
 
 using namespace hilger;
+using testing::two_sided;
 
 namespace {
 
@@ -56,10 +58,9 @@ TEST_CASE("(7): without its row k = 0 the operator has no semigroup, where x_0 i
 
 TEST_CASE("lemma 2: discrete fractional integration by parts, boundary values included") {
     for (Q const& alpha : {Q(1), Q(3, 4), Q(1, 2), Q(2, 7)}) {
-        fractional_problem const problem([](auto const&, auto const& v) { return v * v / 2; }, alpha);
         row const q = values(some), w = values(other), a = weights(alpha);
-        auto const minus_w = problem.velocity(other);
-        auto const plus_q = problem.right_difference(restrict_to(some, without_first(T)));
+        auto const minus_w = Delta_minus(alpha)[other];
+        auto const plus_q = Delta_plus(alpha)[some];
         Q by_left(0), inner(0), last_row(0);
         for (hilger::index_type k = 1; k <= N; ++k) by_left += q[at(k)] * minus_w[k];
         for (hilger::index_type k = 1; k < N; ++k) inner += plus_q[k] * w[at(k)];
@@ -71,7 +72,7 @@ TEST_CASE("lemma 2: discrete fractional integration by parts, boundary values in
         // With w zero at both ends it is (DFIBP).
         auto const zero_ends = function_on(T, [](Q t) { return t == T.min() or t == T.max() ? Q(0) : Q(1 + t); });
         Q printed(0);
-        for (hilger::index_type k = 1; k <= N; ++k) printed += q[at(k)] * problem.velocity(zero_ends)[k];
+        for (hilger::index_type k = 1; k <= N; ++k) printed += q[at(k)] * Delta_minus(alpha)[zero_ends][k];
         for (hilger::index_type k = 1; k < N; ++k) printed -= plus_q[k] * zero_ends[k];
         CHECK(printed == 0);
     }
@@ -99,38 +100,39 @@ TEST_CASE("(14): the inner sums run over r = 0..N-k; the printed ranges leave T,
 }
 
 TEST_CASE("(12): the quadrature is the sum of right end points, exact for constants only, and no formula of Gauss") {
-    fractional_problem const time([](auto const& t, auto const&, auto const& v) { return t + 0 * v; }, Q(1));
-    fractional_problem const one([](auto const&, auto const& v) { return 1 + 0 * v; }, Q(1));
+    auto const time = two_sided([](auto const& t, auto const&, auto const& v) { return t + 0 * v; }, Q(1), T).action();
+    auto const one = two_sided([](auto const&, auto const& v) { return 1 + 0 * v; }, Q(1), T).action();
     Q const a = T.min(), b = T.max();
-    CHECK(one.action(some) == b - a);
-    CHECK(time.action(some) != (b * b - a * a) / 2); // Gauss's formula with one node, the mid-point rule, is exact here
-    CHECK(time.action(some) == (b * b - a * a) / 2 + (b - a) / 2);
+    CHECK(one(some) == b - a);
+    CHECK(time(some) != (b * b - a * a) / 2); // Gauss's formula with one node, the mid-point rule, is exact here
+    CHECK(time(some) == (b * b - a * a) / 2 + (b - a) / 2);
 }
 
 TEST_CASE("(22), (25): not every quadratic Lagrangian is invariant under rotations, and Dirichlet's is under no translation") {
     using plane = Eigen::Matrix<Q, 2, 1>;
     auto const rotation = [](auto const& x) { return plane(-x(1), x(0)); };
     plane const from(Q(1), Q(2)), to(Q(-1), Q(3));
-    fractional_problem const isotropic([](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; }, Q(2, 3));
-    for (Q const& r : fractional_noether_residual(isotropic, rotation, solve_boundary(isotropic, T, from, to).q)) CHECK(r == 0);
-    fractional_problem const quadratic([](auto const& x, auto const& v) { return (x(0) * x(0) + v.dot(v)) / 2; }, Q(2, 3));
-    auto const solution = solve_boundary(quadratic, T, from, to);
+    boundary_values const ends{from, to};
+    auto const isotropic = two_sided([](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; }, Q(2, 3), T);
+    for (Q const& r : fractional_noether_residual(isotropic, rotation, solve(isotropic, T, ends))) CHECK(r == 0);
+    auto const quadratic = two_sided([](auto const& x, auto const& v) { return (x(0) * x(0) + v.dot(v)) / 2; }, Q(2, 3), T);
+    auto const solution = solve(quadratic, T, ends, boundary_options{});
     CHECK(solution.residual == 0);
     for (Q const& r : fractional_noether_residual(quadratic, rotation, solution.q)) CHECK(r != 0);
     // d = 1: there are no rotations, and the fractional difference of a constant is not zero.
     auto const translation = [](auto const&) { return Q(1); };
     auto const v_only = [](auto const&, auto const& v) { return v * v / 2; };
-    fractional_problem const fractional(v_only, Q(2, 3)), local(v_only, Q(1));
-    for (Q const& r : fractional_noether_residual(fractional, translation, solve_boundary(fractional, T, 0, 1).q)) CHECK(r != 0);
-    for (Q const& r : fractional_noether_residual(local, translation, solve_boundary(local, T, 0, 1).q)) CHECK(r == 0);
+    auto const fractional = two_sided(v_only, Q(2, 3), T), local = two_sided(v_only, Q(1), T);
+    for (Q const& r : fractional_noether_residual(fractional, translation, solve(fractional, T, {.q0 = 0, .qN = 1}))) CHECK(r != 0);
+    for (Q const& r : fractional_noether_residual(local, translation, solve(local, T, {.q0 = 0, .qN = 1}))) CHECK(r == 0);
 }
 
 TEST_CASE("(29), (30): the constant has values for k = 0..N-1, sigma of dL/dv ends there") {
     using plane = Eigen::Matrix<Q, 2, 1>;
-    fractional_problem const problem([](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; }, Q(1));
-    auto const solution = solve_boundary(problem, T, plane(Q(1), Q(2)), plane(Q(-1), Q(3)));
+    auto const EL = two_sided([](auto const& x, auto const& v) { return (x.dot(x) + v.dot(v)) / 2; }, Q(1), T);
+    auto const solution = solve(EL, T, boundary_values{plane(Q(1), Q(2)), plane(Q(-1), Q(3))});
     auto const constant = noether_constant(
-        problem, [](auto const& x) { return plane(-x(1), x(0)); }, solution.q);
+        EL, [](auto const& x) { return plane(-x(1), x(0)); }, solution);
     CHECK(constant.first() == 0);
     CHECK(constant.last() == N - 1);
     CHECK(constant[0] != 0);

@@ -38,6 +38,13 @@ S dirichlet_solution(S const& alpha, S const& t) {
 
 inline constexpr auto dirichlet = [](auto const&, auto const& v) { return v * v / 2; };
 
+/// Its (EL_h^alpha).
+template <class S, class Root>
+auto dirichlet_equation(S const& alpha, Root const& T) {
+    constexpr unknown q;
+    return variation(nabla_integral(lagrangian{dirichlet}(q, Delta_minus(alpha)[q]), T));
+}
+
 /// Of one size of step, in both norms.
 struct errors {
     double largest, mean_square;
@@ -45,10 +52,10 @@ struct errors {
 /// (21) for N steps.
 inline errors dirichlet_errors(double alpha, index_type N) {
     auto const T = uniform(interval{0.0, 1.0}, N);
-    auto const solution = solve_boundary(fractional_problem(dirichlet, alpha), T, 0, 1);
+    auto const solution = solve(dirichlet_equation(alpha, T), T, {.q0 = 0, .qN = 1});
     errors e{0, 0};
     for (index_type k = 0; k <= N; ++k) {
-        double const difference = std::abs(solution.q[k] - dirichlet_solution(alpha, T.point(k)));
+        double const difference = std::abs(solution[k] - dirichlet_solution(alpha, T.point(k)));
         e.largest = std::max(e.largest, difference);
         e.mean_square += T.h() * difference * difference;
     }

@@ -6,11 +6,13 @@
 #include "exact.hpp"
 #include "hilger/boundary/extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/two_sided.hpp"
 
 namespace bourdin_extrapolation_tests {
 
 using namespace hilger;
 using namespace hilger::papers;
+using hilger::testing::two_sided;
 
 namespace {
 
@@ -20,8 +22,10 @@ using wide = float50;
 template <class L>
 std::vector<wide> refined(L const& lagrangian, wide const& alpha, int count) {
     std::vector<wide> values;
-    for (int N = 4; count-- > 0; N *= 2)
-        values.push_back(solve_boundary(fractional_problem(lagrangian, alpha), uniform(interval{wide(0), wide(1)}, N), 0, 1).q[N / 2]);
+    for (int N = 4; count-- > 0; N *= 2) {
+        auto const T = uniform(interval{wide(0), wide(1)}, N);
+        values.push_back(solve(two_sided(lagrangian, alpha, T), T, {.q0 = 0, .qN = 1})[N / 2]);
+    }
     return values;
 }
 /// The order left after all exponents but number `kept` have been removed.
@@ -73,7 +77,7 @@ TEST_CASE("alpha = 3/4: at most 3e-7 from N <= 2560, at every point of T") {
         auto const T = uniform(interval{0.0, 1.0}, N);
         int levels = 0;
         while ((N << (levels + 1)) <= 2560) ++levels;
-        auto const x = extrapolated(fractional_problem(dirichlet, 0.75), T, 0, 1, levels);
+        auto const x = extrapolated(dirichlet_equation(0.75, T), boundary_values{0, 1}, levels);
         double worst = 0;
         for (int k = 0; k <= N; ++k) worst = std::max(worst, std::abs(x.q[k] - dirichlet_solution(0.75, T.point(k))));
         CHECK(worst <= (N == 5 ? 1e-10 : N == 10 ? 3e-9 : 1e-7));
@@ -90,13 +94,13 @@ TEST_CASE("vectors are extrapolated like scalars; no level is the solution itsel
     using plane = Eigen::Vector2d;
     auto const T = uniform(interval{0.0, 1.0}, 8);
     auto const in_plane = [](auto const&, auto const& v) { return v.dot(v) / 2; };
-    auto const x = extrapolated(fractional_problem(in_plane, 0.75), T, plane(0, 0), plane(1, -2), 5);
-    auto const y = extrapolated(fractional_problem(dirichlet, 0.75), T, 0, 1, 5);
+    auto const x = extrapolated(two_sided(in_plane, 0.75, T), boundary_values{plane(0, 0), plane(1, -2)}, 5);
+    auto const y = extrapolated(dirichlet_equation(0.75, T), boundary_values{0, 1}, 5);
     for (int k = 0; k <= 8; ++k) CHECK((x.q[k] - y.q[k] * plane(1, -2)).norm() <= 1024 * epsilon<double>());
-    auto const none = extrapolated(fractional_problem(dirichlet, 0.75), T, 0, 1, 0);
-    CHECK(none.q[3] == solve_boundary(fractional_problem(dirichlet, 0.75), T, 0, 1).q[3]);
+    auto const none = extrapolated(dirichlet_equation(0.75, T), boundary_values{0, 1}, 0);
+    CHECK(none.q[3] == solve(dirichlet_equation(0.75, T), T, boundary_values{0, 1})[3]);
     CHECK(none.change == 0);
-    auto const wrong = extrapolated(fractional_problem(dirichlet, 0.75), T, 0, 1, std::vector<double>{1, 2, 3, 4, 5});
+    auto const wrong = extrapolated(dirichlet_equation(0.75, T), boundary_values{0, 1}, std::vector<double>{1, 2, 3, 4, 5});
     double const exact = dirichlet_solution(0.75, 0.5);
     CHECK(std::abs(wrong.q[4] - exact) > 100 * std::abs(y.q[4] - exact));
 }

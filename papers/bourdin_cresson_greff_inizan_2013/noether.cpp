@@ -6,10 +6,12 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/two_sided.hpp"
 
 namespace bourdin_noether_tests {
 
 using namespace hilger;
+using testing::two_sided;
 
 namespace {
 
@@ -52,10 +54,10 @@ auto largest(F const& f) {
 /// What rounding makes of (26). Each of its values is a sum of products xi.Delta_+^alpha p and (Delta_-^alpha xi).p; the differences have
 /// condition h^-alpha sum |alpha_r| <= 2 h^-alpha, p comes from such a difference of Q, the transforms add log N: epsilon times
 /// 2 h^-alpha |xi| (2 h^-alpha |dp/dv| |Q|), 16 log N of them.
-template <class S, class Problem, class X>
-S rounding(Problem const& problem, X const& x) {
+template <class S, class X>
+S rounding(S const& alpha, X const& x) {
     using std::pow;
-    S const steep = S(2) * pow(x.root().h(), S(-problem.template order<S>()));
+    S const steep = S(2) * pow(x.root().h(), S(-alpha));
     return S(16) * S(static_cast<int>(std::bit_width(static_cast<std::size_t>(x.size())))) * epsilon<S>() * steep * steep * largest(x) *
            std::max(S(1), S(largest(x)));
 }
@@ -64,15 +66,17 @@ template <class S, class L, class Generator>
 void is_conserved(L const& lagrangian, Generator const& xi, S const& alpha) {
     plane<S> const from(S(1), S(1) / 2), to(S(-1) / 3, S(1));
     auto const T = uniform(interval{S(0), S(1)}, std::same_as<S, double> ? 120 : 60);
-    fractional_problem const problem(lagrangian, alpha);
-    auto const solution = solve_boundary(problem, T, from, to);
-    S const bound = rounding<S>(problem, solution.q);
-    CHECK(largest(fractional_noether_residual(problem, xi, solution.q)) <= bound);
+    auto const EL = two_sided(lagrangian, alpha, T);
+    auto const solution = solve(EL, T, boundary_values{from, to});
+    S const bound = rounding(alpha, solution);
+    CHECK(largest(fractional_noether_residual(EL, xi, solution)) <= bound);
     // The two terms themselves are larger, were one missing it would be seen; but not where dL/dx alone is invariant.
     if (lagrangian.harmonic != 0) return;
-    auto const change = problem.right_difference(problem.momentum(solution.q));
+    auto const p = EL.action().at_nodes(
+        solution, [&](S const&, plane<S> const& q, plane<S> const& v) { return plane<S>(gradient_second(lagrangian, q, v)); });
+    auto const change = Delta_plus(alpha)[p];
     S single(0);
-    for (hilger::index_type k = 1; k < T.steps(); ++k) single = std::max(single, S(magnitude(S(xi(solution.q[k]).dot(change[k])))));
+    for (hilger::index_type k = 1; k < T.steps(); ++k) single = std::max(single, S(magnitude(S(xi(solution[k]).dot(change[k])))));
     CHECK(single > S(1000) * bound);
 }
 
@@ -90,10 +94,10 @@ TEST_CASE("theorem 4 is about symmetries: what is none is seen, at every point")
     plane<double> const from(1.0, 0.5), to(-0.3, 1.0);
     auto const T = uniform(interval{0.0, 1.0}, 120);
     auto const differs = [&](auto const& lagrangian, auto const& xi, double alpha) {
-        fractional_problem const problem(lagrangian, alpha);
-        auto const x = solve_boundary(problem, T, from, to).q;
-        double const bound = rounding<double>(problem, x);
-        for (double const r : fractional_noether_residual(problem, xi, x)) CHECK(std::abs(r) > 1e3 * bound);
+        auto const EL = two_sided(lagrangian, alpha, T);
+        auto const x = solve(EL, T, boundary_values{from, to});
+        double const bound = rounding(alpha, x);
+        for (double const r : fractional_noether_residual(EL, xi, x)) CHECK(std::abs(r) > 1e3 * bound);
     };
     differs(oscillator, squeeze, 0.75);
     differs(flattened, rotation, 0.75);
@@ -106,8 +110,8 @@ TEST_CASE("theorem 5, (29), (34): for alpha = 1 the constant is xi(Q_k).p_{k+1}"
     auto const T = uniform(interval{0.0, 1.0}, 100);
     plane<double> const from(1.0, 0.5), to(-0.3, 1.0);
     auto const spread = [&](auto const& lagrangian, auto const& xi) {
-        fractional_problem const problem(lagrangian, 1);
-        auto const constant = noether_constant(problem, xi, solve_boundary(problem, T, from, to).q);
+        auto const EL = two_sided(lagrangian, fraction<1>{}, T);
+        auto const constant = noether_constant(EL, xi, solve(EL, T, boundary_values{from, to}));
         auto const [least, most] = std::minmax_element(constant.begin(), constant.end());
         return std::pair(*most - *least, std::abs(constant[0]));
     };
@@ -121,7 +125,7 @@ TEST_CASE("theorem 5, (29), (34): for alpha = 1 the constant is xi(Q_k).p_{k+1}"
     }
     CHECK(spread(oscillator, translation).first > 0.1);
     CHECK_THROWS_AS(
-        (void)noether_constant(fractional_problem(oscillator, 0.75), rotation, function_on(T, [](double) { return plane<double>(1, 1); })),
+        (void)noether_constant(two_sided(oscillator, 0.75, T), rotation, function_on(T, [](double) { return plane<double>(1, 1); })),
         error::invalid_parameter);
 }
 

@@ -6,10 +6,12 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/two_sided.hpp"
 
 namespace bourdin_theorems_tests {
 
 using namespace hilger;
+using testing::two_sided;
 
 namespace {
 using plane = Eigen::Matrix<Q, 2, 1>;
@@ -20,28 +22,27 @@ constexpr auto translation = [](auto const&) { return plane(Q(1), Q(1)); };
 TEST_CASE("theorem 4: a translation is a symmetry of an L that knows the fractional difference of 1, and exactly") {
     auto const T = uniform(Q(0), Q(1), 8);
     Q const alpha(3, 5);
-    auto const of_one =
-        fractional_problem([](auto const&, auto const& v) { return v * v / 2; }, alpha).velocity(function_on(T, [](Q) { return Q(1); }));
+    auto const of_one = tabulate(Delta_minus(alpha)[function_on(T, [](Q) { return Q(1); })]);
     auto const lagrangian = [&](auto const& t, auto const& x, auto const& v) {
         auto const w = of_one(t);
         return ((v(0) - w * x(0)) * (v(0) - w * x(0)) + (v(1) - w * x(1)) * (v(1) - w * x(1))) / 2 + (x(0) - x(1)) * (x(0) - x(1));
     };
-    fractional_problem const problem(lagrangian, alpha);
-    auto const solution = solve_boundary(problem, T, plane(Q(1), Q(1, 2)), plane(Q(-1, 3), Q(1)));
+    auto const EL = two_sided(lagrangian, alpha, T);
+    auto const solution = solve(EL, T, boundary_values{plane(Q(1), Q(1, 2)), plane(Q(-1, 3), Q(1))}, boundary_options{});
     CHECK(solution.residual == 0);
-    for (Q const& r : fractional_noether_residual(problem, translation, solution.q)) CHECK(r == 0);
-    for (Q const& r : fractional_noether_residual(problem, rotation, solution.q)) CHECK(r != 0);
+    for (Q const& r : fractional_noether_residual(EL, translation, solution.q)) CHECK(r == 0);
+    for (Q const& r : fractional_noether_residual(EL, rotation, solution.q)) CHECK(r != 0);
 }
 
 TEST_CASE("(28): the discrete Leibniz formula, in the rationals") {
     auto const T = uniform(Q(-1), Q(2, 7), 6);
     auto const f = function_on(T, [](Q t) { return Q(1 + t * t * t); });
     auto const g = function_on(T, [](Q t) { return Q((2 - t) / (5 + t)); });
-    fractional_problem const one([](auto const&, auto const& v) { return v * v / 2; }, Q(1));
-    auto const plus_g = one.right_difference(restrict_to(g, without_first(T)));
+    auto const minus_f = Delta_minus(Q(1))[f];
+    auto const plus_g = Delta_plus(Q(1))[g];
     for (hilger::index_type k = 1; k < 6; ++k) {
         Q const product = (f[k] * g[k + 1] - f[k - 1] * g[k]) / T.h();
-        CHECK(product == one.velocity(f)[k] * g[k] - f[k] * plus_g[k]);
+        CHECK(product == minus_f[k] * g[k] - f[k] * plus_g[k]);
     }
 }
 
@@ -51,12 +52,11 @@ TEST_CASE("theorem 1: the derivative (16) of the functional in the direction w i
     auto const lagrangian = [](auto const& t, auto const& x, auto const& v) { return v * v * (1 + x) / 2 + t * x * x * x - v * x; };
     auto const x = function_on(T, [](Q t) { return Q((1 + t * t) / (2 + t)); });
     for (Q const& alpha : {Q(1), Q(2, 3), Q(1, 4)}) {
-        fractional_problem const problem(lagrangian, alpha);
-        auto const rest = problem.residual(x);
-        auto const v = problem.velocity(x);
+        auto const rest = two_sided(lagrangian, alpha, T).residual(x);
+        auto const v = Delta_minus(alpha)[x];
         for (hilger::index_type i = 0; i <= 6; ++i) {
             auto const w = function_on(T, [&](Q t) { return t == T.point(i) ? Q(1) : Q(0); });
-            auto const change = problem.velocity(w);
+            auto const change = Delta_minus(alpha)[w];
             D total(Q(0));
             for (hilger::index_type k = 1; k <= 6; ++k) {
                 auto const along = [](Q const& value, Q const& by) { return D(value) + D::variable(Q(0), 0, {1, 0}) * by; };
@@ -66,10 +66,10 @@ TEST_CASE("theorem 1: the derivative (16) of the functional in the direction w i
         }
         // and so the solutions are the critical points: exactly, where the equation is linear
         auto const linear = [](auto const& t, auto const& y, auto const& u) { return u * u + t * y * u - y * y / 3 + y; };
-        fractional_problem const quadratic(linear, alpha);
-        auto const solution = solve_boundary(quadratic, T, Q(2), Q(-1)).q;
+        auto const quadratic = two_sided(linear, alpha, T);
+        auto const solution = solve(quadratic, T, {.q0 = 2, .qN = -1});
         auto const action_with = [&](hilger::index_type i, Q const& e) {
-            return quadratic.action(function_on(T, [&](Q t) { return Q(solution(t) + (t == T.point(i) ? e : Q(0))); }));
+            return quadratic.action()(function_on(T, [&](Q t) { return Q(solution(t) + (t == T.point(i) ? e : Q(0))); }));
         };
         for (hilger::index_type i = 1; i < 6; ++i) {
             CHECK(action_with(i, Q(1)) == action_with(i, Q(-1))); // the slope of a parabola

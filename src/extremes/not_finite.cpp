@@ -87,12 +87,13 @@ void with_memory(rows& all, std::string const& name, double x) {
     all.push_back(refused<bad>(name + " as a stiffness", [&] {
         (void)newmark<bdf<2>>(fractional_structure{1.0, 0.5, x, 1.0, fraction<1, 2>{}}, [](double) { return 0.0; });
     }));
-    all.push_back(refused<bad>(name + " as a boundary value",
-                               [&] { (void)solve_boundary(fractional_problem(oscillator, fraction<3, 4>{}), T, 0.0, x); }));
-    all.push_back(refused<bad>(name + " in the L of a two-sided problem", [&] {
-        (void)solve_boundary(fractional_problem([x](auto const& q, auto const& v) { return v * v / 2 + x * q; }, fraction<3, 4>{}), T, 0.0,
-                             1.0);
-    }));
+    constexpr unknown q;
+    auto const between = [&](auto const& L, double last) {
+        (void)solve(variation(nabla_integral(lagrangian{L}(q, Delta_minus_alpha<3, 4>[q]), T)), T, {.q0 = 0.0, .qN = last});
+    };
+    all.push_back(refused<bad>(name + " as a boundary value", [&] { between(oscillator, x); }));
+    all.push_back(refused<bad>(name + " in the L of a two-sided problem",
+                               [&] { between([x](auto const& y, auto const& v) { return v * v / 2 + x * y; }, 1.0); }));
 }
 void read(rows& all, std::string const& name, double x) {
     all.push_back(refused<error::invalid_scale>(name + " as a step", [&] { (void)uniform(0.0, x, 4); }));

@@ -99,7 +99,10 @@ void boundary_values(rows& all) {
             auto const y = evaluated(x * (1 / unit));
             return mass * (v * v) / 2 + (mass * unit) * (y * y * y * y / 4) * unit;
         };
-        auto const s = solve_boundary(fractional_problem(L, fraction<3, 4>{}), uniform(0.0, h, 64), 0.0, unit);
+        constexpr unknown q;
+        auto const T = uniform(0.0, h, 64);
+        auto const EL = variation(nabla_integral(lagrangian{L}(q, Delta_minus_alpha<3, 4>[q]), T));
+        auto const s = solve(EL, T, {.q0 = 0.0, .qN = unit}, boundary_options{});
         struct {
             std::vector<double> q;
             int p;

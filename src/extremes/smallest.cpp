@@ -90,7 +90,10 @@ bool steps_as_flow(E const& how, index_type N) {
 }
 bool boundary_problem(index_type N) {
     auto const L = [](auto const& q, auto const& v) { return v * v / 2 + q * q / 2; };
-    auto const s = solve_boundary(fractional_problem(L, fraction<1>{}), uniform(Q(0), Q(1), N), Q(0), Q(6));
+    constexpr unknown q;
+    auto const T = uniform(Q(0), Q(1), N);
+    auto const EL = variation(nabla_integral(lagrangian{L}(q, Delta_minus_alpha<1, 1>[q]), T));
+    auto const s = solve(EL, T, {.q0 = 0, .qN = 6}, boundary_options{});
     // x_1 of x_2 - 2 x_1 + x_0 = x_1
     return s.q[0] == 0 and s.q[N] == 6 and (N == 1 or s.q[1] == 2) and s.residual == 0;
 }

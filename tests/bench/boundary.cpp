@@ -42,8 +42,12 @@ double seconds(int rounds, Solve const& solve) {
 } // namespace
 
 void boundary() {
-    hilger::fractional_problem const dirichlet([](auto const&, auto const& v) { return v * v / 2; }, alpha);
-    hilger::fractional_problem const oscillator([](auto const& x, auto const& v) { return (x * x + v * v) / 2; }, alpha);
+    constexpr hilger::lagrangian dirichlet{[](auto const&, auto const& v) { return v * v / 2; }};
+    constexpr hilger::lagrangian oscillator{[](auto const& x, auto const& v) { return (x * x + v * v) / 2; }};
+    auto const equation_of = [](auto const& L, auto const& T) {
+        constexpr hilger::unknown q;
+        return variation(nabla_integral(L(q, hilger::Delta_minus(alpha)[q]), T));
+    };
     double const exact = exact_at_one_half();
     std::cout << "Two-sided problems, alpha = 3/4\n        N   Dirichlet    error     residual  oscillator  applications   peak memory\n";
     for (hilger::index_type N = 1000; N <= 1'000'000; N *= 10) {
@@ -51,11 +55,12 @@ void boundary() {
         double error = 0, residual = 0;
         int applications = 0;
         double const line = seconds(3, [&] {
-            auto const x = hilger::solve_boundary(dirichlet, T, 0, 1);
+            auto const x = solve(equation_of(dirichlet, T), T, {.q0 = 0, .qN = 1}, hilger::boundary_options{});
             error = std::abs(x.q[N / 2] - exact), residual = x.residual;
         });
         double const memory = megabytes_at_peak();
-        double const spring = seconds(1, [&] { applications = hilger::solve_boundary(oscillator, T, 0, 1).applications; });
+        double const spring = seconds(
+            1, [&] { applications = solve(equation_of(oscillator, T), T, {.q0 = 0, .qN = 1}, hilger::boundary_options{}).applications; });
         std::cout << std::setw(9) << N << std::scientific << std::setprecision(1) << std::setw(10) << line << " s" << std::setw(9) << error
                   << std::setw(13) << residual << std::setw(10) << spring << " s" << std::defaultfloat << std::setw(14) << applications
                   << std::fixed << std::setprecision(0) << std::setw(11) << memory << " MB\n"
@@ -68,7 +73,7 @@ void boundary() {
         auto const T = hilger::uniform(hilger::interval{0.0, 1.0}, N);
         double error = 0, change = 0;
         double const time = seconds(3, [&] {
-            auto const x = hilger::extrapolated(dirichlet, T, 0, 1, levels);
+            auto const x = extrapolated(equation_of(dirichlet, T), hilger::boundary_values{0, 1}, levels);
             error = std::abs(x.q[N / 2] - exact), change = x.change;
         });
         std::cout << std::setw(9) << N << std::setw(5) << (N << levels) << std::scientific << std::setprecision(1) << std::setw(10) << time

@@ -43,6 +43,7 @@ int main() {
 #elif MUST_NOT_COMPILE == 6
     for (auto const& x : flow.along(T, {1.0, 0.0})) (void)x;
 #else
-    (void)solve_boundary(fractional_problem(kinetic{}, fraction<3, 4>{}), T, 0.0, 1.0L);
+    constexpr unknown q;
+    (void)solve(variation(nabla_integral(lagrangian{kinetic{}}(q, Delta_minus_alpha<3, 4>[q]), T)), T, boundary_values{0.0, 1.0L});
 #endif
 }

@@ -11,7 +11,7 @@
 // A step that kept two points of the past would solve another equation.
 #include <vector>
 
-#include "hilger/boundary/of_variation.hpp"
+#include "hilger/boundary/solve.hpp"
 #include "hilger/integrator/solve.hpp"
 
 using namespace hilger;

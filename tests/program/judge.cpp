@@ -150,9 +150,9 @@ judgement of_dirichlet(rows const& x, S const& epsilon) {
     std::vector<S> q;
     for (vector const& y : x.q) q.push_back(y(0));
     auto const T = x.scale();
-    fractional_problem const problem(papers::dirichlet, fraction<3, 4>{});
     judgement all;
-    for (auto const& r : problem.residual(function_on(T, q))) all.add(r, S(32 * epsilon * pow(T.h(), S(-1.5))));
+    for (auto const& r : papers::dirichlet_equation(S(3) / 4, T).residual(function_on(T, q)))
+        all.add(r, S(32 * epsilon * pow(T.h(), S(-1.5))));
     return all;
 }
 /// What files state, once more in C++.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Programs with fractional damping: their equation holds with sums over all of the past, whatever engine makes them.
-#include "hilger/boundary/of_variation.hpp"
+#include "hilger/fractional/of_variation.hpp"
 #include "hilger/fractional/residual.hpp"
 #include "hilger/history/history.hpp"
 #include "hilger/trajectory/recording.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Two-sided problems of the fractional embedding: x in C(T) with x(t_0) and x(t_N) given that solves (EL_h^alpha) of Bourdin, Cresson,
 // Greff, Inizan (2013),  F_k + (A^T p)_k = 0 for k = 1..N-1,  F = dL/dx, p = dL/dv, v = A Q, A = Delta_-^alpha.
-// A is a triangle whose inverse is known, the Toeplitz matrix of h^alpha (1 - z)^-alpha. Multiplied by its transpose, with a multiplier
-// for the row N that is no equation, the problem is
+// A is a triangle whose inverse is known, the Toeplitz matrix of h^alpha omega(z)^-alpha, omega(z) = 1 - z there. Multiplied by its
+// transpose, with a multiplier for the row N that is no equation, the problem is
 //   p(Q, v) + A^-T F(Q, v) = lambda g,  Q = A^-1 v,  Q_N = x(t_N);  g = A^-T e_N,  g_k = h^alpha beta_{N-k},
 // an integral equation of the second kind for v. For L = v.M v / 2 its solution is v = c g, one convolution. In general the derivative,
 // divided by dL/dv dv, is a compact perturbation of the identity, and takes two convolutions to apply.
@@ -10,7 +10,7 @@
 // discrete problems has one, and their solutions tend to the free one, away from t_N, as h^(1 - 2 alpha).
 #pragma once
 
-#include "hilger/fractional/problem.hpp"
+#include "hilger/boundary/convolved.hpp"
 #include "hilger/linear/elimination.hpp"
 #include "hilger/newton/krylov.hpp"
 #include "hilger/newton/stop.hpp"
@@ -18,8 +18,11 @@
 namespace hilger::detail {
 
 /// The integral equation, its derivative, and the solution for L = v.M v / 2.
-template <class F, class Order, class Root, class V>
-class boundary_equation {
+template <class Action, class V>
+class boundary_equation;
+template <class F, generating_function G, class Order, class Root, class V>
+class boundary_equation<fractional_action<F, G, Order, Root>, V> {
+    using action_type = fractional_action<F, G, Order, Root>;
     using S = scalar_of<V>;
     using s = shape<V>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
@@ -39,10 +42,10 @@ public:
         S merit{0};
     };
 
-    boundary_equation(fractional_problem<F, Order> const& problem, Root const& T, V const& first, V const& last)
-        : problem_(problem), T_(T), first_(first), last_(last), count_(static_cast<std::size_t>(T.steps())),
-          scale_(power_of_step(T.h(), problem.template order<S>())),
-          beta_(first_weights<grunwald_letnikov>(S(-problem.template order<S>()), T.steps() + 1)),
+    boundary_equation(action_type const& action, V const& first, V const& last)
+        : L_(action.function), T_(action.T), first_(first), last_(last), count_(static_cast<std::size_t>(T_.steps())),
+          scale_(S(1) / leading_factor<G>(T_, action.velocity.order)),
+          beta_(first_weights<G>(S(-action.velocity.order.template as<S>()), T_.steps() + 1)),
           inverse_(std::vector<S>(beta_.begin(), beta_.end() - 1)) {}
 
     /// One value for each point of T, those at the ends as they are given.
@@ -74,7 +77,8 @@ public:
         for (std::size_t i = 0; i < count_; ++i) q[i] = q[i] + beta_[i + 1] * first_;
         return q;
     }
-    /// What rounding has taken from the condition at t_N in `next` is given back along g, with the derivatives at `at`.
+    /// What rounding, times the condition of the problem, has taken from the condition at t_N in `next` is given back to its velocities
+    /// along g, with the derivatives at `at`.
     void hold_end(point const& at, point& next) const {
         V const missing = at.stiffness * (last_ - next.q.back());
         for (std::size_t i = 0; i < count_; ++i) next.v[i] = next.v[i] + at.at[i].vv * V(g(i) * missing);
@@ -89,7 +93,7 @@ public:
         at.coupled = false;
         for (std::size_t i = 0; i < count_; ++i) {
             S const t = T_.element(static_cast<index_type>(i) + 1);
-            at.at.push_back(expand(at_time{problem_.lagrangian(), t}, at.q[i], at.v[i]));
+            at.at.push_back(expand(at_time{L_, t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
             force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g: lambda takes it up
             forced = forced or magnitude(force.back()) != S(0);
@@ -170,11 +174,11 @@ private:
         for (std::size_t i = 0; i < count_; ++i) r[i] = r[i] + at.at[i].vv * V(g(i) * lambda);
         return r;
     }
-    fractional_problem<F, Order> const& problem_;
+    F const& L_;
     Root const& T_;
     V first_, last_;
     std::size_t count_;
-    S scale_; ///< h^alpha
+    S scale_; ///< h^alpha omega(0)^-alpha
     std::vector<S> beta_;
     toeplitz_triangle<S> inverse_;
 };

@@ -39,29 +39,32 @@ struct extrapolated_solution {
         change; ///< what the last level has changed, in the largest component: of the size of the error where the exponents are right
 };
 
-/// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error.
-/// @throws error::invalid_parameter when alpha < 1 and `first` is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
-///         square integrable Riemann-Liouville derivative begins at 0, so that x - first is what to solve for; and as solve_boundary
-template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
-auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
-                  std::vector<S> const& exponents, boundary_options const& options = {}) {
-    using V = detail::given_state_t<S, First>;
-    V const q0 = detail::as_state<V>(first);
-    if (problem.template order<S>() != S(1) and magnitude(q0) != S(0))
+/// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error, with how each is found.
+/// @throws error::invalid_parameter when alpha < 1 and x(t_0) is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
+///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is what to solve for; and as solve
+template <class F, class Order, ordered_scalar S, index_type Steps, class V>
+auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S, Steps>>> const& equation,
+                  boundary_values<V> const& ends, std::vector<S> const& exponents, boundary_options const& options = {}) {
+    using State = detail::given_state_t<S, V>;
+    using fine_scale = uniform_scale<S>;
+    auto const& action = equation.action();
+    auto const& T = action.T;
+    if (action.velocity.order.template as<S>() != S(1) and magnitude(State(detail::as_state<State>(ends.q0))) != S(0))
         error::raise<error::invalid_parameter>("for alpha < 1 the limit h -> 0 of a two-sided problem begins at 0, whatever x(t_0) is: "
                                                "extrapolate the problem for x - x(t_0)");
     // Neville's table, one row at a time: entry j has lost the first j exponents.
-    std::vector<std::vector<V>> row;
+    std::vector<std::vector<State>> row;
     index_type refinement = 1;
     for (std::size_t level = 0; level <= exponents.size(); ++level, refinement *= 2) {
-        uniform_scale<S> const fine(T.min(), S(T.h() / S(static_cast<long long>(refinement))), T.max(), T.steps() * refinement);
-        auto const solution = solve_boundary(problem, fine, first, last, options);
-        std::vector<V> next;
+        fine_scale const fine(T.min(), S(T.h() / S(static_cast<long long>(refinement))), T.max(), T.steps() * refinement);
+        fractional_action<F, grunwald_letnikov, Order, fine_scale> const refined{action.function, action.position, action.velocity, fine};
+        auto const solution = solve(variation(refined), fine, ends, options);
+        std::vector<State> next;
         for (index_type k = 0; k <= T.steps(); ++k) next.push_back(solution.q.get(k * refinement));
         for (std::size_t j = 0; j < level; ++j) {
             using std::pow;
             S const gain = S(pow(S(2), exponents[j])) - S(1);
-            std::vector<V> better = next;
+            std::vector<State> better = next;
             for (std::size_t k = 0; k < next.size(); ++k) better[k] = next[k] + (next[k] - row[j][k]) / gain;
             row[j] = std::move(next);
             next = std::move(better);
@@ -71,14 +74,14 @@ auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, 
     S change(0);
     if (row.size() > 1)
         for (std::size_t k = 0; k < row.back().size(); ++k)
-            change = std::max(change, S(magnitude(V(row.back()[k] - row[row.size() - 2][k]))));
-    return extrapolated_solution<uniform_scale<S, Steps>, V>{function_on(T, std::move(row.back())), change};
+            change = std::max(change, S(magnitude(State(row.back()[k] - row[row.size() - 2][k]))));
+    return extrapolated_solution<uniform_scale<S, Steps>, State>{function_on(T, std::move(row.back())), change};
 }
 /// With the exponents of L = v^2 / 2, so many levels beyond T.
-template <class F, class Order, ordered_scalar S, index_type Steps, class First, class Last>
-auto extrapolated(fractional_problem<F, Order> const& problem, uniform_scale<S, Steps> const& T, First const& first, Last const& last,
-                  int levels, boundary_options const& options = {}) {
-    return extrapolated(problem, T, first, last, error_exponents(problem.template order<S>(), levels), options);
+template <class F, class Order, ordered_scalar S, index_type Steps, class V>
+auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S, Steps>>> const& equation,
+                  boundary_values<V> const& ends, int levels, boundary_options const& options = {}) {
+    return extrapolated(equation, ends, error_exponents(equation.action().velocity.order.template as<S>(), levels), options);
 }
 
 } // namespace hilger

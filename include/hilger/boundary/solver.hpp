@@ -18,8 +18,8 @@ struct boundary_options {
     int most_applications = 600; ///< of a derivative, in one linear equation
 };
 
-/// What solve_boundary found. The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications` is how often a
-/// derivative was applied in them.
+/// What solve(EL, T, ends, options) found. The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications` is
+/// how often a derivative was applied in them.
 template <class Root, class V>
 struct boundary_solution {
     decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
@@ -30,24 +30,19 @@ struct boundary_solution {
 
 namespace detail {
 
-template <class Root>
-auto solved_elsewhere() {
-    return does_not_compile<"a fractional boundary value problem is solved on a uniform scale T, and this one is " + Root::kind()>{};
-}
-
-template <class F, class Order, class Root, class V>
+template <class Action, class V>
 class boundary_solver {
+    using Root = typename Action::root_type;
     using S = scalar_of<V>;
     using s = shape<V>;
-    using equation = boundary_equation<F, Order, Root, V>;
+    using equation = boundary_equation<Action, V>;
     using values = typename equation::values;
     using point = typename equation::point;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
 
 public:
-    boundary_solver(fractional_problem<F, Order> const& problem, Root const& T, V const& first, V const& last,
-                    boundary_options const& options)
-        : problem_(problem), T_(T), equation_(problem, T, first, last), options_(options) {}
+    boundary_solver(Action const& action, V const& first, V const& last, boundary_options const& options)
+        : action_(action), equation_(action, first, last), options_(options) {}
 
     boundary_solution<Root, V> solve() {
         point at = equation_.start();
@@ -69,10 +64,8 @@ public:
         }
         values all = equation_.whole(at);
         if (not equation::all_finite(all)) error::raise<error::not_finite>("the solution of a boundary value problem is NaN or infinite");
-        auto q = function_on(T_, std::move(all));
-        S largest(0);
-        for (auto const& rest : problem_.residual(q)) largest = std::max(largest, S(magnitude(rest)));
-        return {std::move(q), largest, iteration, applications_};
+        S const largest = largest_of(convolved_residual(action_, all));
+        return {function_on(action_.T, std::move(all)), largest, iteration, applications_};
     }
 
 private:
@@ -148,6 +141,7 @@ private:
             add_multiple(next.v, part, correction);
             next.q = equation_.position(next.v);
             equation_.hold_end(at, next);
+            next.q = equation_.position(next.v);
             if (not last or not(at.path == branch_path{})) equation_.evaluate(next);
             bool const better = (last and next.path == at.path) or exact or
                                 (equation::all_finite(next.rest) and equation_.natural(at, next) <= (S(1) - part / S(4)) * before);
@@ -160,8 +154,7 @@ private:
     }
     [[noreturn]] void fail(point const& at, S const& size, int iterations) const {
         values all = equation_.whole(at);
-        values rest;
-        for (auto const& r : problem_.residual(function_on(T_, all))) rest.push_back(r);
+        values rest = convolved_residual(action_, all);
         std::ostringstream message;
         message << "a boundary value problem did not converge: after " << iterations << " Newton iterations the last correction was "
                 << size
@@ -170,8 +163,7 @@ private:
         throw newton_failure<values>(message.str(), std::move(all), std::move(rest));
     }
 
-    fractional_problem<F, Order> const& problem_;
-    Root const& T_;
+    Action const& action_;
     equation equation_;
     boundary_options options_;
     int applications_ = 0;

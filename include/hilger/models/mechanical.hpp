@@ -4,7 +4,7 @@
 //   mechanical{mass, chain{energy}}             neighbours in a row between two walls: a tridiagonal Hessian
 //   mechanical{mass, pairs<3>{list, energy}}    bodies in space, two at a time
 //   mechanical{mass, any generic U(q)}          a dense Hessian, by jets
-// Mass is a number, a vector (one mass a component) or a symmetric positive definite matrix.
+// Mass is a number, a vector (one mass a component) or a matrix with a positive definite symmetric part.
 #pragma once
 
 #include <utility>
@@ -106,7 +106,7 @@ concept structured_potential = requires(U const& u) {
 };
 } // namespace detail
 
-/// L(q, v) = v.Mv / 2 - U(q).
+/// L(q, v) = v.Mv / 2 - U(q). Of a matrix M its symmetric part counts, as in any Lagrangian.
 template <class Mass, class Potential>
 class mechanical {
     using wrapped = std::conditional_t<detail::structured_potential<Potential>, Potential, detail::dense_potential<Potential>>;
@@ -115,7 +115,12 @@ public:
     mechanical(Mass m, Potential u) : mass_(std::move(m)), potential_{std::move(u)} {
         if (not is_finite(mass_)) error::raise<error::not_finite>("a mass is finite, and one of these is NaN or infinite");
         bool positive = true;
-        if constexpr (not is_matrix) {
+        if constexpr (is_matrix) {
+            if (mass_.rows() != mass_.cols())
+                error::raise<error::mismatch>("a mass matrix is square, and this one has ", mass_.rows(), " rows and ", mass_.cols(),
+                                              " columns");
+            if (mass_ != mass_.transpose()) mass_ = Mass(mass_ / 2 + mass_.transpose() / 2);
+        } else {
             if constexpr (requires { mass_.minCoeff(); })
                 positive = mass_.minCoeff() > typename Mass::Scalar(0);
             else

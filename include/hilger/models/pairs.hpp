@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hilger/differentiation/derivatives.hpp"
+#include "hilger/error.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/linear/hessian_pattern.hpp"
 
@@ -48,7 +49,11 @@ public:
 private:
     index_type bodies_;
 };
-constexpr every_two all_pairs(index_type bodies) { return every_two(bodies); }
+/// @throws error::invalid_parameter for a negative number
+constexpr every_two all_pairs(index_type bodies) {
+    if (bodies < 0) error::raise<error::invalid_parameter>("a number of bodies is not negative, and this one is ", bodies);
+    return every_two(bodies);
+}
 
 /// U(q) = sum over pairs k = (a, b) of energy(k, q_a - q_b), bodies of Dimension components each: body a has components Dimension * a ...
 /// Body -1 is a wall at the origin. energy(k, r) is generic in r: a number for Dimension 1, else an Eigen vector.
@@ -61,14 +66,18 @@ struct pair_potential {
     auto operator()(X const& q) const {
         using number = plain_t<decltype(q(0))>;
         using result = plain_t<decltype(energy(index_type{0}, between<number>(q, 0, 0)))>;
+        check(q.size());
         result sum(0);
         index_type k = 0;
         for (auto const& [a, b] : list) sum = result(sum + energy(k++, between<number>(q, a, b)));
         return sum;
     }
     [[nodiscard]] static hessian_pattern pattern(index_type d) { return d <= 64 ? hessian_pattern::dense : hessian_pattern::sparse; }
-    /// @throws error::outside_domain when a pair names a body that the state does not have.
+    /// @throws error::outside_domain when a pair names a body that the state does not have; error::mismatch when a component is of none
     void check(index_type d) const {
+        if (d % Dimension != 0)
+            error::raise<error::mismatch>("bodies of ", Dimension, " components each make states of a multiple of ", Dimension,
+                                          ", and this one has ", d);
         for (auto const& [a, b] : list)
             if (a < -1 or b < -1 or a == b or Dimension * (std::max(a, b) + 1) > d)
                 error::raise<error::outside_domain>("a pair takes two different bodies from -1 (the origin) to ", d / Dimension - 1,

@@ -2,7 +2,7 @@
 // The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)): it is
 // solved between two ends.
 #include "engine/motions.hpp"
-#include "hilger/boundary/of_variation.hpp"
+#include "hilger/boundary/solve.hpp"
 
 namespace engine {
 

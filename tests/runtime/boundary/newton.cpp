@@ -5,10 +5,12 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/newton/stop.hpp"
+#include "support/two_sided.hpp"
 
 namespace boundary_newton_tests {
 
 using namespace hilger;
+using testing::two_sided;
 
 namespace {
 
@@ -54,7 +56,7 @@ TEST_CASE_TEMPLATE("the equation holds at every inner point, to rounding, in a n
         auto const T = uniform(interval{S(0), S(1)}, 60);
         plane<S> const from(S(1), S(0)), to(S(-1), S(1));
         for (bool harmonic : {true, false}) {
-            auto const x = solve_boundary(fractional_problem(planar{harmonic}, alpha), T, from, to);
+            auto const x = solve(two_sided(planar{harmonic}, alpha, T), T, boundary_values{from, to}, boundary_options{});
             CHECK(x.residual <= (harmonic ? 1 : 4) * rounding(x.q, alpha)); // the mass is at most 3 + 1/3
             CHECK(x.q[0] == from);
             CHECK(x.q[60] == to);
@@ -65,9 +67,9 @@ TEST_CASE_TEMPLATE("the equation holds at every inner point, to rounding, in a n
 
 TEST_CASE("the work does not depend on N: the same iterations for more steps") {
     auto const applications = [](int N) {
-        return solve_boundary(fractional_problem(planar{true}, 0.75), uniform(interval{0.0, 1.0}, N), plane<double>(1, 0),
-                              plane<double>(-1, 1))
-            .applications;
+        auto const T = uniform(interval{0.0, 1.0}, N);
+        boundary_values const ends{plane<double>(1, 0), plane<double>(-1, 1)};
+        return solve(two_sided(planar{true}, 0.75, T), T, ends, boundary_options{}).applications;
     };
     int const few = applications(200), many = applications(20000);
     CHECK(few > 0);
@@ -80,13 +82,26 @@ TEST_CASE("alpha = 1 is the classical problem: x'' = x and x'' = -x on six perio
         double const length = sign == 1 ? 2 : 40;
         int const N = 400;
         auto const T = uniform(interval{0.0, length}, N);
-        auto const x = solve_boundary(fractional_problem(straight{sign}, 1), T, 0.5, 1);
+        auto const x = solve(two_sided(straight{sign}, 1.0, T), T, boundary_values{0.5, 1}, boundary_options{});
         // x_{k+1} - 2 x_k + x_{k-1} = sign h^2 x_k is solved by powers of z, z + 1/z = 2 + sign h^2.
         double const step = sign == 1 ? std::acosh(1 + T.h() * T.h() / 2) : std::acos(1 - T.h() * T.h() / 2);
         auto const wave = [&](double s) { return sign == 1 ? std::sinh(s * step) : std::sin(s * step); };
         for (int k = 0; k <= N; ++k)
             CHECK(std::abs(x.q[k] - (0.5 * wave(N - k) + wave(k)) / wave(N)) <= 1e4 * epsilon<double>() * largest(x.q));
     }
+}
+
+TEST_CASE("near resonance, where the condition of the problem magnifies rounding: x(t_N) is held without leaving the equation") {
+    // For alpha = 0.3, N = 40 it is about 2000.
+    for (double const alpha : {0.3, 0.4, 0.5})
+        for (int N : {20, 40, 100})
+            for (int k : {5, 7, 20}) {
+                if (alpha == 0.3 and N == 100 and k == 20) continue; // the linear equations are beyond 60 columns
+                auto const T = uniform(interval{0.0, 1.0}, N);
+                auto const x = solve(two_sided(straight{-k}, alpha, T), T, boundary_values{0.3, 1}, boundary_options{});
+                CHECK(x.residual <= (1 + k) * rounding(x.q, alpha));
+                CHECK(x.q[N] == 1);
+            }
 }
 
 /// A kink in the potential, or a momentum that is bounded: whole steps of Newton's method leave these problems for good.
@@ -103,10 +118,10 @@ TEST_CASE("steps are shortened where whole ones would not converge, and GMRES ma
     for (double const alpha : {1.0, 0.75})
         for (bool kink : {true, false}) {
             auto const T = uniform(interval{0.0, 1.0}, 50);
-            auto const x = solve_boundary(fractional_problem(steep{kink}, alpha), T, 0, 1);
+            auto const x = solve(two_sided(steep{kink}, alpha, T), T, boundary_values{0, 1}, boundary_options{});
             CHECK(x.iterations > 3);
             CHECK(x.residual <= 10 * rounding(x.q, alpha)); // the force is ten times its argument
-            auto const restarted = solve_boundary(fractional_problem(steep{kink}, alpha), T, 0, 1, {.krylov_columns = 5});
+            auto const restarted = solve(two_sided(steep{kink}, alpha, T), T, boundary_values{0, 1}, boundary_options{.krylov_columns = 5});
             CHECK(restarted.applications > x.applications);
             for (int k = 0; k <= 50; ++k) CHECK(std::abs(restarted.q[k] - x.q[k]) <= 1e4 * epsilon<double>());
         }
@@ -117,7 +132,7 @@ TEST_CASE("a problem without a solution ends in an error that has the last itera
     auto const runaway = [](auto const& x, auto const& v) { return v * v / 2 - 100 * x - 20 * x * x * x; };
     auto const T = uniform(interval{0.0, 1.0}, 50);
     try {
-        auto const x = solve_boundary(fractional_problem(runaway, 1), T, 0, 0);
+        auto const x = solve(two_sided(runaway, 1.0, T), T, boundary_values{0, 0}, boundary_options{});
         FAIL("solved with the residual ", x.residual);
     } catch (newton_failure<std::vector<double>> const& failure) {
         CHECK(failure.iterate.size() == 51);
@@ -126,27 +141,31 @@ TEST_CASE("a problem without a solution ends in an error that has the last itera
         double worst = 0;
         for (double r : failure.residual) worst = std::max(worst, std::abs(r));
         CHECK(worst > 1);
-        auto const again = fractional_problem(runaway, 1).residual(function_on(T, failure.iterate));
-        CHECK(again[7] == failure.residual[6]);
+        auto const again = two_sided(runaway, 1.0, T).residual(function_on(T, failure.iterate));
+        for (hilger::index_type k = 1; k < 50; ++k) // sums in another order, of terms of the size of x / h^2
+            CHECK(std::abs(again[k] - failure.residual[static_cast<std::size_t>(k) - 1]) <=
+                  64 * epsilon<double>() * 2500 * (1 + largest(function_on(T, failure.iterate))));
     }
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(straight{0, 1}, Q(1)), uniform(Q(0), Q(1), 4), 1, 2), error::no_convergence);
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(straight{1, 3}, 0.75), T, 0, 1, {.most_iterations = 1}), error::no_convergence);
+    auto const exact = uniform(Q(0), Q(1), 4);
+    CHECK_THROWS_AS((void)solve(two_sided(straight{0, 1}, Q(1), exact), exact, boundary_values{1, 2}), error::no_convergence);
+    CHECK_THROWS_AS((void)solve(two_sided(straight{1, 3}, 0.75, T), T, boundary_values{0, 1}, boundary_options{.most_iterations = 1}),
+                    error::no_convergence);
 }
 
 TEST_CASE("degenerate and broken Lagrangians are named") {
     auto const T = uniform(interval{0.0, 1.0}, 20);
     auto const no_velocity = [](auto const& x, auto const& v) { return x * x + 0 * v; };
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(no_velocity, 0.75), T, 0, 1), error::singular);
+    CHECK_THROWS_AS((void)solve(two_sided(no_velocity, 0.75, T), T, boundary_values{0, 1}), error::singular);
     auto const broken = [](auto const& x, auto const& v) {
         using std::sqrt;
         return v * v / 2 + sqrt(x - 2);
     };
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(broken, 0.75), T, 0, 1), error::not_finite);
+    CHECK_THROWS_AS((void)solve(two_sided(broken, 0.75, T), T, boundary_values{0, 1}), error::not_finite);
     Eigen::VectorXd const two = Eigen::VectorXd::Ones(2), three = Eigen::VectorXd::Ones(3);
     auto const any = [](auto const&, auto const& v) { return v.dot(v) / 2; };
-    CHECK_THROWS_WITH_AS((void)solve_boundary(fractional_problem(any, 0.75), T, two, three),
-                         "the boundary values of a problem have one dimension, and these have 2 and 3", error::mismatch);
-    auto const x = solve_boundary(fractional_problem(any, 0.75), T, three, Eigen::VectorXd(2 * three));
+    CHECK_THROWS_WITH_AS((void)solve(two_sided(any, 0.75, T), T, boundary_values{two, three}),
+                         "the boundary values have one dimension, and these have 2 and 3", error::mismatch);
+    auto const x = solve(two_sided(any, 0.75, T), T, boundary_values{three, Eigen::VectorXd(2 * three)}, boundary_options{});
     CHECK(x.q[7].size() == 3);
     CHECK(x.iterations == 0);
 }

@@ -5,10 +5,12 @@
 #include "hilger/boundary/extrapolation.hpp"
 #include "hilger/multiprecision.hpp"
 #include "support/orders.hpp"
+#include "support/two_sided.hpp"
 
 namespace boundary_tests {
 
 using namespace hilger;
+using testing::two_sided;
 
 namespace {
 
@@ -19,21 +21,21 @@ using plane = Eigen::Matrix<S, 2, 1>;
 /// Q at t = 1/2 for L = v^2/2 on [0, 1] with Q_N = 1.
 float50 at_middle(float50 const& alpha, int N, int first) {
     auto const T = uniform(interval{float50(0), float50(1)}, N);
-    return solve_boundary(fractional_problem(dirichlet, alpha), T, first, 1).q[N / 2];
+    return solve(two_sided(dirichlet, alpha, T), T, boundary_values{first, 1})[N / 2];
 }
 
 } // namespace
 
 TEST_CASE("L = v^2/2 is solved exactly: straight lines for alpha = 1, and rationals for h = 1 and any alpha") {
     auto const T = uniform(Q(-1, 3), Q(2, 7), 9);
-    auto const line = solve_boundary(fractional_problem(dirichlet, Q(1)), T, Q(1, 2), Q(-3));
+    auto const line = solve(two_sided(dirichlet, Q(1), T), T, boundary_values{Q(1, 2), Q(-3)}, boundary_options{});
     for (hilger::index_type k = 0; k <= 9; ++k) CHECK(line.q[k] == Q(1, 2) + (Q(-3) - Q(1, 2)) * k / 9);
     CHECK(line.residual == 0);
     CHECK(line.iterations == 0);
     for (Q const& alpha : {Q(3, 4), Q(1, 2), Q(1, 5)})
         for (int N : {1, 2, 3, 12}) {
             auto const one = uniform(Q(0), Q(1), N);
-            auto const x = solve_boundary(fractional_problem(dirichlet, alpha), one, Q(2, 3), Q(-5));
+            auto const x = solve(two_sided(dirichlet, alpha, one), one, boundary_values{Q(2, 3), Q(-5)}, boundary_options{});
             CHECK(x.q[0] == Q(2, 3));
             CHECK(x.q[N] == -5);
             CHECK(x.residual == 0);
@@ -46,7 +48,8 @@ TEST_CASE("quadratic Lagrangians are solved exactly in the rationals") {
     };
     plane<Q> const a{Q(1), Q(1, 2)}, b{Q(-2), Q(3)};
     for (Q const& alpha : {Q(1), Q(2, 3)}) {
-        auto const x = solve_boundary(fractional_problem(magnetic, alpha), uniform(Q(0), Q(1), 5), a, b);
+        auto const T = uniform(Q(0), Q(1), 5);
+        auto const x = solve(two_sided(magnetic, alpha, T), T, boundary_values{a, b}, boundary_options{});
         CHECK(x.residual == 0);
         CHECK(x.iterations == 1);
         CHECK(x.q[0] == a);
@@ -57,7 +60,8 @@ TEST_CASE("quadratic Lagrangians are solved exactly in the rationals") {
 TEST_CASE("the solution for L = v^2/2 is a quotient of sums, at every point and for both ways to convolve") {
     for (double const alpha : {0.25, 0.5, 0.75, 1.0})
         for (int N : {1, 2, 40, 47, 48, 49, 300}) {
-            auto const x = solve_boundary(fractional_problem(dirichlet, alpha), uniform(interval{-1.0, 2.0}, N), 0.5, 3);
+            auto const T = uniform(interval{-1.0, 2.0}, N);
+            auto const x = solve(two_sided(dirichlet, alpha, T), T, boundary_values{0.5, 3}, boundary_options{});
             auto const beta = first_weights<grunwald_letnikov>(-alpha, N + 1);
             auto const sum = [&](int k) {
                 double total = 0;
@@ -76,8 +80,8 @@ TEST_CASE("the solution for L = v^2/2 is a quotient of sums, at every point and 
 TEST_CASE("a time-dependent mass takes one correction, and components do not mix") {
     auto const T = uniform(interval{0.0, 1.0}, 200);
     auto const weighted = [](auto const& t, auto const&, auto const& v) { return (v(0) * v(0) * (1 + t) + v(1) * v(1)) / 2; };
-    auto const x = solve_boundary(fractional_problem(weighted, 0.75), T, plane<double>(0, 0), plane<double>(1, 1));
-    auto const alone = solve_boundary(fractional_problem(dirichlet, 0.75), T, 0, 1);
+    auto const x = solve(two_sided(weighted, 0.75, T), T, boundary_values{plane<double>(0, 0), plane<double>(1, 1)}, boundary_options{});
+    auto const alone = solve(two_sided(dirichlet, 0.75, T), T, boundary_values{0, 1}, boundary_options{});
     CHECK(x.iterations == 1);
     CHECK(x.applications == 0);
     double largest = 0;
@@ -86,6 +90,42 @@ TEST_CASE("a time-dependent mass takes one correction, and components do not mix
         largest = std::max(largest, std::abs(x.q[k](0) - alone.q[k]));
     }
     CHECK(largest > 1e-3);
+}
+
+TEST_CASE("the weights of any generating function: exact for L = v^2/2, and the residual by the operators else") {
+    auto const unit = uniform(Q(0), Q(1), 9);
+    constexpr unknown q;
+    auto const trapezoidal = variation(nabla_integral(lagrangian{dirichlet}(q, minus_alpha<trapezoid, 1, 1>[q]), unit));
+    auto const line = solve(trapezoidal, unit, {.q0 = 1, .qN = -2});
+    for (Q const& r : trapezoidal.residual(line)) CHECK(r == 0);
+    CHECK(line[0] == 1);
+    CHECK(line[9] == -2);
+    CHECK(line[5] != Q(1) - Q(5) / 3); // unlike Delta_minus, whose first value does not differ from the others
+
+    constexpr lagrangian quartic{[](auto const& x, auto const& v) { return v * v / 2 + x * x * x * x / 4 + x * v / 3; }};
+    auto const T = uniform(0.0, 0.125, 40);
+    auto const holds = [&](auto const& EL, double alpha) {
+        auto const x = solve(EL, T, {.q0 = 0.25, .qN = 1.0}, boundary_options{});
+        double worst = 0;
+        for (double const r : EL.residual(x.q)) worst = std::max(worst, std::abs(r));
+        CHECK(worst <= 256 * epsilon<double>() * std::pow(T.h(), -2 * alpha));
+        CHECK(x.residual <= 256 * epsilon<double>() * std::pow(T.h(), -2 * alpha));
+        CHECK(x.q[40] == 1);
+        return x.q[20];
+    };
+    double const by_bdf = holds(variation(nabla_integral(quartic(q, minus_alpha<bdf<2>, 3, 4>[q]), T)), 0.75);
+    double const by_trapezoid = holds(variation(nabla_integral(quartic(q, minus_alpha<trapezoid, 1, 2>[q]), T)), 0.5);
+    double const by_delta = holds(variation(nabla_integral(quartic(q, Delta_minus_alpha<3, 4>[q]), T)), 0.75);
+    CHECK(std::abs(by_bdf - by_delta) > 1e-3);
+    CHECK(std::abs(by_trapezoid - by_delta) > 1e-3);
+}
+
+TEST_CASE("an equation is solved on the scale that is given, as local ones are") {
+    auto const T = uniform(0.0, 0.125, 8), other = uniform(0.0, 0.25, 5);
+    auto const x = solve(two_sided(dirichlet, 0.75, T), other, {.q0 = 1, .qN = -1});
+    auto const y = solve(two_sided(dirichlet, 0.75, other), other, {.q0 = 1, .qN = -1});
+    CHECK(x.root() == other);
+    for (hilger::index_type k = 0; k <= 5; ++k) CHECK(x[k] == y[k]);
 }
 
 TEST_CASE("below alpha = 1/2 the solutions of L = v^2/2 tend to 0 inside, like h^(1 - 2 alpha)") {
@@ -105,16 +145,16 @@ TEST_CASE("for alpha < 1 a first value that is not 0 is forgotten, like h^(1 - a
 TEST_CASE("what is no boundary value problem is refused") {
     auto const T = uniform(interval{0.0, 1.0}, 10);
     for (double const alpha : {0.0, -0.5, 1.25, std::numeric_limits<double>::quiet_NaN()})
-        CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, alpha), T, 0, 1), error::invalid_parameter);
+        CHECK_THROWS_AS((void)solve(two_sided(dirichlet, alpha, T), T, boundary_values{0, 1}), error::invalid_parameter);
     double const none = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, 0.75), T, none, 1), error::not_finite);
-    CHECK_THROWS_AS((void)solve_boundary(fractional_problem(dirichlet, 0.75), T, 0, -none), error::not_finite);
+    CHECK_THROWS_AS((void)solve(two_sided(dirichlet, 0.75, T), T, boundary_values{none, 1}), error::not_finite);
+    CHECK_THROWS_AS((void)solve(two_sided(dirichlet, 0.75, T), T, boundary_values{0, -none}), error::not_finite);
     auto const exact = uniform(Q(0), Q(1, 2), 3);
-    CHECK_THROWS_WITH_AS((void)solve_boundary(fractional_problem(dirichlet, Q(1, 2)), exact, 0, 1),
-                         "h^alpha is no rational number for h = 1/2 and alpha = 1/2: exact scalars take alpha = 1 or h = 1",
+    CHECK_THROWS_WITH_AS((void)solve(two_sided(dirichlet, Q(1, 2), exact), exact, boundary_values{0, 1}),
+                         "in an exact scalar a fractional difference of order 1/2 takes steps of length 1, and this one is 1/2",
                          error::invalid_parameter);
-    CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.5), T, 0, 1, 3), error::invalid_parameter);
-    CHECK_THROWS_AS((void)extrapolated(fractional_problem(dirichlet, 0.75), T, 0.1, 1, 3), error::invalid_parameter);
+    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.5, T), boundary_values{0, 1}, 3), error::invalid_parameter);
+    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.75, T), boundary_values{0.1, 1}, 3), error::invalid_parameter);
 }
 
 } // namespace boundary_tests

@@ -130,14 +130,14 @@ TEST_CASE("what is walked and solved are solutions of the equations") {
 
     lagrangian const quartic{[](auto const& x, auto const& v) { return v * v / 2 + x * x * x * x / 4 + x * v / 3; }};
     auto const two_sided = variation(nabla_integral(quartic(q, Delta_minus_alpha<3, 4>[q]), T));
-    auto const solution = solve_boundary(two_sided, 0.25, 1.0);
-    CHECK(solution.q[0] == 0.25);
-    CHECK(solution.q[40] == 1.0);
-    auto const left = two_sided.residual(solution.q);
+    auto const solution = solve(two_sided, T, {.q0 = 0.25, .qN = 1.0});
+    CHECK(solution[0] == 0.25);
+    CHECK(solution[40] == 1.0);
+    auto const left = two_sided.residual(solution);
     for (hilger::index_type k = 1; k < 40; ++k) CHECK(std::abs(left[k]) <= 64 * epsilon<double>() / std::pow(0.125, 1.5));
     // An order known at run time is the same problem.
-    auto const again = solve_boundary(variation(nabla_integral(quartic(q, Delta_minus(0.75)[q]), T)), 0.25, 1.0);
-    for (hilger::index_type k = 0; k <= 40; ++k) CHECK(std::abs(again.q[k] - solution.q[k]) <= 64 * epsilon<double>());
+    auto const again = solve(variation(nabla_integral(quartic(q, Delta_minus(0.75)[q]), T)), T, {.q0 = 0.25, .qN = 1.0});
+    for (hilger::index_type k = 0; k <= 40; ++k) CHECK(std::abs(again[k] - solution[k]) <= 64 * epsilon<double>());
 }
 
 } // namespace fractional_variation_tests

@@ -101,7 +101,7 @@ TEST_CASE("the two-sided equation of fractional order, and one step") {
     auto const T = uniform(0.0, 0.1, 10);
     auto const two_sided = variation(nabla_integral(pendulum(q, Delta_minus_alpha<3, 4>[q]), T));
     auto const x = solve(two_sided, T, {.q0 = 0.25, .qN = 1.0});
-    auto const y = solve_boundary(two_sided, 0.25, 1.0).q;
+    auto const y = solve(two_sided, T, {.q0 = 0.25, .qN = 1.0}, boundary_options{}).q;
     for (index_type i = 0; i < T.size(); ++i) CHECK(x[i] == y[i]);
     auto const one = uniform(0.0, 0.5, 1);
     auto const z = solve(variation(integral(pendulum(q, Delta_plus[q]), one)), one, {.q0 = 0.25, .qN = 1.0});

@@ -9,6 +9,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "support/two_sided.hpp"
 
 namespace given_states_tests {
 
@@ -110,9 +111,9 @@ TEST_CASE("to a wanted accuracy, and between two given ends") {
     CHECK((x.end.q - (x0 * std::cos(1.0) + p0 * std::sin(1.0))).norm() < 1e-6);
 
     auto const D = uniform(0.0, 0.125, 8);
-    fractional_problem const problem(oscillator{}, fraction<3, 4>{});
-    CHECK(solve_boundary(problem, D, 0, 1).q[4] == solve_boundary(problem, D, 0.0, 1.0).q[4]);
-    CHECK(solve_boundary(problem, D, 0 * x0, p0.transpose()).q[4] == solve_boundary(problem, D, vector(0, 0), p0).q[4]);
+    auto const EL = testing::two_sided(oscillator{}, fraction<3, 4>{}, D);
+    CHECK(solve(EL, D, boundary_values{0, 1})[4] == solve(EL, D, {.q0 = 0.0, .qN = 1.0})[4]);
+    CHECK(solve(EL, D, boundary_values{0 * x0, p0.transpose()})[4] == solve(EL, D, boundary_values{vector(0, 0), p0})[4]);
 }
 
 } // namespace given_states_tests

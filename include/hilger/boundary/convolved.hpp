@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSL-1.0
+// The residual of the fractional Euler-Lagrange equation (fractional/action.hpp) at all points at once. euler_lagrange::residual has it
+// point by point, in O(N^2); here it is two convolutions.
+#pragma once
+
+#include "hilger/fractional/action.hpp"
+#include "hilger/history/convolution.hpp"
+#include "hilger/variational/lagrangian.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+enum class direction { forward, backward };
+
+/// A triangular Toeplitz matrix on values of type V, component by component; backward: its transpose.
+template <class V>
+std::vector<V> apply_triangle(toeplitz_triangle<scalar_of<V>> const& triangle, std::vector<V> const& x, scalar_of<V> const& factor,
+                              direction to) {
+    using s = shape<V>;
+    std::vector<V> y = x;
+    std::size_t const n = x.size();
+    for (int c = 0; c < s::dimension(x.front()); ++c) {
+        std::vector<scalar_of<V>> row(n, scalar_of<V>(0));
+        for (std::size_t k = 0; k < n; ++k) row[to == direction::forward ? k : n - 1 - k] = s::component(x[k], c);
+        row = triangle(row);
+        for (std::size_t k = 0; k < n; ++k) s::component(y[k], c) = factor * row[to == direction::forward ? k : n - 1 - k];
+    }
+    return y;
+}
+
+/// The left-hand side of (EL_h^alpha) for t_1, ..., t_{N-1}, of one value for each point of T, N > 0. Its rounding error is of the size of
+/// epsilon h^(-2 alpha) |x|, as that of a second difference is.
+template <class V, class F, generating_function G, class Order, class Root>
+std::vector<V> convolved_residual(fractional_action<F, G, Order, Root> const& action, std::vector<V> const& x) {
+    using S = scalar_of<V>;
+    Root const& T = action.T;
+    toeplitz_triangle<S> const difference(first_weights<G>(action.velocity.order.template as<S>(), T.size()));
+    S const factor = leading_factor<G>(T, action.velocity.order);
+    auto const v = apply_triangle(difference, x, factor, direction::forward);
+    std::vector<V> rest(x.size(), zero_like(x.front())), force = rest;
+    for (std::size_t k = 1; k < x.size(); ++k) {
+        at_time const L{action.function, T.element(static_cast<index_type>(k))};
+        rest[k] = gradient_second(L, x[k], v[k]);
+        force[k] = gradient_first(L, x[k], v[k]);
+    }
+    rest = apply_triangle(difference, rest, factor, direction::backward);
+    for (std::size_t k = 1; k < x.size(); ++k) rest[k] = rest[k] + force[k];
+    return {rest.begin() + 1, rest.end() - 1};
+}
+
+} // namespace detail
+
+} // namespace hilger
