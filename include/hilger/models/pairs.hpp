@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hilger/differentiation/derivatives.hpp"
+#include "hilger/differentiation/jet/vector.hpp"
 #include "hilger/error.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/linear/hessian_pattern.hpp"
@@ -111,6 +112,14 @@ struct pair_potential {
 private:
     static constexpr bool has_walls = not std::same_as<List, every_two>;
     using components = std::make_integer_sequence<int, Dimension>;
+    // In the sum over many pairs g++ 12 makes more of Eigen's sums over components than of ours, which clang++ needs.
+#ifdef __clang__
+    template <class J>
+    using jets = detail::jet_vector<J, Dimension>;
+#else
+    template <class J>
+    using jets = Eigen::Matrix<J, Dimension, 1>;
+#endif
     template <class S>
     using vector = Eigen::Matrix<S, Dimension, 1>;
 
@@ -170,7 +179,7 @@ private:
     }
     template <class J, class R, int... C>
     HILGER_FLATTEN J flat_spatial(index_type k, R const& r, std::integer_sequence<int, C...>) const {
-        Eigen::Matrix<J, Dimension, 1> x;
+        jets<J> x;
         ((x(C) = J::variable(r(C), C, {})), ...);
         if constexpr (std::same_as<decltype(energy(k, x)), J>)
             return energy(k, x);

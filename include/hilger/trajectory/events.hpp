@@ -60,12 +60,15 @@ public:
         auto const inside =
             dense_step(before_, slopes_on(walk_, kept_, before_, near, true), *walk_, slopes_on(walk_, kept_, *walk_, near, false));
         S const largest = std::max(S(magnitude(was_)), S(magnitude(now_)));
-        // At a pole it may be infinite, which says on which side it is.
+        bool const stays = now_ == zero;
+        // At a pole it may be infinite, which says on which side it is. Where it stays zero, as a penetration does, its first zero is
+        // meant.
         auto const below_infinity = [&](S const& x) {
             S const y = number(inside.at_fraction(x)), most = (std::numeric_limits<S>::max)();
+            if (stays and y == zero) return S(-was_);
             return most < y ? most : y < -most ? S(-most) : finite(y, inside.at_fraction(x).t);
         };
-        located_ = inside.at_fraction(fraction_at_zero(below_infinity, was_, now_));
+        located_ = inside.at_fraction(fraction_at_zero(below_infinity, was_, stays ? S(-was_) : now_));
         return magnitude(number(located_)) <= largest;
     }
     /// The first state at or behind the zero of g that step() told of.

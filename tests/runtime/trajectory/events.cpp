@@ -69,6 +69,22 @@ TEST_CASE("directions, zeros at points of T, and none at the start") {
     CHECK(times(events(passing_zero(-2.0), fold, crossing::rising)) == std::vector{2.625});
 }
 
+TEST_CASE("what reaches zero and stays there does at its first zero, and not at the next point of T") {
+    // q = t - 1.8: a gap that closes, of any shape
+    auto const gap = [](auto const& x) { return std::max(-x.q, 0.0); };
+    auto const flat = [](auto const& x) { return std::pow(std::max(-x.q, 0.0), 3); };
+    auto const contact = [](auto const& x) { return x.q < 0 ? x.q - 1 : 0.0; };
+    for (auto const& at : {times(events(passing_zero(-1.8), gap)), times(events(passing_zero(-1.8), contact))}) {
+        REQUIRE(at.size() == 1);
+        CHECK(std::abs(at[0] - 1.8) <= 4 * epsilon<double>());
+    }
+    auto const cubed = times(events(passing_zero(-1.8), flat));
+    REQUIRE(cubed.size() == 1);
+    CHECK(std::abs(cubed[0] - 1.8) <= 4 * epsilon<double>());
+    CHECK(times(events(passing_zero(-1.8), gap, crossing::falling)).size() == 1);
+    CHECK(times(events(passing_zero(-1.8), gap, crossing::rising)).empty());
+}
+
 TEST_CASE("a condition is an event where it changes") {
     auto const free = [](auto const&, auto const& v) { return v * v / 2; };
     auto const path = embed(free, mid_point).along(uniform(0.0, 0.25, 16), -1.0, 1.0);
