@@ -171,6 +171,23 @@ class Ensemble(unittest.TestCase):
         self.assertEqual(list(many.failed), [0])
         self.assertEqual(list(many.t), [0, 2, 4, 5])
 
+    def test_no_members(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.1, 3), h.midpoint)
+        self.assertEqual(h.solve_many(EL, q0=[], v0=0.0).q.shape[0], 0)
+        self.assertEqual(h.solve_many(EL, q0=1.0, v0=np.empty(0)).q.shape[0], 0)
+        with self.assertRaisesRegex(h.Mismatch, "0 of q0, 2 of v0"):
+            h.solve_many(EL, q0=[], v0=[0.0, 1.0])
+
+    def test_arrays_that_are_no_numbers(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.1, 3), h.midpoint)
+        masked = np.ma.masked_array([1.0, 2.0], mask=[False, True])
+        with self.assertRaisesRegex(h.InvalidParameter, "q0 has masked numbers"):
+            h.solve_many(EL, q0=masked, v0=0.0)
+        self.assertEqual(h.solve_many(EL, q0=masked[~masked.mask], v0=0.0).q.shape[0], 1)
+        for wrong in (np.array([10**400, 1], dtype=object), np.array([1j, 1], dtype=object), ["one", 1]):
+            with self.assertRaisesRegex(h.InvalidParameter, "v0 is an array of numbers that a double can be"):
+                h.solve_many(EL, q0=1.0, v0=wrong)
+
     def test_refused(self):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 10))
         with self.assertRaisesRegex(h.Mismatch, "q0 has a row of 2 numbers for each member, and here is an array of shape .4, 3."):

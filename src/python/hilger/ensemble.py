@@ -81,7 +81,12 @@ def solve_many(
 
     def real(x: object, what: str) -> np.ndarray:
         require_real(x, what)
-        return np.asarray(x, dtype=float)
+        if np.ma.is_masked(x):
+            raise _core.InvalidParameter(f"{what} has masked numbers: give the members without them, as x[~x.mask]")
+        try:
+            return np.asarray(x, dtype=float)
+        except (OverflowError, TypeError, ValueError) as why:
+            raise _core.InvalidParameter(f"{what} is an array of numbers that a double can be: {why}") from None
 
     def rows(x: object, what: str) -> np.ndarray:
         x = real(x, what)
@@ -101,7 +106,7 @@ def solve_many(
         if x.ndim != 2 or x.shape[1] != max(size, 1):
             raise _core.Mismatch(f"{parameter} has {max(size, 1)} numbers for each member, and here is an array of shape {x.shape}")
         columns[parameter] = x
-    members = max(map(len, columns.values()))
+    members = next((len(x) for x in columns.values() if len(x) != 1), 1)
     if any(len(x) not in (1, members) for x in columns.values()):
         sizes = ", ".join(f"{len(x)} of {what}" for what, x in columns.items())
         raise _core.Mismatch(f"each array has as many rows as there are members, or one, and here are {sizes}")
