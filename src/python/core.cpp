@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "bindings.hpp"
 
+#include <exception>
+#include <stdexcept>
+
 #include "hilger/error.hpp"
 #include "hilger/version.hpp"
 
@@ -27,6 +30,14 @@ PYBIND11_MODULE(_core, m) {
     add_error<error::mismatch>(m, "Mismatch", value);
     add_error<error::invalid_parameter>(m, "InvalidParameter", value);
     add_error<error::not_finite>(m, "NotFinite", base);
+    static py::handle const not_finite = m.attr("NotFinite").ptr();
+    py::register_exception_translator([](std::exception_ptr thrown) { // rationals have no infinity
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (std::overflow_error const&) {
+            PyErr_SetString(not_finite.ptr(), "a division by zero, for which there is no rational number");
+        }
+    });
     add_error<error::unreadable>(m, "Unreadable", value);
     add_error<error::singular>(m, "Singular", base);
     add_error<error::no_formula>(m, "NoFormula", base);

@@ -107,6 +107,11 @@ class Failures(unittest.TestCase):
             self.assertIn(sentence, str(caught.exception))
         self.assertEqual(h.Lagrangian("v^2/2 - k*q", k=np.array(2.0)).dimension, 1)
 
+    def test_division_by_zero(self):
+        EL = h.variation(h.Lagrangian("v^2/2 - 1/q"), h.uniform(0, Fraction(1, 10), 2), h.order_one)
+        with self.assertRaisesRegex(h.NotFinite, "a division by zero, for which there is no rational number"):
+            h.solve(EL, q0=0, v0=0)
+
     def test_whole_numbers_of_numpy(self):
         large, L = 2**53 + 1, oscillator.lagrangian
         T = h.uniform(Fraction(0), np.int64(1), 2)
