@@ -72,16 +72,15 @@ public:
         }
         return at;
     }
-    [[nodiscard]] values position(values const& v) const {
-        values q = integrated(v);
-        for (std::size_t i = 0; i < count_; ++i) q[i] = q[i] + beta_[i + 1] * first_;
-        return q;
-    }
-    /// What rounding, times the condition of the problem, has taken from the condition at t_N in `next` is given back to its velocities
-    /// along g, with the derivatives at `at`.
-    void hold_end(point const& at, point& next) const {
-        V const missing = at.stiffness * (last_ - next.q.back());
-        for (std::size_t i = 0; i < count_; ++i) next.v[i] = next.v[i] + at.at[i].vv * V(g(i) * missing);
+    /// The positions of `next`. What rounding, times the condition of the problem, has taken from the condition at t_N is given back to its
+    /// velocities along g, with the derivatives at `at`.
+    void place(point const& at, point& next) const {
+        next.q = position(next.v);
+        V const missing = last_ - next.q.back();
+        if (magnitude(missing) == S(0)) return;
+        V const back = at.stiffness * missing;
+        for (std::size_t i = 0; i < count_; ++i) next.v[i] = next.v[i] + at.at[i].vv * V(g(i) * back);
+        next.q = position(next.v);
     }
     /// Everything at (v, q); at.at[i].vv becomes its own inverse.
     void evaluate(point& at) const {
@@ -147,6 +146,11 @@ public:
 
 private:
     [[nodiscard]] S g(std::size_t i) const { return scale_ * beta_[count_ - 1 - i]; }
+    [[nodiscard]] values position(values const& v) const {
+        values q = integrated(v);
+        for (std::size_t i = 0; i < count_; ++i) q[i] = q[i] + beta_[i + 1] * first_;
+        return q;
+    }
     [[nodiscard]] values integrated(values const& v) const { return apply_triangle(inverse_, v, scale_, direction::forward); }
     [[nodiscard]] values integrated_back(values const& p) const { return apply_triangle(inverse_, p, scale_, direction::backward); }
     template <class Block>

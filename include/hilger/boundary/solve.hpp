@@ -22,15 +22,10 @@ namespace hilger {
 template <class F, generating_function G, class Order, class Root, class V>
 auto solve(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, Root const& T, boundary_values<V> const& ends,
            boundary_options const& options) {
-    using S = typename Root::scalar_type;
-    if constexpr (not detail::are_given_states<S, V, V>()) detail::refuse_states<S, V, V>();
-    using State = detail::given_state_t<S, V>;
+    auto const [q0, qN] = detail::given_ends<typename Root::scalar_type>(ends);
     fractional_action<F, G, Order, Root> action = equation.action();
     action.T = T; // as of local equations, which are solved on any scale
-    State const q0 = detail::as_state<State>(ends.q0), qN = detail::as_state<State>(ends.qN);
-    detail::require_same_dimension(q0, qN, "the boundary values");
-    if (not detail::all_finite(q0) or not detail::all_finite(qN)) error::raise<error::not_finite>("the boundary values are finite");
-    return detail::boundary_solver<decltype(action), State>(action, q0, qN, options).solve();
+    return detail::boundary_solver<decltype(action), std::remove_cvref_t<decltype(q0)>>(action, q0, qN, options).solve();
 }
 /// The solution alone.
 template <class F, generating_function G, class Order, class Root, class V>

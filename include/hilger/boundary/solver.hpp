@@ -139,9 +139,7 @@ private:
         for (int halvings = 0; halvings < 12; ++halvings, part = part / S(2)) {
             point next{at.v, {}};
             add_multiple(next.v, part, correction);
-            next.q = equation_.position(next.v);
-            equation_.hold_end(at, next);
-            next.q = equation_.position(next.v);
+            equation_.place(at, next);
             if (not last or not(at.path == branch_path{})) equation_.evaluate(next);
             bool const better = (last and next.path == at.path) or exact or
                                 (equation::all_finite(next.rest) and equation_.natural(at, next) <= (S(1) - part / S(4)) * before);

@@ -25,6 +25,16 @@ auto solved(euler_lagrange<Action> const& equation, typename Action::root_type c
     else
         return with_inner_points(equation, x, force);
 }
+/// Boundary values as states over times S. @throws error::mismatch, error::not_finite
+template <class S, class V>
+auto given_ends(boundary_values<V> const& ends) {
+    if constexpr (not are_given_states<S, V, V>()) refuse_states<S, V, V>();
+    using State = given_state_t<S, V>;
+    boundary_values<State> const given{as_state<State>(ends.q0), as_state<State>(ends.qN)};
+    require_same_dimension(given.q0, given.qN, "the boundary values");
+    if (not all_finite(given.q0) or not all_finite(given.qN)) error::raise<error::not_finite>("the boundary values are finite");
+    return given;
+}
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
 template <class Action, int Size>
@@ -69,11 +79,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         one_step,
         "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
         "more, or over none");
-    if constexpr (not detail::are_given_states<S, V, V>()) detail::refuse_states<S, V, V>();
-    using State = detail::given_state_t<S, V>;
-    auto const q0 = detail::as_state<State>(ends.q0), qN = detail::as_state<State>(ends.qN);
-    detail::require_same_dimension(q0, qN, "the boundary values");
-    if (not detail::all_finite(q0) or not detail::all_finite(qN)) error::raise<error::not_finite>("the boundary values are finite");
+    auto const [q0, qN] = detail::given_ends<S>(ends);
+    using State = std::remove_cvref_t<decltype(q0)>;
     constexpr index_type parts = Base::last(1);
     index_type const last = Base::last(T.steps());
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);

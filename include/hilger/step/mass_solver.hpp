@@ -17,7 +17,7 @@ class mass_solver {
 public:
     mass_solver(Mass const& m, index_type d) {
         if constexpr (is_matrix) {
-            if (m.rows() != d or m.cols() != d) wrong(m.rows(), d);
+            if (m.rows() != d) wrong(m.rows(), d);
             matrix_ = m.template cast<S>();
             factors_.compute(matrix_);
             bool regular = factors_.info() == Eigen::Success;

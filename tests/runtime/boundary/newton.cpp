@@ -141,7 +141,9 @@ TEST_CASE("a problem without a solution ends in an error that has the last itera
         double worst = 0;
         for (double r : failure.residual) worst = std::max(worst, std::abs(r));
         CHECK(worst > 1);
-        auto const again = two_sided(runaway, 1.0, T).residual(function_on(T, failure.iterate));
+        auto const EL = two_sided(runaway, 1.0, T);
+        CHECK(detail::convolved_residual(EL.action(), failure.iterate) == failure.residual);
+        auto const again = EL.residual(function_on(T, failure.iterate));
         for (hilger::index_type k = 1; k < 50; ++k) // sums in another order, of terms of the size of x / h^2
             CHECK(std::abs(again[k] - failure.residual[static_cast<std::size_t>(k) - 1]) <=
                   64 * epsilon<double>() * 2500 * (1 + largest(function_on(T, failure.iterate))));
