@@ -55,9 +55,13 @@ public:
         });
     }
     [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
-    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last) const override {
+    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last,
+                                                 std::vector<vector<S>> const& guess) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
-            auto const x = solve(equation_of(flow_, T_), T_, hilger::boundary_values<vector<S>>{first, last}, flow_.mechanics().force);
+            hilger::boundary_values<vector<S>> const ends{first, last};
+            auto const EL = equation_of(flow_, T_);
+            auto const& force = flow_.mechanics().force;
+            auto const x = guess.empty() ? solve(EL, T_, ends, force) : solve(EL, T_, ends, force, hilger::function_on(T_, guess));
             std::vector<vector<S>> positions;
             hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
             for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
@@ -68,6 +72,8 @@ public:
     }
     [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
                              std::vector<vector<S>> const& momenta) const override {
+        for (auto const* all : {&positions, &momenta})
+            for (vector<S> const& x : *all) require_coordinates(x);
         if constexpr (has_parts<Flow, S, Scale>) {
             hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
             for (std::size_t i = 0; i < positions.size(); ++i)
@@ -101,6 +107,7 @@ public:
         if constexpr (has_memory<Flow>)
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
         else {
+            for (vector<S> const* z : {&x.q, &x.p, &y.q, &y.p}) require_coordinates(*z);
             hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
             auto const z = hilger::dense_step<S, vector<S>>(derivatives_, from, to)(t);
             return {z.t, z.q, z.p};
@@ -125,6 +132,10 @@ private:
             return flow_.undamped().mechanics().lagrangian;
         else
             return flow_.mechanics().lagrangian;
+    }
+    void require_coordinates(vector<S> const& x) const {
+        if (int const d = lagrangian().formula().words().dimension(); x.size() != d)
+            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
     }
     [[noreturn]] void refuse(char const* why) const {
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);

@@ -24,12 +24,15 @@ engine::cast cast_of(engine::problem const& what, std::string const& method, boo
 /// member of those that states bring.
 py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const& what, matrix const& other, matrix const& parameters,
                    hilger::index_type stride, int threads, py::object const& progress) {
+    if (other.shape(0) != q0.shape(0) or parameters.shape(0) != q0.shape(0))
+        hilger::error::raise<hilger::error::mismatch>("members have a row of each, and here are ", q0.shape(0), ", ", other.shape(0),
+                                                      " and ", parameters.shape(0));
     std::vector<engine::member> from;
     using row = Eigen::Map<engine::vector<double> const>;
     for (py::ssize_t k = 0; k < q0.shape(0); ++k) {
         double const* const own = parameters.data() + k * parameters.shape(1);
-        from.push_back(
-            {{row(q0.data(k, 0), q0.shape(1)), datum_named(what), row(other.data(k, 0), q0.shape(1))}, {own, own + parameters.shape(1)}});
+        from.push_back({{row(q0.data(k, 0), q0.shape(1)), datum_named(what), row(other.data(k, 0), other.shape(1))},
+                        {own, own + parameters.shape(1)}});
     }
     std::atomic<bool> stop = false;
     std::atomic<hilger::index_type> done = 0;

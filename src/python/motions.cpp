@@ -79,12 +79,14 @@ void add_motion(py::module_& m, char const* name) {
         .def("walk", &walk<S>)
         .def("times", [](motion const& path) { return with::array(path.times(), 0); })
         .def("between",
-             [](motion const& path, given const& first, given const& last) {
+             [](motion const& path, given const& first, given const& last, std::vector<given> const& guess) {
                  std::vector<S> q;
                  auto const a = with::vector_of(first), b = with::vector_of(last);
+                 std::vector<engine::vector<S>> near;
+                 for (given const& x : guess) near.push_back(with::vector_of(x));
                  {
                      py::gil_scoped_release const others_run;
-                     for (auto const& x : path.between(a, b)) q.insert(q.end(), x.data(), x.data() + x.size());
+                     for (auto const& x : path.between(a, b, near)) q.insert(q.end(), x.data(), x.data() + x.size());
                  }
                  return with::array(std::move(q), static_cast<int>(a.size()));
              })

@@ -45,6 +45,39 @@ class Ensemble(unittest.TestCase):
             self.assertTrue(np.all(many.q[:, 0] == 1))
             self.assertAlmostEqual(many.q[3, 1], h.solve(EL, q0=1.0, v0=np.linspace(-1, 1, 11)[3]).q[-1], delta=rounding)
 
+    def test_parameters_that_are_called_as_initial_values_are(self):
+        for name, other in (("q0", "v0"), ("v0", "v0"), ("p0", "p0"), ("p0", "v0"), ("q1", "q1")):
+            L = h.Lagrangian(f"v^2/2 - k*(q - {name})^2/2", **{"k": 1, name: 0})
+            T, values = h.uniform(0, 0.1, 10), {"k": [1.0, 2.0, 3.0], name: [1.0, 2.0, -3.0]}
+            for lanes in (False, True):
+                for parameters in (values, dict(reversed(values.items()))):
+                    many = h.solve_many(h.variation(L, T), q0=[5.0, 4.0, 3.0], **{other: [0.5, 4.1, 3.0]}, parameters=parameters, lanes=lanes)
+                    self.assertEqual(many.failed, {})
+                    for i in range(3):
+                        own = h.Lagrangian(f"v^2/2 - k*(q - {name})^2/2", **{k: x[i] for k, x in values.items()})
+                        x = h.solve(h.variation(own, T), q0=5.0 - i, **{other: [0.5, 4.1, 3.0][i]})
+                        self.assertAlmostEqual(many.q[i, -1], x.q[-1], delta=50 * epsilon * 10)
+
+    def test_members_of_another_width_are_no_members(self):
+        EL = h.variation(henon_heiles, h.uniform(0, 0.1, 3))
+        two, one = np.ones((4, 2)), np.ones((4, 1))
+        none = np.empty((4, 0))
+        for lanes in (False, True):
+            cast = h._core.Cast(EL._stated(), "mid-point", lanes, 0.0, 0.1, 3)
+            for q0, v0, parameters in ((one, two, none), (two, one, none), (two, two, one)):
+                with self.assertRaisesRegex(h.Mismatch, "a member has 2 coordinates and brings 0 parameters"):
+                    h._core.walk_all(cast, q0, "v0", v0, parameters, 1, 1, None)
+
+    def test_where_none_comes_to_the_end(self):
+        EL = h.variation(h.Lagrangian("v^2/2 - k*q^2/2", k=1), h.uniform(0, 0.1, 3))
+        for lanes in (False, True):
+            with self.assertWarnsRegex(RuntimeWarning, "no member came to the end; the first: "):
+                many = h.solve_many(EL, q0=[1.0, 2.0], v0=0.0, parameters={"k": [np.nan, np.inf]}, lanes=lanes)
+            self.assertEqual(sorted(many.failed), [0, 1])
+            self.assertTrue(np.isnan(many.q[:, -1]).all())
+        with self.assertRaisesRegex(h.InvalidParameter, "k is an array of numbers"):
+            h.solve_many(EL, q0=[1.0, 2.0], v0=0.0, parameters={"k": [1.0, None]})
+
     def test_lanes_agree_with_those_alone_and_do_not_know_of_each_other(self):
         rng = np.random.default_rng(2)
         q0, v0 = rng.uniform(-0.3, 0.3, (2, 21, 2))

@@ -79,14 +79,14 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidScale, "increas", lambda: h.solve(h.variation(L, h.TimeScale([0.0, 2.0, 1.0])), q0=1, v0=0))
         self.says(h.InvalidParameter, "numbers of one kind", lambda: h.uniform(0.5, Fraction(1, 2), 3))
         exact = h.variation(L, h.uniform(0, Fraction(1, 2), 3))
-        self.says(h.InvalidParameter, "here is a float", lambda: h.solve(exact, q0=0.5, v0=0))
+        self.says(h.InvalidParameter, "here is one that rounds", lambda: h.solve(exact, q0=0.5, v0=0))
         self.says(h.Unreadable, "cos has no exact value in rationals",
                   lambda: h.solve(h.variation(h.Lagrangian(v**2 / 2 + h.cos(q), q, v), exact.scale), q0=1, v0=0))
         self.says(h.Mismatch, "a force has one formula for each coordinate, and here are 2 for 1", lambda: EL + h.force(v, v))
         self.says(TypeError, "unsupported operand", lambda: EL + 1)
         self.says(h.InvalidParameter, "with fractional damping the method is mid-point",
                   lambda: h.solve(h.variation(L, T, h.verlet) + h.damping(0.1, 0.5), q0=1, v0=0))
-        self.says(h.InvalidParameter, "a history is direct(), blocks() or exponentials(), and not 'all'", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
+        self.says(h.InvalidParameter, "a history is direct(), blocks(), exponentials(), exponentials(1e-8) or window(1000), and not 'all'", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
         self.says(h.Error, "2", lambda: h.solve(EL + h.damping(0.1, 2.5), q0=1, v0=0))
         self.says(h.StepFailure, "singular", lambda: h.solve(h.variation(h.Lagrangian("q^2/2"), T), q0=1, v0=0))
         self.says(h.OutsideDomain, "outside of the solution", lambda: h.solve(EL, q0=1, v0=0)(2.0))
@@ -101,12 +101,40 @@ class Refused(unittest.TestCase):
         self.says(h.Mismatch, "v0 has 3 numbers",
                   lambda: h.solve(three.lagrangian, (0, 1), q0=[1, 2, 3], v0=[0, 0], accuracy=1e-3))
 
+    def test_a_solution_of_another_shape(self):
+        x = h.solve(h.variation(h.Lagrangian("dot(v, v)/2 - dot(q, q)/2", "q[3]", "v[3]"), T), q0=[1, 2, 3], v0=[0, 0, 0])
+        narrow = x.p[:, :1]
+        x.p, whole = narrow, x.p
+        self.says(h.Mismatch, "L has 3 coordinates, and a state has 1", lambda: x(0.05))
+        x.p, x.q = whole, x.q[:, :2]
+        self.says(h.Mismatch, "L has 3 coordinates, and a state has 2", x.residual)
+        self.says(h.Mismatch, "L has 3 coordinates, and a state has 2", lambda: x(0.05))
+
+    def test_parameters_of_any_name(self):
+        for named in (
+            h.Lagrangian("m*u^2/2 - q*x^2/2", "x", "u", m=1, q=3),
+            h.Lagrangian("v*u^2/2 - time*x^2/2", "x", "u", v=1, parameters={"time": 3}),
+            h.Lagrangian("parameters*u^2/2 - 3*x^2/2", "x", "u", parameters={"parameters": 1}),
+        ):
+            plain = h.Lagrangian("v^2/2 - 3*q^2/2")
+            here, there = (h.solve(h.variation(of, h.uniform(0, Fraction(1, 2), 5)), q0=1, v0=0).q for of in (named, plain))
+            self.assertEqual(list(here), list(there))
+        self.assertEqual(repr(h.Lagrangian("u^2/2", q="x", v="u")), repr(h.Lagrangian("u^2/2", "x", "u")))
+        self.says(h.InvalidParameter, "time is the name of the time, and here is 1.6", lambda: h.Lagrangian("v^2/2", time=1.6))
+        self.says(h.InvalidParameter, "each parameter is given once, and m twice", lambda: h.Lagrangian("m*v^2/2", m=1, parameters={"m": 2}))
+        self.says(h.InvalidParameter, "parameters are given by their names", lambda: h.Lagrangian("v^2/2", parameters=[1]))
+
+    def test_names_in_forces_are_known_at_once(self):
+        self.says(h.Unreadable, "'k'", lambda: EL + h.force("-k*v"))
+
     def test_kinds(self):
         self.says(TypeError, "a method, as h.midpoint or h.gauss(4), was expected", lambda: h.variation(L, T, 2))
         self.says(TypeError, "a scale, as h.uniform", lambda: h.variation(L, [0, 1, 2]))
         self.says(TypeError, "a Lagrangian was expected", lambda: h.variation("v^2/2", T))
         self.says(TypeError, "the number of steps is a whole number", lambda: h.uniform(0, 0.1, 10.0))
         self.says(TypeError, "a history is direct()", lambda: h.solve(EL, q0=1, v0=0, history=h.direct))
+        for wrong in ("exponentials:abc", "exponentials:", "window:0.5", "directly"):
+            self.says(h.InvalidParameter, "a history is direct()", lambda: h.solve(EL, q0=1, v0=0, history=wrong))
         self.says(TypeError, "here is the text '012'", lambda: h.TimeScale("012"))
         self.says(h.InvalidParameter, "at least one component", lambda: h.variables("q[0]"))
         self.says(h.InvalidParameter, "from q0 and v0, and nothing else", lambda: h.solve(L, (0, 1), q0=1, v0=0, p0=1, accuracy=1e-3))

@@ -28,6 +28,16 @@ class Operators(unittest.TestCase):
             with self.assertRaises((TypeError, h.Error)):
                 nonsense()
 
+    def test_scales_in_texts(self):
+        points, values = h.apply(h.Delta_plus, [1, 2, 4, 8], h.uniform("1", "2", 3))
+        self.assertEqual((list(points), list(values)), ([1, 3, 5], [Fraction(1, 2), 1, 2]))
+        points, values = h.apply(h.sigma, lambda t: t * t, h.uniform("0.5", "1/2", 2))
+        self.assertEqual((list(points), list(values)), ([Fraction(1, 2), 1], [1, Fraction(9, 4)]))
+        points, _ = h.apply(h.sigma, lambda t: t, h.TimeScale(["0.5", "1", "3/2"]))
+        self.assertEqual(list(points), [Fraction(1, 2), 1])
+        points, _ = h.apply(h.sigma, lambda t: t, h.uniform(0, "1", 2))
+        self.assertEqual(list(points), [0, 1])
+
     def test_adjoints(self):
         self.assertEqual(h.adjoint(h.sigma), h.rho)
         self.assertEqual(h.adjoint(h.Delta_plus), -h.Delta_minus)

@@ -211,6 +211,32 @@ class Double(unittest.TestCase):
         x.q[5] += 1e-3
         self.assertGreater(x.residual(), 1e-3)  # of the positions that there are
 
+    def test_of_several_solutions_the_one_near_a_guess(self):
+        EL = h.variation(pendulum, h.uniform(0, 0.1, 100))
+        swinging = h.solve(EL, q0=1.0, v0=0.0)
+        near = h.solve(EL, q0=1.0, qN=swinging.q[-1], guess=1.05 * np.cos(0.95 * swinging.t))
+        self.assertLess(np.abs(near.q - swinging.q).max(), 1e-11)
+        thrown = h.solve(EL, q0=1.0, qN=swinging.q[-1], guess=2 * np.sin(0.5 * swinging.t))
+        self.assertGreater(np.abs(thrown.q - swinging.q).max(), 1)
+        self.assertLess(thrown.residual(), 1e-11)
+        far = h.solve(EL, q0=1.0, qN=-0.5)  # whole corrections lead away from the straight line
+        self.assertLess(far.residual(), 1e-11)
+        exact = h.variation(oscillator, h.uniform(0, Fraction(1, 10), 3))
+        self.assertEqual(list(h.solve(exact, q0=1, qN=0, guess=[1, 5, 7, 0]).q), list(h.solve(exact, q0=1, qN=0).q))
+        with self.assertRaisesRegex(h.Mismatch, "a row for each of the 101 points of T, and here are 2"):
+            h.solve(EL, q0=1.0, qN=0.5, guess=[1.0, 0.5])
+        with self.assertRaisesRegex(h.InvalidParameter, "a guess is for what joins two ends"):
+            h.solve(EL, q0=1.0, v0=0.5, guess=swinging.q)
+
+    def test_accuracy_where_first_steps_lead_too_far(self):
+        # Morse's oscillator from rest: exp(q) = (1 - s cos(w t)) / (1 - s^2)
+        morse = h.Lagrangian("v^2/2 - (exp(-2*q) - 2*exp(-q))")
+        E = np.exp(0.6) - 2 * np.exp(0.3)
+        x = h.solve(morse, (0, 100), q0=-0.3, v0=0, accuracy=1e-9)
+        self.assertLess(np.abs(x.q - np.log((1 - np.sqrt(1 + E) * np.cos(np.sqrt(-2 * E) * x.t)) / -E)).max(), 1e-9)
+        with self.assertRaisesRegex(h.NotFinite, "the step from t = 0 with"):
+            h.solve(h.Lagrangian("v^2/2 + q*sqrt(1 - q)"), (0, 1), q0=1.0 - 1e-9, v0=4, accuracy=1e-9)
+
     def test_accuracy(self):
         exact = h.solve(oscillator, (0, 10), q0=1.0, v0=0.0, accuracy=1e-10)
         self.assertLess(np.abs(exact.q - np.cos(exact.t)).max(), 1e-10)

@@ -182,7 +182,8 @@ private:
     }
     static std::partial_ordering compared(symbol const& x, symbol const& y) {
         if (not x.is_number() or not y.is_number())
-            error::raise<error::no_formula>("a callable that compares its arguments is not one formula: only constants can be compared");
+            error::raise<error::no_formula>(
+                "a callable that compares its arguments is not one formula: constants can be compared, and min, max and abs are formulas");
         return x.value() <=> y.value();
     }
     /// c z with a number c before a z that is none.

@@ -8,6 +8,7 @@
 // order, and the mid-point embedding, whose steps cost least, takes their place. L itself has no jumps: no derivative sees them.
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <stop_token>
 
@@ -94,6 +95,7 @@ public:
                 S const length = (I_.b - I_.a) / static_cast<S>(steps);
                 stuck = steps >= 1024 and magnitude(S(end_.t - ended)) <= S(8) * magnitude(length) ? stuck + 1 : 0;
                 ended = end_.t;
+                if (stuck == 3 and failure_) std::rethrow_exception(failure_); // L is not defined there, or has no velocity
                 if (stuck == 3)
                     error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached: steps of ", method_,
                                                         " come no further than t = ", ended, ", however short they are");
@@ -137,11 +139,13 @@ public:
     [[nodiscard]] index_type walked() const { return walked_; }
 
 private:
-    /// The positions, nothing where the steps are too long.
+    /// The positions, nothing where the steps are too long: they have no solution, or lead to where L is not defined.
     std::vector<V> run(index_type steps, accuracy const& goal) {
         std::vector<V> q;
         q.reserve(static_cast<std::size_t>(steps) + 1);
         walked_ += steps;
+        end_.t = I_.a;
+        failure_ = {};
         try {
             auto const path = flow_.along(uniform(I_, steps), start_);
             for (auto const& x : path) {
@@ -151,6 +155,12 @@ private:
             }
         } catch (error::no_convergence const&) {
             q.clear();
+        } catch (error::not_finite const&) {
+            q.clear();
+            failure_ = std::current_exception();
+        } catch (error::singular const&) {
+            q.clear();
+            failure_ = std::current_exception();
         }
         return q;
     }
@@ -187,7 +197,8 @@ private:
     int order_;
     interval<S> I_;
     initial_velocity<V> start_;
-    state<S, V> end_; ///< that a run has reached
+    state<S, V> end_;            ///< that a run has reached
+    std::exception_ptr failure_; ///< of the last run, that is no want of convergence
     index_type walked_ = 0;
 };
 

@@ -31,6 +31,7 @@ auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force
     if constexpr (parts > 1)
         for (index_type i = 0; i < T.steps(); ++i) {
             saying_where(state<S, V>{S(T.point(i)), at(parts * i), zero_like(at(0))}, S(T.step(i)), [&] {
+                detail::put_straight_line(all, parts * i + 1, parts * (i + 1));
                 detail::solve_rows(equation, T, all, parts * i + 1, parts * (i + 1), parts, force, "the equation inside a step");
             });
         }

@@ -12,13 +12,21 @@
 
 namespace hilger::detail {
 
-/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold. `x` has the
-/// values at all points that the equation reads, in their order, and there are some before and behind the unknown ones, whose first guess
-/// is the straight line between these; a row reads values that are at most `reach` numbers from its own. `what` names the rows in messages.
+/// Puts a straight line between the values with the numbers `begin` - 1 and `end`.
+template <class V>
+void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
+    using S = scalar_of<V>;
+    auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
+    V const first = at(begin - 1), way = at(end) - first;
+    for (index_type j = begin; j < end; ++j) at(j) = first + way * (S(j - begin + 1) / S(end - begin + 1));
+}
+/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold, near those
+/// that there are. `x` has the values at all points that the equation reads, in their order, and there are some before and behind the
+/// unknown ones; a row reads values that are at most `reach` numbers from its own. `what` names the rows in messages.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what, char const* regular = by_the_velocity) {
+                index_type end, index_type reach, Force const& force, char const* what, solvability const& by = by_the_velocity) {
     using s = shape<V>;
     using S = scalar_of<V>;
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -59,13 +67,11 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     };
     vector guess(n * d), rounding(n * d);
     S const most = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
-    for (int c = 0; c < d; ++c) {
-        S const first = s::component(at(begin - 1), c), last = s::component(at(end), c);
-        for (int m = 0; m < n; ++m) guess(m * d + c) = first + (last - first) * (S(m + 1) / S(n + 1));
-    }
+    for (int m = 0; m < n; ++m)
+        for (int c = 0; c < d; ++c) guess(m * d + c) = s::component(at(begin + m), c);
     // A row is a difference of terms of this size.
     rounding.setConstant(S(system(guess).jacobian.largest()) * most);
-    put(newton(system, guess, rounding, what, regular));
+    put(newton(system, guess, rounding, what, by));
 }
 
 } // namespace hilger::detail

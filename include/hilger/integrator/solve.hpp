@@ -35,6 +35,26 @@ auto given_ends(boundary_values<V> const& ends) {
     if (not all_finite(given.q0) or not all_finite(given.qN)) error::raise<error::not_finite>("the boundary values are finite");
     return given;
 }
+/// The first guess where no other one is given.
+struct straight_line {};
+/// The interior values of `x`, `parts` of them for a step. @throws error::mismatch
+template <class Root, class V>
+void put_first_guess(Root const&, std::vector<V>& x, index_type, straight_line) {
+    put_straight_line(x, 1, static_cast<index_type>(x.size()) - 1);
+}
+template <class Root, class V, discrete_function Guess>
+void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess const& guess) {
+    static_assert(std::same_as<typename Guess::domain_type, domain<nodes>> and std::same_as<typename Guess::root_type, Root>,
+                  "a first guess is a function on the T of the equation: function_on(T, [](auto const& t) { return ...; })");
+    if (not T.same_points(guess.root()))
+        error::raise<error::mismatch>("a first guess is a function on ", T, ", and this one lives on ", guess.scale());
+    auto const at = [&](index_type i) -> V& { return x[static_cast<std::size_t>(parts * i)]; };
+    for (index_type i = 1; i < T.steps(); ++i) {
+        at(i) = as_state<V>(guess.get(i));
+        require_same_dimension(at(i), x[0], "a first guess and the boundary values");
+    }
+    for (index_type i = 0; parts > 1 and i < T.steps(); ++i) put_straight_line(x, parts * i + 1, parts * (i + 1));
+}
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
 template <class Action, int Size>
@@ -61,12 +81,13 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 }
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
-/// Forces as above. The first guess is the straight line. On given points in O(N).
+/// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
+/// solve(EL, T, ends, no_force{}, guess); of several solutions one near it is found. On given points in O(N).
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
-template <class Action, class V, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,
-           Force const& force = {}) {
+template <class Action, class V, class Force, class Guess>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends, Force const& force,
+           Guess const& guess) {
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
@@ -86,8 +107,16 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
     x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
-        if (last > 1) detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends);
+        if (last > 1) {
+            detail::put_first_guess(T, x, parts, guess);
+            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends);
+        }
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
+}
+template <class Action, class V, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,
+           Force const& force = {}) {
+    return solve(equation, T, ends, force, detail::straight_line{});
 }
 /// Braces have no type that a size could be read from: an overload for each size of states, 0 for numbers.
 #define HILGER_SOLVE_DATA_IN_BRACES(Size)                                                                                                  \
@@ -105,6 +134,11 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
                Force const& force = {}) {                                                                                                  \
         return solve(equation, T, ends.data(), force);                                                                                     \
+    }                                                                                                                                      \
+    template <class Action, class Force, class Guess>                                                                                      \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
+               Force const& force, Guess const& guess) {                                                                                   \
+        return solve(equation, T, ends.data(), force, guess);                                                                              \
     }
 HILGER_SOLVE_DATA_IN_BRACES(0)
 HILGER_SOLVE_DATA_IN_BRACES(2)

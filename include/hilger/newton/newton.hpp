@@ -42,9 +42,9 @@ bool solve_linear(Jacobian& J, V const& r, V& x) {
 }
 /// The same. @throws error::singular
 template <class V, class Jacobian>
-V solve(Jacobian& J, V const& r, char const* what, char const* regular) {
+V solve(Jacobian& J, V const& r, char const* what, solvability const& by) {
     V x = zero_like(r);
-    if (not solve_linear(J, r, x)) refuse_singular(what, regular);
+    if (not solve_linear(J, r, x)) refuse_singular(what, by);
     return x;
 }
 template <class Jacobian>
@@ -68,7 +68,8 @@ using newton_function = std::function<newton_system<V, Jacobian>(V const&)>;
 
 /// The root of a system with branches.
 template <class V, class Jacobian>
-V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what) {
+V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
+                     solvability const& by) {
     using S = scalar_of<V>;
     Jacobian J;
     auto const evaluate_at = [&](V const& y, V& r) {
@@ -84,18 +85,55 @@ V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& g
     };
     V residual = x;
     branch_search const how = search_branches(x, residual, std::cref(evaluate_at), std::cref(correct), small);
-    if (how != branch_search::found) give_up_on_branches(what, how, x, residual);
+    if (how != branch_search::found) give_up_on_branches(what, how, x, residual, by);
     return x;
+}
+/// The root of a system that whole corrections do not lead to from x: each is shortened until the next one, with the same derivative, is
+/// smaller (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). Unlike the residual, that does not depend on the units of
+/// rows.
+template <class V, class Jacobian>
+V newton_damped(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
+                solvability const& by) {
+    using S = scalar_of<V>;
+    constexpr int most = 100, halvings = 14;
+    S part(1), size(0);
+    unwatched const inside;
+    auto at = system(x);
+    int iteration = 0;
+    for (; iteration < most; ++iteration) {
+        V const correction = solve(at.jacobian, at.residual, what, by);
+        size = magnitude(correction);
+        part = std::min(S(1), S(4) * part);
+        bool better = false;
+        for (int cut = 0; cut < halvings and not better; ++cut) {
+            V const y = x - correction * part;
+            auto there = system(y);
+            if (inside.before.saw_any()) return newton_on_branches(system, y, given, small, what, by);
+            if (all_finite(there.residual)) {
+                V const next = solve(at.jacobian, there.residual, what, by);
+                S const left = magnitude(next);
+                if (part == S(1) and left <= small * magnitude(y)) return y - next;
+                better = left <= (S(1) - part / S(4)) * size;
+            }
+            if (better) {
+                x = y;
+                at = std::move(there);
+            } else
+                part = part / S(2);
+        }
+        if (not better) break;
+    }
+    give_up(what, false, x, at.residual, size, iteration, by);
 }
 /// newton(), below.
 template <class V, class Jacobian>
-V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given, char const* what, char const* regular) {
+V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given, char const* what, solvability const& by) {
     using S = scalar_of<V>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
     constexpr int most = exact ? 4 : 50;
     // Convergence is quadratic: after a correction of size sqrt(eps) the error is of size eps.
     S const small = square_root_of_epsilon<S>() / S(16);
-    V x = std::move(guess);
+    V x = guess;
     S previous(-1), size(0);
     V residual = zero_like(x), last = residual;
     unwatched const inside;
@@ -107,12 +145,20 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
             x = x + last;
             at = system(x);
         }
-        if (inside.before.saw_any()) return newton_on_branches(system, std::move(x), given, small, what);
-        if (not all_finite(at.residual)) error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
+        if (inside.before.saw_any()) return newton_on_branches(system, std::move(x), given, small, what, by);
+        bool const is_first = exact or iteration == 0; // later ones may have been led astray
+        if (not all_finite(at.residual)) {
+            if (not is_first) break;
+            error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
+        }
         residual = at.residual;
         // A guess that happens to solve a singular system is one of many solutions.
         if (magnitude(residual) == S(0) and iteration > 0) return x;
-        V const correction = solve(at.jacobian, residual, what, regular);
+        V correction = zero_like(x);
+        if (not solve_linear(at.jacobian, residual, correction)) {
+            if (not is_first) break;
+            refuse_singular(what, by);
+        }
         if (magnitude(residual) == S(0)) return x;
         S const before = magnitude(x);
         x = x - correction;
@@ -123,24 +169,27 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
             // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink, and are rounding of the
             // iterate before (one that runs away is no measure of itself) and of what is given.
             bool const stalled = not(previous < S(0)) and not(size < previous);
-            if (stalled and size <= S(64) * epsilon<S>() * std::max(before, S(magnitude(solve(at.jacobian, sizes(given), what, regular)))))
+            if (stalled and size <= S(64) * epsilon<S>() * std::max(before, S(magnitude(solve(at.jacobian, sizes(given), what, by)))))
                 return x;
         }
         previous = size;
     }
-    give_up(what, false, x, residual, size, most);
+    if constexpr (exact)
+        give_up(what, false, x, residual, size, most, by);
+    else
+        return newton_damped(system, std::move(guess), given, small, what, by);
 }
 } // namespace detail
 
 /// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
-/// the equation in messages, and `regular` when its derivative is. In an exact scalar the root must be reached exactly, which linear
-/// equations do in one iteration. A system with branches (differentiation/branches.hpp) is solved at what is returned; inside of a callable
-/// none of its branches count.
+/// the equation in messages, and `by` says when its derivative is regular. In an exact scalar the root must be reached exactly, which
+/// linear equations do in one iteration. A system with branches (differentiation/branches.hpp) is solved at what is returned; inside of a
+/// callable none of its branches count.
 /// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
-V newton(System const& system, V guess, V const& given, char const* what, char const* regular = detail::by_the_velocity) {
+V newton(System const& system, V guess, V const& given, char const* what, detail::solvability const& by = detail::by_the_velocity) {
     using jacobian = decltype(system(guess).jacobian);
-    return detail::newton_of<V, jacobian>(std::cref(system), std::move(guess), given, what, regular);
+    return detail::newton_of<V, jacobian>(std::cref(system), std::move(guess), given, what, by);
 }
 
 } // namespace hilger

@@ -112,8 +112,8 @@ branch_search search_branches_twice(X& x, X const& nearer, X& residual, equation
 /// error::singular, error::not_finite
 template <class V>
 [[noreturn, gnu::noinline, gnu::cold]] void give_up_on_branches(std::string const& what, branch_search how, V const& iterate,
-                                                                V const& residual) {
-    if (how == branch_search::singular) refuse_singular(what);
+                                                                V const& residual, solvability const& by = by_the_velocity) {
+    if (how == branch_search::singular) refuse_singular(what, by);
     if (how == branch_search::not_finite or not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
     if (how == branch_search::between)
         throw newton_failure<V, error::no_branch>(
@@ -123,7 +123,7 @@ template <class V>
                 "derivatives do not jump",
             iterate, residual);
     char const* const where = how == branch_search::lost ? " between the branches of L" : "";
-    throw newton_failure<V>(what + " did not converge" + where + ". A smaller step h brings the guess closer", iterate, residual);
+    throw newton_failure<V>(what + " did not converge" + where + ". " + by.advice, iterate, residual);
 }
 
 } // namespace hilger::detail

@@ -44,26 +44,31 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
         return S(sqrt(epsilon<S>()));
 }
 
-/// Why the derivative of an equation is regular.
-inline constexpr char const* by_the_velocity = "the second derivative of L by the velocity must be invertible";
-inline constexpr char const* by_the_ends =
+/// Why the derivative of an equation is regular, and what helps where its root is not found.
+struct solvability {
+    char const *regular, *advice;
+};
+inline constexpr solvability by_the_velocity{"the second derivative of L by the velocity must be invertible",
+                                             "A smaller step h brings the guess closer"};
+inline constexpr solvability by_the_ends{
     "the two ends must determine what lies between them, as they do not where they are half a period of an oscillator apart; nor does an L "
-    "without kinetic energy";
+    "without kinetic energy",
+    "There may be no solution, or none near the first guess: that is the straight line between the ends where no other one is given"};
 
-[[noreturn]] inline void refuse_singular(std::string const& what, char const* regular = by_the_velocity) {
-    error::raise<error::singular>(what, " has a singular derivative here: ", regular);
+[[noreturn]] inline void refuse_singular(std::string const& what, solvability const& by = by_the_velocity) {
+    error::raise<error::singular>(what, " has a singular derivative here: ", by.regular);
 }
 
 /// Why an iteration of `most` rounds came to nothing, as the error that fits.
 template <class V>
 [[noreturn]] void give_up(std::string const& what, bool singular, V const& iterate, V const& residual, scalar_of<V> const& correction,
-                          int most = most_iterations<scalar_of<V>>) {
+                          int most = most_iterations<scalar_of<V>>, solvability const& by = by_the_velocity) {
     if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
-    if (singular) refuse_singular(what);
+    if (singular) refuse_singular(what, by);
     std::ostringstream message;
-    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << correction
-            << (std::numeric_limits<scalar_of<V>>::is_exact ? ". An exact scalar needs an equation that is linear in the unknown"
-                                                            : ". A smaller step h brings the guess closer");
+    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << correction << ". "
+            << (std::numeric_limits<scalar_of<V>>::is_exact ? "An exact scalar needs an equation that is linear in the unknown"
+                                                            : by.advice);
     throw newton_failure<V>(message.str(), iterate, residual);
 }
 

@@ -133,7 +133,9 @@ private:
     /// @throws error::unreadable, with the names that are known, where it is no formula of numbers alone
     stated factor(expression const& e) {
         stated f(e, words_, source_);
-        if (f.reads_state()) refuse(e.root(), "a factor is a number, and this one depends on the state");
+        if (f.reads_state())
+            refuse(e.root(),
+                   "a factor is a number, and this one depends on the state; an operator acts on q, which stands for every coordinate");
         return f;
     }
     [[noreturn]] void refuse(node const& n, std::string const& why) const {

@@ -126,7 +126,7 @@ private:
         auto const needs = [&](std::size_t count, char const* how) {
             if (arguments.size() != count) refuse("it is written " + std::string(how) + ", and here are " + number_of(arguments), at);
         };
-        if (name == "if") {
+        if (name == "if" or name == "where") {
             needs(3, "if(condition, where it holds, where not)");
             return {kind::choice, "", arguments, at};
         }

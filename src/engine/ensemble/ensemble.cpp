@@ -18,6 +18,9 @@ walker walker_of_member(cast const& all, member const& who) {
 void walk_one(cast const& all, hilger::index_type steps, member const& who, hilger::index_type stride, ensemble& to,
               hilger::index_type number_of_it, std::atomic<bool> const& stop) {
     hilger::index_type number = 0, kept = 0;
+    auto const own = static_cast<std::ptrdiff_t>(to.place(number_of_it, 0)),
+               others = static_cast<std::ptrdiff_t>(to.place(number_of_it + 1, 0));
+    for (auto* x : {&to.q, &to.p}) std::fill(x->begin() + own, x->begin() + others, std::numeric_limits<double>::quiet_NaN()); // of a lane
     auto const keep = [&](double, vector<double> const& q, vector<double> const& p) {
         if (number % stride == 0 or number == steps) {
             auto const at = static_cast<std::ptrdiff_t>(to.place(number_of_it, kept));
@@ -135,11 +138,18 @@ ensemble walk_all(cast const& all, std::vector<member> const& from, hilger::inde
     if (stride < 1 or threads < 1)
         hilger::error::raise<hilger::error::invalid_parameter>("every so many points and the number of threads are positive, and were ",
                                                                stride, " and ", threads);
+    auto const& words = all.what.lagrangian.formula().words();
+    for (member const& who : from)
+        if (who.from.q0.size() != words.dimension() or who.from.other.size() != words.dimension() or
+            static_cast<int>(who.parameters.size()) != words.brought())
+            hilger::error::raise<hilger::error::mismatch>("a member has ", words.dimension(), " coordinates and brings ", words.brought(),
+                                                          " parameters, and here are ", who.from.q0.size(), ", ", who.from.other.size(),
+                                                          " and ", who.parameters.size());
     auto const times = times_of(all.T);
     auto const steps = static_cast<hilger::index_type>(times.size()) - 1;
     ensemble made;
     made.members = static_cast<hilger::index_type>(from.size());
-    made.dimension = all.what.lagrangian.formula().words().dimension();
+    made.dimension = words.dimension();
     made.points = points_kept(steps, stride);
     for (hilger::index_type kept = 0; kept < made.points; ++kept)
         made.t.push_back(times[static_cast<std::size_t>(std::min(kept * stride, steps))]);

@@ -82,6 +82,6 @@ from .formulas import (
 from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
 from .solutions import AccurateSolution, Events, Solution, StepFailure
-from .solving import blocks, direct, exponentials, machine_code, solve
+from .solving import blocks, direct, exponentials, machine_code, solve, window
 
 __version__ = _core.version

@@ -84,6 +84,8 @@ def solve_many(
         if np.ma.is_masked(x):
             raise _core.InvalidParameter(f"{what} has masked numbers: give the members without them, as x[~x.mask]")
         try:
+            if any(y is None for y in ([x] if np.ndim(x) == 0 else np.ravel(x) if np.asarray(x).dtype == object else ())):
+                raise TypeError("None is none")
             return np.asarray(x, dtype=float)
         except (OverflowError, TypeError, ValueError) as why:
             raise _core.InvalidParameter(f"{what} is an array of numbers that a double can be: {why}") from None
@@ -95,7 +97,8 @@ def solve_many(
             raise _core.Mismatch(f"{what} has a row of {d} numbers for each member, and here is an array of shape {x.shape}")
         return x
 
-    columns = {"q0": rows(q0, "q0"), name: rows(other, name)}
+    start, more = rows(q0, "q0"), rows(other, name)
+    brought = {}
     own = equation.lagrangian._parameters
     for parameter, x in (parameters or {}).items():
         if parameter not in own:
@@ -105,26 +108,29 @@ def solve_many(
         x = x.reshape(-1, 1) if size == 0 and x.ndim < 2 else np.atleast_2d(x)
         if x.ndim != 2 or x.shape[1] != max(size, 1):
             raise _core.Mismatch(f"{parameter} has {max(size, 1)} numbers for each member, and here is an array of shape {x.shape}")
-        columns[parameter] = x
-    members = next((len(x) for x in columns.values() if len(x) != 1), 1)
-    if any(len(x) not in (1, members) for x in columns.values()):
-        sizes = ", ".join(f"{len(x)} of {what}" for what, x in columns.items())
+        brought[parameter] = x
+    columns = [("q0", start), (name, more), *brought.items()]
+    members = next((len(x) for _, x in columns if len(x) != 1), 1)
+    if any(len(x) not in (1, members) for _, x in columns):
+        sizes = ", ".join(f"{len(x)} of {what}" for what, x in columns)
         raise _core.Mismatch(f"each array has as many rows as there are members, or one, and here are {sizes}")
     problem = equation._stated(history)
     if parameters:
         problem = problem.brought_by_members(list(parameters))
-    a, b, *more = (np.ascontiguousarray(np.broadcast_to(x, (members, x.shape[1]))) for x in columns.values())
-    brought = np.hstack(more) if more else np.empty((members, 0))
+    a, b, *own = (np.ascontiguousarray(np.broadcast_to(x, (members, x.shape[1]))) for _, x in columns)
+    each = np.hstack(own) if own else np.empty((members, 0))
     stride = max(equation.scale.steps, 1) if every is None else every
     cast = _core.Cast(problem, equation.method.name, lanes, *equation._points())
     rank, ranks = (0, 1) if comm is None else (comm.Get_rank(), comm.Get_size())
     share = slice(members * rank // ranks, members * (rank + 1) // ranks)
     threads = threads or (os.cpu_count() or 1 if comm is None else 1)
-    t, *made = _core.walk_all(cast, a[share], name, b[share], brought[share], stride, threads, progress)
+    t, *made = _core.walk_all(cast, a[share], name, b[share], each[share], stride, threads, progress)
     if comm is not None:
         made = (sum(parts[1:], parts[0]) if isinstance(parts[0], list) else np.concatenate(parts) for parts in zip(*comm.allgather(made)))
     q, p, why = made
     failed = {k: reason for k, reason in enumerate(why) if reason}
     if "interrupted" in failed.values():
         warnings.warn("interrupted; what there is was kept", RuntimeWarning, stacklevel=2)
+    elif len(failed) == members > 0:
+        warnings.warn(f"no member came to the end; the first: {failed[0]}", RuntimeWarning, stacklevel=2)
     return Ensemble(t, q[:, :, 0] if scalar else q, p[:, :, 0] if scalar else p, failed, cast.lanes)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Optional, Sequence, Union
 
@@ -30,9 +31,29 @@ class Lagrangian:
     """L(t, q, v): a formula, or a text such as "m*v^2/2 - m*g*l*(1 - cos(q))" with the parameters in it as keywords.
 
     q and v are variables, lists of them, or their names; `time` is the name of the time. Coordinates are numbered as they are given.
+    Parameters of any name, as "time", can be given in a dictionary: parameters={"time": 3}.
     """
 
-    def __init__(self, L: "Formula | str", /, q: Variables = "q", v: Variables = "v", *, time: str = "t", **parameters: object) -> None:
+    def __init__(
+        self,
+        L: "Formula | str",
+        q: "Optional[Variables]" = None,
+        v: "Optional[Variables]" = None,
+        /,
+        *,
+        time: str = "t",
+        parameters: "Optional[Mapping[str, object]]" = None,
+        **more: object,
+    ) -> None:
+        if not isinstance(time, str):
+            raise _core.InvalidParameter(f"time is the name of the time, and here is {time!r}: a parameter of that name is given in parameters={{...}}")
+        if not isinstance(parameters, (Mapping, type(None))):
+            raise _core.InvalidParameter(f'parameters are given by their names, as {{"g": 9.81}}, and here is {parameters!r}')
+        # q= and v= are the coordinates where these are not given before, and else parameters
+        q, v = (more.pop(name, name) if x is None else x for x, name in ((q, "q"), (v, "v")))
+        if twice := sorted({*more} & {*(parameters or ())}):
+            raise _core.InvalidParameter(f"each parameter is given once, and {', '.join(twice)} twice")
+        parameters = {**more, **(parameters or {})}
         qs, vs = _all(q), _all(v)
         if [_size(x) for x in qs] != [_size(x) for x in vs]:
             raise _core.Mismatch("each coordinate has its velocity, of the same size")
@@ -196,7 +217,9 @@ class Equation:
                 raise _core.Mismatch(
                     f"a force has one formula for each coordinate, and here are {len(other.components)} for {self.lagrangian.dimension}"
                 )
-            return replace(self, forces=(*self.forces, other))
+            made = replace(self, forces=(*self.forces, other))
+            made._stated()  # every name in it has a meaning
+            return made
         if isinstance(other, Damping):
             return replace(self, dampings=(*self.dampings, other))
         if isinstance(other, Zener):
@@ -221,7 +244,7 @@ class Equation:
         return problem
 
     def c_code(self, name: str) -> str:
-        """One step as C99 that needs math.h alone, of order_one, order_one_left and midpoint:
+        """One step as C99 that needs math.h alone, of order_one, order_one_left, midpoint, theta and embeddings of operators:
         ``int NAME_step(double h, double q[d], double p[d], double v[d])``, with ``double t`` first where the time is read."""
         return self._stated().c_code(self.method.name, name)
 

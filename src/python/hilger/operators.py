@@ -16,7 +16,7 @@ import numpy as np
 from . import _core
 from ._core import Expression, Operator
 from .equations import Method
-from .scales import TimeScale, Uniform, digits, fraction_from, require_real
+from .scales import TimeScale, Uniform, digits, exact, require_real
 from .solutions import digits_of, numbers_from
 
 identity = _core.read_operator("identity")
@@ -55,12 +55,13 @@ def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tu
     kind = T.kind()
     if isinstance(f, Expression):
         raise TypeError(f"f is a function of t, as a lambda, or has a value for each point of T, and here is the formula {f!r}")
+    of = {"double": float, "exact": exact, "50 digits": lambda x: x}[kind]
     with digits_of(kind):
         if isinstance(T, Uniform):
-            start, step = (float(x) if kind == "double" else x for x in (T.start, T.step))
+            start, step = (of(x) for x in (T.start, T.step))
             points = [start + i * step for i in range(T.steps + 1)]
         else:
-            points = [fraction_from(x) if isinstance(x, str) else x for x in T.points]
+            points = [of(x) for x in T.points]
         values = [f(t) for t in points] if callable(f) else list(f)
     if kind == "double":
         require_real(values, "a function on T")

@@ -68,6 +68,12 @@ def fraction_from(text: str) -> Fraction:
     return Fraction(whole_from(above), whole_from(below) if below else 1)
 
 
+def exact(x: object) -> Fraction:
+    """A whole number, a fraction, or a text as "1/3" or "0.5"."""
+    text = digits(x)
+    return fraction_from(text) if text.lstrip("+-").replace("/", "", 1).isdecimal() else Fraction(text)
+
+
 def digits(x: object) -> str:
     """A number as digits that lose nothing."""
     if isinstance(x, _core.Expression):
@@ -169,7 +175,7 @@ def identities(T: "TimeScale | Uniform") -> "list[Identity]":
     if not isinstance(T, (Uniform, TimeScale)):
         raise TypeError(f"a scale, as h.TimeScale(['0', '1/3', '1']), was expected, and here is {T!r}")
     if isinstance(T, Uniform):
-        start, step = Fraction(digits(T.start)), Fraction(digits(T.step))
+        start, step = exact(T.start), exact(T.step)
         points = [digits(start + i * step) for i in range(T.steps + 1)]
     else:
         points = [digits(x) for x in T.points]

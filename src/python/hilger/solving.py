@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from typing import Callable, Optional, Sequence, Union
 
@@ -32,12 +33,17 @@ def exponentials(tolerance: float = 0.0) -> str:
     return f"exponentials:{tolerance}" if tolerance else "exponentials"
 
 
+def window(steps: int) -> str:
+    """The last so many steps alone, the others forgotten: wrong by what they still had to say."""
+    return f"window:{steps}"
+
+
 def require_history(history: object) -> None:
     """Raises where it is none, whether there is a memory or not."""
-    if not isinstance(history, str):
-        raise TypeError(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
-    if history.partition(":")[0] not in ("direct", "blocks", "exponentials"):
-        raise _core.InvalidParameter(f"a history is direct(), blocks() or exponentials(), and not {history!r}")
+    is_one = isinstance(history, str) and re.fullmatch(r"direct|blocks|exponentials(:[0-9.]+(e-?[0-9]+)?)?|window:[0-9]+", history)
+    if not is_one:
+        wrong = _core.InvalidParameter if isinstance(history, str) else TypeError
+        raise wrong(f"a history is direct(), blocks(), exponentials(), exponentials(1e-8) or window(1000), and not {history!r}")
 
 
 def _state(kind: str, x: object, L: Lagrangian, name: str):
@@ -49,8 +55,8 @@ def _state(kind: str, x: object, L: Lagrangian, name: str):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
         return np.array([real(y, f"each component of {name}" if len(flat) > 1 else name) for y in flat])
-    if kind == "exact" and any(isinstance(y, (float, np.floating)) for y in flat):
-        raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is a float")
+    if kind == "exact" and any(isinstance(y, (float, np.floating)) or type(y).__name__ in ("mpf", "constant") for y in flat):
+        raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is one that rounds")
     return [digits(y) for y in flat]
 
 
@@ -63,6 +69,7 @@ def solve(
     p0: "Optional[State]" = None,
     q1: "Optional[State]" = None,
     qN: "Optional[State]" = None,
+    guess: "Optional[np.ndarray]" = None,
     history: str = "exponentials",
     progress: "bool | Callable[[int], None]" = False,
     accuracy: "Optional[float]" = None,
@@ -70,7 +77,8 @@ def solve(
     compiled: "Optional[bool]" = None,
 ) -> "Solution | AccurateSolution":
     """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
-    start from q1, where nothing is damped.
+    start from q1, where nothing is damped. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a
+    number) for each point of T: of several solutions one near it is found.
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
@@ -87,7 +95,7 @@ def solve(
     if isinstance(equation, Lagrangian):
         if interval is None or accuracy is None or v0 is None:
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
-        if any(x is not None for x in (p0, q1, qN, compiled)) or progress or history != "exponentials":
+        if any(x is not None for x in (p0, q1, qN, guess, compiled)) or progress or history != "exponentials":
             raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
         if np.ndim(interval) != 1 or len(interval) != 2:
             raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
@@ -116,8 +124,13 @@ def solve(
         compiled = equation.scale.steps >= LONG
     motion = equation._motion(history)
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
+    if guess is not None and name != "qN":
+        raise _core.InvalidParameter("a guess is for what joins two ends, q0 and qN")
     if name == "qN":
-        q = column(numbers_from(kind, motion.between(start[0], start[2])))
+        near = [] if guess is None else [_state(kind, x, L, "each row of the guess") for x in guess]
+        if guess is not None and len(near) != equation.scale.steps + 1:
+            raise _core.Mismatch(f"a guess has a row for each of the {equation.scale.steps + 1} points of T, and here are {len(near)}")
+        q = column(numbers_from(kind, motion.between(start[0], start[2], near)))
         return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, None, None)
     bar = _bar(progress, equation)
     made = None

@@ -77,6 +77,28 @@ double damped(double t, double q0, double v0) {
 double driven(double t) { return 5 * std::sin(t) + damped(t, 1, 0.5 - 5); }
 } // namespace
 
+TEST_CASE("first steps that lead to where L is not defined, or has no velocity, are too long") {
+    // Morse's oscillator from rest at q0: exp(q) = (1 - s cos(omega t)) / (1 - s^2), s^2 = 1 + E, omega^2 = -2E
+    auto const morse = [](auto const& q, auto const& v) { return v * v / 2 - exp(-2 * q) + 2 * exp(-q); };
+    double const q0 = -0.3, E = std::exp(-2 * q0) - 2 * std::exp(-q0), s = std::sqrt(1 + E), omega = std::sqrt(-2 * E);
+    auto const x = solve(morse, interval{0.0, 100.0}, {.q0 = q0, .v0 = 0.0}, accuracy{1e-9});
+    for (index_type i = 0; i <= x.steps; ++i) {
+        double const t = x.q.root().element(i);
+        CHECK(std::abs(x.q[i] - std::log((1 - s * std::cos(omega * t)) / -E)) <= 1e-9);
+    }
+    auto const fene = [](auto const& q, auto const& v) { return v * v / 2 + log(1 - q * q); };
+    auto const y = solve(fene, interval{0.0, 100.0}, {.q0 = 0.5, .v0 = 0.0}, accuracy{1e-9});
+    auto const closer = solve(fene, interval{0.0, 100.0}, {.q0 = 0.5, .v0 = 0.0}, accuracy{1e-11, 0.05});
+    CHECK(std::abs(y.end.q - closer.end.q) <= 1e-9 + 1e-11);
+    // Where no step is short enough, what it meets is said, and where.
+    auto const to_the_edge = [](auto const& q, auto const& v) { return v * v / 2 + q * sqrt(1 - q); };
+    CHECK_THROWS_WITH_AS(solve(to_the_edge, interval{0.0, 1.0}, {.q0 = 0.5, .v0 = 4.0}, accuracy{1e-9}),
+                         doctest::Contains("the step from t = 0.1"), error::not_finite);
+    auto const massless = [](auto const& q, auto const& v) { return q * v + 0 * v * v - q * q; };
+    CHECK_THROWS_WITH_AS(solve(massless, interval{0.0, 1.0}, {.q0 = 1.0, .v0 = 0.0}, accuracy{1e-9}),
+                         doctest::Contains("the second derivative of L by the velocity must be invertible"), error::singular);
+}
+
 TEST_CASE("with a Lagrangian of time and a force of time") {
     auto const L = [](auto const& t, auto const& q, auto const& v) { return v * v / 2 - q * q / 2 + q * cos(t) / 2; };
     auto const force = [](auto const& t, auto const& q, auto const& v) { return cos(t) / 2 - v / 5 + 0 * q; };

@@ -86,6 +86,58 @@ TEST_CASE("what initial values lead to is found again from its ends") {
     CHECK(solve(in_plane, T, {.q0 = {0.3, -0.2}, .qN = {0.5, 0.4}}, drag)[40] == Eigen::Vector2d(0.5, 0.4));
 }
 
+TEST_CASE("a straight line that whole corrections lead away from") {
+    for (index_type const n : {100, 1000}) {
+        auto const T = uniform(interval{0.0, 10.0}, n);
+        auto const EL = variation(integral(pendulum(extend[q], Delta_o_plus[extend[q]]), half(T)));
+        for (double const end : {-0.5, 1.2, 7.5}) {
+            auto const x = solve(EL, T, {.q0 = 1.0, .qN = end});
+            CHECK(x[0] == 1.0);
+            CHECK(x[n] == end);
+            double most = 0;
+            for (index_type i = 0; i <= n; ++i) most = std::max(most, std::abs(x[i]));
+            // the rounding of a second difference, and of an elimination with as large entries
+            CHECK(largest_residual(EL, x) <= 16 * epsilon<double>() * most / (T.step(0) * T.step(0)));
+        }
+    }
+}
+
+TEST_CASE("of several solutions the one near a first guess") {
+    auto const T = uniform(interval{0.0, 10.0}, 100);
+    auto const EL = variation(integral(pendulum(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    // The ends of a motion are those of others too.
+    auto const swinging = solve(EL, T, {.q0 = 1.0, .v0 = 0.0});
+    boundary_values<double> const ends{1.0, swinging[100]};
+    auto const near = [](auto const& x, auto const& y) {
+        double most = 0;
+        for (index_type i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - y[i]));
+        return most;
+    };
+    auto const guess = function_on(T, [](double t) { return 1.05 * std::cos(0.95 * t); });
+    CHECK(near(solve(EL, T, ends, no_force{}, guess), swinging) <= 1e-11);
+    auto const thrown = solve(EL, T, ends, no_force{}, function_on(T, [](double t) { return 2 * std::sin(0.5 * t); }));
+    CHECK(thrown[100] == swinging[100]);
+    CHECK(largest_residual(EL, thrown) <= 1e-11);
+    CHECK(near(thrown, swinging) > 1);
+    auto const in_braces = solve(EL, T, {.q0 = 1.0, .qN = swinging[100]}, no_force{}, swinging);
+    CHECK(near(in_braces, swinging) <= 1e-11);
+
+    // with points inside the steps, and with vectors
+    auto const inner = equation_of(embed(pendulum, galerkin<3, lobatto>), T);
+    auto const at_all = solve(inner, T, {.q0 = 1.0, .v0 = 0.0});
+    CHECK(at_all.size() > T.size());
+    CHECK(near(solve(inner, T, boundary_values{1.0, at_all[at_all.size() - 1]}, no_force{}, guess), at_all) <= 1e-11);
+    auto const in_plane = equation_of(embed(in_space, order_one), T);
+    Eigen::Vector2d const first(0.3, -0.2), last(0.5, 0.4);
+    auto const line = function_on(T, [&](double t) { return Eigen::Vector2d(first + t / 10 * (last - first)); });
+    auto const by_line = solve(in_plane, T, boundary_values{first, last}, no_force{}, line),
+               by_itself = solve(in_plane, T, boundary_values{first, last});
+    for (index_type i = 0; i < T.size(); ++i) CHECK((by_line[i] - by_itself[i]).norm() <= 1e-11);
+
+    CHECK_THROWS_WITH_AS((void)solve(EL, T, ends, no_force{}, function_on(uniform(0.0, 0.1, 50), [](double t) { return t; })),
+                         doctest::Contains("a first guess is a function on T = {0, 0.1"), error::mismatch);
+}
+
 TEST_CASE("the order between ends is that of the step") {
     // x'' = -x, x(0) = 0, x(1) = sin 1
     auto const error = [](index_type n) {

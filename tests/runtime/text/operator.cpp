@@ -192,7 +192,9 @@ TEST_CASE("what is no operator is refused where it stands") {
     says("sin(q)", "the operator, line 1, column 5: 'q' has no meaning: there are ");
     auto const words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"x", "v", 0}});
     CHECK_THROWS_WITH_AS((void)operator_in("x*sigma[q]", words),
-                         "the operator, line 1, column 1: a factor is a number, and this one depends on the state", error::unreadable);
+                         "the operator, line 1, column 1: a factor is a number, and this one depends on the state; an operator acts on q, "
+                         "which stands for every coordinate",
+                         error::unreadable);
     CHECK_THROWS_AS((void)text::operator_in_numbers<Q>(operator_in("sqrt(2)*q")), error::unreadable);
     auto dense = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"x", "v", 0}});
     dense->set("rho", "1/4");
