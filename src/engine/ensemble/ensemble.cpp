@@ -141,7 +141,7 @@ ensemble walk_all(cast const& all, std::vector<member> const& from, hilger::inde
     auto const& words = all.what.lagrangian.formula().words();
     for (member const& who : from)
         if (who.from.q0.size() != words.dimension() or who.from.other.size() != words.dimension() or
-            static_cast<int>(who.parameters.size()) != words.brought())
+            static_cast<int>(who.parameters.size()) < words.brought())
             hilger::error::raise<hilger::error::mismatch>("a member has ", words.dimension(), " coordinates and brings ", words.brought(),
                                                           " parameters, and here are ", who.from.q0.size(), ", ", who.from.other.size(),
                                                           " and ", who.parameters.size());

@@ -57,8 +57,8 @@ constexpr hilger::index_type points_kept(hilger::index_type steps, hilger::index
 }
 /// Keeps the first state, every stride-th and the last one of each. Stops where `stop` becomes true, `done` members being whole. Without
 /// lanes each member is what its motion makes of it, to the last bit; who fails in a lane is walked again so.
-/// @throws hilger::error::invalid_parameter when stride < 1 or threads < 1; hilger::error::mismatch when a member has not as many numbers
-///         as there are coordinates and parameters that states bring
+/// @throws hilger::error::invalid_parameter when stride < 1 or threads < 1; hilger::error::mismatch when a member has not as many
+///         coordinates as L, or fewer parameters than states bring
 ensemble walk_all(cast const& all, std::vector<member> const& from, hilger::index_type stride, int threads, std::atomic<bool> const& stop,
                   std::atomic<hilger::index_type>& done);
 
