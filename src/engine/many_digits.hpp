@@ -1,28 +1,67 @@
 // SPDX-License-Identifier: BSL-1.0
-// What scalars of many digits have: the embeddings in one step.
+// What scalars of many digits have: the embeddings in one step. Their time goes into loops over digits, and that of a compiler into loops
+// of each kind, so that there are few kinds: all embeddings are made of operators in text, and rationals have one kind of scale.
 #pragma once
 
 #include "engine/methods/own.hpp"
 
 namespace engine {
 
+/// A motion that prints as the method that it was asked for.
+template <class S, class Flow, class Scale>
+class motion_in_digits final : public motion_of<S, Flow, Scale> {
+public:
+    motion_in_digits(Flow flow, Scale T, std::string const& method, problem const& what, bool uniform)
+        : motion_of<S, Flow, Scale>(std::move(flow), std::move(T), method), what_(what), method_(method), uniform_(uniform) {}
+    [[nodiscard]] std::string equation(bool latex_wanted) const override {
+        points<double> const like = uniform_ ? points<double>{0, 1, 2, {}} : points<double>{0, 0, 2, {0, 1, 3}};
+        return make_motion<double>(what_, method_, like)->equation(latex_wanted);
+    }
+
+private:
+    problem what_;
+    std::string method_;
+    bool uniform_;
+};
+
+/// A method that has a name, as what is summed. @throws hilger::error::invalid_parameter where theta has another number
+template <class S>
+std::string in_operators(problem const& what, std::string const& method) {
+    if (method == "order-one") return "integral(L(q, Delta_plus[q]))";
+    if (method == "order-one-left") return "nabla_integral(L(q, Delta_minus[q]))";
+    if (method == "mid-point") return "integral(L((q + sigma[q])/2, Delta_plus[q]))";
+    if (method.starts_with("theta:") and lambda_of<S>(what, method)) {
+        std::string const lambda = '(' + method.substr(6) + ')';
+        return "integral(L((1 - " + lambda + ")*q + " + lambda + "*sigma[q], Delta_plus[q]))";
+    }
+    return method;
+}
+
 template <class S>
 std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& method, points<S> const& T, char const* scalar) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for numbers of the processor, and not for ", scalar);
-    if (auto made = embedded_by_operators(what, method, T)) return made;
-    auto made = with_mechanics(what, [&](auto const& mechanics) -> std::unique_ptr<motion<S>> {
-        if (method == "order-one") return on_scale(hilger::embed(mechanics, hilger::order_one), T, method);
-        if (method == "order-one-left") return on_scale(hilger::embed(mechanics, hilger::order_one_left), T, method);
-        if (method == "mid-point") return on_scale(hilger::embed(mechanics, hilger::mid_point), T, method);
-        return nullptr;
-    });
-    if (not made)
+    std::string const operators = in_operators<S>(what, method);
+    if (not is_embedding_in_text(operators))
         hilger::error::raise<hilger::error::invalid_parameter>(
             "in ", scalar,
-            " the methods are order-one, order-one-left, mid-point and embeddings, as integral(L(q, Delta_plus[q])), and not '", method,
-            "'");
-    return made;
+            " the methods are order-one, order-one-left, mid-point, theta:0.3 and embeddings, as integral(L(q, Delta_plus[q])), and not '",
+            method, "'");
+    auto const on = [&]<class Scale>(auto const& flow, Scale const& scale) -> std::unique_ptr<motion<S>> {
+        using flow_type = std::remove_cvref_t<decltype(flow)>;
+        return std::make_unique<motion_in_digits<S, flow_type, Scale>>(flow, scale, method, what, T.is_uniform());
+    };
+    return with_own_embedding<S>(what, operators, T.is_uniform(), [&](auto const& how) {
+        return with_mechanics(what, [&](auto const& mechanics) {
+            auto const flow = hilger::embed(mechanics, how);
+            if (not T.is_uniform()) return on(flow, hilger::time_scale<S>(T.given));
+            auto const equal = hilger::uniform(T.start, T.step, T.steps);
+            if constexpr (std::numeric_limits<S>::is_exact)
+                return on(flow, hilger::time_scale<S>(elements_of<S>(equal)));
+            else
+                return on(flow, equal);
+        });
+    });
 }
 
 } // namespace engine

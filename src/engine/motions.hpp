@@ -89,7 +89,7 @@ public:
             refuse("has no equation in the positions at the points of T alone");
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
-        if constexpr (has_equation<Flow, Scale>) {
+        if constexpr (has_equation<Flow, Scale> and std::same_as<S, double>) {
             auto const EL = equation_of(flow_, T_);
             std::ostringstream out;
             if (latex_wanted)

@@ -29,6 +29,29 @@ class Exact(unittest.TestCase):
         self.assertIsInstance(x.p[3], Fraction)
         self.assertEqual(x.t[20], 2)
 
+    def test_methods_are_those_of_doubles(self):
+        uneven = ["0", "1/3", "1", "7/5", "2"]
+        for T, like in (
+            (h.uniform(0, Fraction(1, 10), 20), h.uniform(0, 0.1, 20)),
+            (h.TimeScale(uneven), h.TimeScale([float(Fraction(t)) for t in uneven])),
+        ):
+            for method in (h.order_one, h.order_one_left, h.midpoint, h.theta("1/3")):
+                here, there = h.variation(oscillator, T, method), h.variation(oscillator, like, method)
+                self.assertEqual(repr(here), repr(there))
+                self.assertEqual(here._repr_latex_(), there._repr_latex_())
+                x, y = (h.solve(EL, q0=1, v0=Fraction(1, 3)) for EL in (here, there))
+                self.assertEqual(x.residual(), 0)
+                for a, b in ((x.q, y.q), (x.p, y.p), (x.t, y.t)):
+                    self.assertLess(np.abs(a.astype(float) - b).max(), 1e-14)
+        own = h.embedding((2 * h.identity + h.sigma) / 3, h.Delta_plus)
+        named, mine = (h.solve(h.variation(oscillator, h.TimeScale(uneven), m), q0=1, v0=0) for m in (h.theta(Fraction(1, 3)), own))
+        self.assertEqual((list(named.q), list(named.p)), (list(mine.q), list(mine.p)))
+        for wrong in (h.verlet, h.gauss(4)):
+            with self.assertRaisesRegex(h.InvalidParameter, "in rationals the methods are order-one, order-one-left, mid-point, theta:0.3 and"):
+                h.solve(h.variation(oscillator, h.uniform(0, Fraction(1, 10), 3), wrong), q0=1, v0=0)
+        with self.assertRaisesRegex(h.InvalidParameter, "theta takes a number between 0 and 1"):
+            h.solve(h.variation(oscillator, h.uniform(0, Fraction(1, 10), 3), h.theta(2)), q0=1, v0=0)
+
     def test_between_two_ends_against_a_force(self):
         for T in (h.uniform(0, Fraction(1, 4), 6), h.TimeScale(["0", "1/3", "1", "7/5", "2"])):
             for method in (h.order_one, h.midpoint):
