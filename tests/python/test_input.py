@@ -170,6 +170,37 @@ class Taken(unittest.TestCase):
             for a, b in zip(h.solve(h.variation(L2, T), q0=1, v0=0).q, expected):
                 self.assertAlmostEqual(a, b, delta=64 * 2.3e-16)
 
+    def test_components_in_a_text_say_how_many_there_are(self):
+        text = "(v[0]^2 + v[1]^2)/2 + B*(q[0]*v[1] - q[1]*v[0])/2 - k[3]*q[0]"
+        taken = h.Lagrangian(text, B=2, k=[1, 2, 3, 4])
+        self.assertEqual(taken.dimension, 2)
+        self.assertEqual(repr(taken), repr(h.Lagrangian(text, "q[2]", "v[2]", B=2, k=[1, 2, 3, 4])))
+        self.assertEqual(h.Lagrangian("dot(v, v)/2 - q[ 2 ]").dimension, 3)
+        self.assertEqual(h.Lagrangian("v^2/2 - dq[3]*q", dq=[0, 0, 0, 1]).dimension, 1)
+        with self.assertRaisesRegex(h.Unreadable, r"'v' is a number, and has no components; a vector says how many, as in Lagrangian\(L, \"q\[3\]\""):
+            h.Lagrangian("dot(v, v)/2 - q")
+        with self.assertRaisesRegex(h.Unreadable, "'q' is a number, and has no components"):
+            h.Lagrangian("v^2/2 - q[0]", "q", "v")
+
+    def test_functions_are_lagrangians(self):
+        x, u = h.variables("x u", 2)
+        k = 3
+        for L, text in (
+            (h.Lagrangian(lambda q, v: v**2 / 2 - h.cos(q)), "L = v²/2 − cos(q)"),
+            (h.Lagrangian(lambda x, u: u**2 / 2 - h.cos(x)), "L = v²/2 − cos(q)"),
+            (h.Lagrangian(lambda v, q: v**2 / 2 - h.cos(q)), "L = v²/2 − cos(q)"),
+            (h.Lagrangian(lambda q, v, t: v**2 / 2 - q * t), "L = v²/2 − q·t"),
+            (h.Lagrangian(lambda s, q, v: v**2 / 2 - q * s, time="s"), "L = v²/2 − q·s"),
+            (h.Lagrangian(lambda q, v, k=k: v**2 / 2 - k * q), "L = v²/2 − 3·q"),
+            (h.Lagrangian(lambda v: v**2 / 2), "L = v²/2"),
+            (h.Lagrangian(lambda x, u: u @ u / 2 - x[0] * x[1], x, u), "L = (u₀² + u₁²)/2 − x₀·x₁"),
+        ):
+            self.assertEqual(repr(L), text)
+        with self.assertRaisesRegex(h.InvalidParameter, r"a function of \(q, v\), or of ones that it names t, q, v, and here is one of \(x, u, t\)"):
+            h.Lagrangian(lambda x, u, t: x)
+        with self.assertRaisesRegex(h.InvalidParameter, r"a function of \(q, v\).* and here is one of \(\)"):
+            h.Lagrangian(np.sin)
+
     def test_numpy_and_texts(self):
         EL2 = h.variation(h.Lagrangian(v**2 / 2 - (1 - np.cos(q)), q, v), T)
         EL3 = h.variation(h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v), T)

@@ -129,14 +129,21 @@ constexpr auto tabulate(F const& f) {
     using R = typename F::root_type;
     using D = typename F::domain_type;
     constexpr index_type size = static_size<D, R>;
+    auto const keep = [&f](auto const& use) {
+        if constexpr (requires { f.for_each_value(use); })
+            f.for_each_value(use);
+        else
+            for (index_type i = f.first(); i <= f.last(); ++i) use(f.get(i));
+    };
     if constexpr (size >= 0) {
         by_array<value_of<F>, static_cast<std::size_t>(size)> rule{};
-        for (index_type i = f.first(); i <= f.last(); ++i) rule.values[static_cast<std::size_t>(i - f.first())] = f.get(i);
+        std::size_t next = 0;
+        keep([&](auto const& value) { rule.values[next++] = value; });
         return function_on<R, D, decltype(rule)>(f.root(), f.domain(), std::move(rule));
     } else {
         std::vector<value_of<F>> values;
         values.reserve(static_cast<std::size_t>(f.size()));
-        for (index_type i = f.first(); i <= f.last(); ++i) values.push_back(f.get(i));
+        keep([&](auto const& value) { values.push_back(value); });
         return function_on<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
                                                         {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
     }

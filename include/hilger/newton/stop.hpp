@@ -48,7 +48,7 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
 struct solvability {
     char const *regular, *advice;
 };
-inline constexpr solvability by_the_velocity{"the second derivative of L by the velocity must be invertible",
+inline constexpr solvability by_the_velocity{"the second derivative of L by the velocity must be invertible, and those by q finite",
                                              "A smaller step h brings the guess closer"};
 inline constexpr solvability by_the_ends{
     "the two ends must determine what lies between them, as they do not where they are half a period of an oscillator apart; nor does an L "

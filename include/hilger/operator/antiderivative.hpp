@@ -40,7 +40,8 @@ private:
 
 } // namespace detail
 
-/// int_a^t f Delta_lambda for t in T. Partial sums are formed when asked; tabulate(antiderivative[f]) forms each once.
+/// int_a^t f Delta_lambda for t in T. A value is a sum over the points before it, formed when asked; tabulate(antiderivative[f]) forms each
+/// from the one before it.
 template <class Lambda>
 struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     using from = between<Lambda>;
@@ -61,6 +62,15 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
         detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
         for (index_type k = 0; k < i; ++k) total.add(evaluated(f.get(k) * f.root().step(k)));
         return total.value();
+    }
+    template <class F, class Use>
+    constexpr void evaluate_all(F const& f, Use const& use) const {
+        detail::running_sum<value_of<F>, typename F::root_type::scalar_type> total(zero_of(f));
+        index_type const last = image(f.domain()).last(f.root());
+        for (index_type k = 0; k <= last; ++k) {
+            if (k > 0) total.add(evaluated(f.get(k - 1) * f.root().step(k - 1)));
+            use(total.value());
+        }
     }
     constexpr auto adjoint() const;
 };

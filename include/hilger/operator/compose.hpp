@@ -154,6 +154,10 @@ struct composition : linear_operator<composition<A, B>> {
         applied<B, detail::borrowed<F>> const inner(b, detail::borrowed<F>(f));
         return a.evaluate(inner, i);
     }
+    template <class F, class Use>
+    constexpr void evaluate_all(F const& f, Use const& use) const requires detail::in_order<A, applied<B, detail::borrowed<F>>, Use> {
+        a.evaluate_all(applied<B, detail::borrowed<F>>(b, detail::borrowed<F>(f)), use);
+    }
     constexpr auto adjoint() const {
         if constexpr (std::same_as<typename A::from_weight, typename B::to_weight>)
             return b.adjoint() * a.adjoint();

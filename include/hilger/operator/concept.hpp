@@ -37,6 +37,14 @@ concept acts_on = linear_map<A> and function_expression<F> and requires {
 template <class A, class B>
 concept composes_with = linear_map<A> and linear_map<B> and std::same_as<typename A::from, typename B::to>;
 
+namespace detail {
+/// The values at all points cost as much as the last of them: A forms each from the one before.
+template <class A, class F, class Use>
+concept in_order = requires(A const& a, F const& f, Use const& use) {
+    a.evaluate_all(f, use);
+};
+} // namespace detail
+
 /// A[f], evaluated when asked.
 template <linear_map A, function_expression F>
 struct applied {
@@ -61,6 +69,10 @@ struct applied<A, F> : function_interface<applied<A, F>> {
     [[nodiscard]] constexpr auto get(index_type i) const {
         using value = plain_t<decltype(op.evaluate(f, i))>;
         return value(op.evaluate(f, i));
+    }
+    template <class Use>
+    constexpr void for_each_value(Use const& use) const requires detail::in_order<A, F, Use> {
+        op.evaluate_all(f, use);
     }
 };
 

@@ -191,9 +191,17 @@ private:
     /// With what gives dL/dq and dL/dv at a node.
     template <discrete_function X, class First, class Second>
     constexpr auto residual_of(X const& x, First first, Second second) const {
-        auto const Lq = action_.at_nodes(x, std::move(first));
-        auto const Lv = action_.at_nodes(x, std::move(second));
+        auto const Lq = read_by<A>(action_.at_nodes(x, std::move(first)));
+        auto const Lv = read_by<B>(action_.at_nodes(x, std::move(second)));
         return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
+    }
+    /// What the adjoint of Op reads again and again, at every point, is formed once.
+    template <linear_map Op, discrete_function G>
+    static constexpr auto read_by(G g) {
+        if constexpr (Op::reads.is_local())
+            return g;
+        else
+            return tabulate(g);
     }
     template <discrete_function G>
     static constexpr auto counted(G g) {

@@ -120,6 +120,21 @@ TEST_CASE("the weights of any generating function: exact for L = v^2/2, and the 
     CHECK(std::abs(by_trapezoid - by_delta) > 1e-3);
 }
 
+TEST_CASE("the residual asks for the derivatives of L a few times at each point, though each of its own reads all of them") {
+    auto const T = uniform(interval{0.0, 1.0}, 40);
+    int asked = 0;
+    auto const counted = [&asked](auto const& x, auto const& v) {
+        ++asked;
+        return v * v / 2 - x * x * x / 3;
+    };
+    auto const residual = two_sided(counted, 0.75, T).residual(function_on(T, [](double t) { return t * t; }));
+    double sum = 0;
+    for (double const r : residual) sum += r;
+    CHECK(std::isfinite(sum));
+    CHECK(asked > 0);
+    CHECK(asked <= 4 * 40);
+}
+
 TEST_CASE("an equation is solved on the scale that is given, as local ones are") {
     auto const T = uniform(0.0, 0.125, 8), other = uniform(0.0, 0.25, 5);
     auto const x = solve(two_sided(dirichlet, 0.75, T), other, {.q0 = 1, .qN = -1});

@@ -31,7 +31,25 @@ TEST_CASE("antiderivatives start at 0 in a and gain a step times a value at each
     CHECK(values(Delta_minus[antiderivative_nabla[f]]) == "T^{-}: 2, 6, -2");
     CHECK(values(antiderivative[Delta_plus[Delta_plus[f]]]) == "T^{+}: 0, 1, -3"); // as far as the integrand reaches
     CHECK(values(antiderivative_h[mean_h_plus[g]]) == "T^{+}: 0, 5/2, 21/2");
+}
+
+TEST_CASE("a table of an antiderivative has its values to the last bit, and takes the values of f once") {
     CHECK(values(tabulate(antiderivative[f])) == values(antiderivative[f]));
+    CHECK(values(tabulate(antiderivative_nabla[f])) == values(antiderivative_nabla[f]));
+    CHECK(values(tabulate(antiderivative_h[mean_h_plus[g]])) == values(antiderivative_h[mean_h_plus[g]]));
+    CHECK(values(tabulate(antiderivative[Delta_plus[Delta_plus[f]]])) == values(antiderivative[Delta_plus[Delta_plus[f]]]));
+    int taken = 0;
+    auto const counted = function_on(uniform(0.0, 0.1, 1000), [&taken](double t) {
+        ++taken;
+        return 1 / (3 + t);
+    });
+    auto const table = tabulate(antiderivative[counted]);
+    CHECK(taken <= 1001); // one of them for the zero of its kind
+    bool same = true;
+    for (index_type i = 0; i <= 1000; ++i) same = same and table[i] == antiderivative[counted][i];
+    CHECK(same);
+    constexpr auto in_type = tabulate(antiderivative[function_on(uniform<3>(0.0, 1.0), [](double t) { return t; })]);
+    static_assert(in_type[3] == 3);
 }
 
 TEST_CASE("the tail integral sums what comes after a mid-point") {
