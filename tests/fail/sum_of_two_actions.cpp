@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect 1: actions add up that have one position, velocity and integral on one scale, and these differ in them
+// expect 1: actions add up on one scale, and these are on two kinds of scales
 // expect 2: fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the points of T alone
+// expect 3: actions add up of functions that live on the same points
+// expect 4: a Hamiltonian form is of one position and one velocity, and a sum of actions has several of them
 // What one sentence has to say instead of the operators inside.
 #include <iostream>
 
@@ -14,11 +16,23 @@ int main() {
     auto const T = uniform(0.0, 0.5, 2);
     auto const S = integral(L(q, Delta_plus[q]), T);
 #if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 1
-    auto const other = integral(L(extend[q], Delta_o_plus[extend[q]]), half(T));
+    time_scale<double> const U{0.0, 0.5, 1.0};
+    auto const other = integral(L(extend[q], Delta_o_plus[extend[q]]), half(U));
 #else
     auto const other = integral(L(q, Delta_plus[q]), T);
 #endif
     (void)(S + other);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 3
+    (void)(S + equation_of(embed(L, galerkin<2, gauss>), T).action());
+#else
+    (void)(S + equation_of(embed(L, theta<1, 3>), T).action());
+#endif
+    auto const both = variation(S + nabla_integral(L(q, Delta_minus[q]), T));
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 4
+    std::cout << hamiltonian_form(both);
+#else
+    std::cout << both;
+#endif
 #if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 2
     constexpr auto how = galerkin<2, gauss>;
 #else

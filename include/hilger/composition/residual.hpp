@@ -32,7 +32,7 @@ class judged_part<flow<F, Force, E, Sums>, S, V> {
     using of = flow<F, Force, E, Sums>;
 
 public:
-    judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(f.mechanics()) {}
+    judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(derivatives_at_nodes(f.mechanics())) {}
     /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. `off` becomes at least the
     /// distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step.
     void go(of const& f, state<S, V>& x, S const& h, V const& near, V const* end, S& off) {
@@ -50,7 +50,7 @@ public:
 
 private:
     typename of::template memory<S, V> memory_;
-    kept_derivatives<problem<F, Force>> derivatives_;
+    decltype(derivatives_at_nodes(std::declval<problem<F, Force> const&>())) derivatives_;
 };
 
 template <class Parts, class... Flows, class S, class V>

@@ -11,6 +11,7 @@
 #include "hilger/step/many_nodes.hpp"
 #include "hilger/step/small/one_node.hpp"
 #include "hilger/step/structured.hpp"
+#include "hilger/step/sum_of_embeddings.hpp"
 #include "hilger/trajectory/trajectory.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/variation.hpp"
@@ -37,13 +38,12 @@ struct no_step {
 };
 
 /// -d_1 L_h(q0, q1) and d_2 L_h(q0, q1), forces included: the momenta with which a step without control values inside begins and ends.
-template <class Problem, class S, class V>
-std::pair<V, V> momenta_of_step(kept_derivatives<Problem> const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0,
-                                V const& q1) {
+template <class Derivatives, class S, class V>
+std::pair<V, V> momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0, V const& q1) {
     V before = zero_like(q0), after = before;
     for (int k = 0; k < b.nodes; ++k) {
         auto const [by_q, by_v] =
-            derivatives.gradients(b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
+            derivatives.gradients(b.part_of(k), b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
         before = before - (by_q * S(b.w(k) * b.a(k, 0)) + by_v * S(b.w(k) * b.b(k, 0)));
         after = after + (by_q * S(b.w(k) * b.a(k, 1)) + by_v * S(b.w(k) * b.b(k, 1)));
     }
@@ -158,7 +158,7 @@ public:
     template <class S, class V>
     [[nodiscard]] V momentum_between(S const& t, V const& q0, V const& q1, S const& h) const {
         static_assert(controls_of<E> == 2, "two positions give a momentum where a step has no inner control values");
-        return detail::momenta_of_step(detail::kept_derivatives(problem_), tableau_of(embedding_, h), t, h, q0, q1).first;
+        return detail::momenta_of_step(detail::derivatives_at_nodes(problem_), tableau_of(embedding_, h), t, h, q0, q1).first;
     }
     /// p = dL/dv(t, q, v)
     template <class S, class V>
@@ -188,14 +188,21 @@ constexpr auto embed(problem<F, Force> const& forced, E const& how) {
 template <class L, class E>
 constexpr auto embed(L const& l, E const& how, std::integral_constant<sums, sums::compensated>) {
     auto const plain = embed(l, how);
-    auto const& [F, Force] = plain.mechanics();
-    return flow<std::remove_cvref_t<decltype(F)>, std::remove_cvref_t<decltype(Force)>, E, sums::compensated>(F, Force, how);
+    auto const& what = plain.mechanics();
+    using F = std::remove_cvref_t<decltype(what.lagrangian)>;
+    using Force = std::remove_cvref_t<decltype(what.force)>;
+    return flow<F, Force, E, sums::compensated>(what.lagrangian, what.force, how);
 }
 /// The flow of a discrete Euler-Lagrange equation, with a force f(q, v) or f(t, q, v) beside dL/dq or without.
 template <class F, linear_map A, linear_map B, class W, class Root, class Force = no_force>
 constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation, Force const& force = {}) {
     auto const& S = equation.action();
     return embed(with_force(lagrangian(S.function), force), make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
+}
+template <class First, class Second, class Force = no_force>
+constexpr auto flow_of(euler_lagrange<action_sum<First, Second>> const& equation, Force const& force = {}) {
+    auto const& S = equation.action();
+    return embed(with_force(lagrangian(detail::function_of(S)), force), detail::embedding_of(S));
 }
 /// The same where its operators are not consistent, on purpose.
 template <class F, linear_map A, linear_map B, class W, class Root>

@@ -19,6 +19,23 @@ constexpr auto equation_of(flow<F, Force, embedding<A, B, W, Checked>, Sums> con
 }
 
 namespace detail {
+template <class F, linear_map A, linear_map B, class W, bool Checked, class Root>
+constexpr auto action_on(F const& L, embedding<A, B, W, Checked> const& how, Root const& T) {
+    return action<F, A, B, W, Root>{L, how.position, how.velocity, T};
+}
+template <class F, class G, class First, class Second, class Root>
+constexpr auto action_on(lagrangian_by_node<F, G> const& L, embedding_sum<First, Second> const& how, Root const& T) {
+    auto first = action_on(L.first, how.first, T);
+    auto second = action_on(L.second, how.second, T);
+    return action_sum<decltype(first), decltype(second)>{std::move(first), std::move(second)};
+}
+} // namespace detail
+template <class F, class Force, class First, class Second, sums Sums, class Root>
+constexpr auto equation_of(flow<F, Force, embedding_sum<First, Second>, Sums> const& f, Root const& T) {
+    return variation(detail::action_on(f.mechanics().lagrangian, f.embedding(), T));
+}
+
+namespace detail {
 
 /// The points that a trajectory walks, as a scale of its own where they are a part of one.
 template <class Scale>
@@ -39,6 +56,15 @@ auto positions_along(Path const& path) {
     return function_on(scale_of_steps(path.scale()), std::move(q));
 }
 
+/// At positions in C(T), also where the equation has points inside the steps.
+template <class Action, discrete_function X, class Force>
+auto largest_of_equation(euler_lagrange<Action> const& equation, X const& q, Force const& force) {
+    if constexpr (std::same_as<typename Action::position_type::from, nodes>)
+        return largest_residual(equation, q, force);
+    else
+        return largest_residual(equation, with_inner_points(equation, q, force), force);
+}
+
 } // namespace detail
 
 /// The largest component of the residual of the equation that a flow was derived from, at positions q in C(T), forces included. Terms of
@@ -47,14 +73,17 @@ auto positions_along(Path const& path) {
 /// @throws error::singular, newton_failure where there are points inside the steps and no solution for them
 template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, discrete_function X>
 auto largest_residual(flow<F, Force, embedding<A, B, W, Checked>, Sums> const& method, X const& q) {
-    auto const equation = equation_of(method, q.root());
-    auto const& force = method.mechanics().force;
-    if constexpr (std::same_as<typename A::from, nodes>)
-        return largest_residual(equation, q, force);
-    else
-        return largest_residual(equation, with_inner_points(equation, q, force), force);
+    return detail::largest_of_equation(equation_of(method, q.root()), q, method.mechanics().force);
+}
+template <class F, class Force, class First, class Second, sums Sums, discrete_function X>
+auto largest_residual(flow<F, Force, embedding_sum<First, Second>, Sums> const& method, X const& q) {
+    return detail::largest_of_equation(equation_of(method, q.root()), q, method.mechanics().force);
 }
 /// The same along a trajectory. @throws as walking does
+template <class F, class Force, class First, class Second, sums Sums, class Scale, class V>
+auto largest_residual(trajectory<flow<F, Force, embedding_sum<First, Second>, Sums>, Scale, V> const& path) {
+    return largest_residual(path.method(), detail::positions_along(path));
+}
 template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Scale, class V>
 auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W, Checked>, Sums>, Scale, V> const& path) {
     return largest_residual(path.method(), detail::positions_along(path));

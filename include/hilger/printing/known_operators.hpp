@@ -73,14 +73,21 @@ std::vector<known_operator> list_of_known_operators() {
         return {known(mean_o, [](expression const& f) { return in_mean(f, {"∘", "\\circ"}); })};
     else if constexpr (std::same_as<From, nodes> and std::same_as<To, joined<half>>)
         return {known(extend, [](expression const& f) { return extended(f, {"∘", "\\circ"}); })};
-    else if constexpr (std::same_as<From, between<half>> and std::same_as<To, nodes>) {
-        static constexpr auto on_T_of = [](expression const& f) { return with_symbol(f, {"π", "\\pi"}); };
-        return {known(pi_half, on_T_of),
-                known(pi_half * mean_h_minus,
+    else if constexpr (std::same_as<To, nodes> and requires(From b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
+                       std::is_empty_v<From>) {
+        using L = std::remove_cvref_t<decltype(From{}.lambda)>;
+        constexpr projection<L, false> on_T_of{};
+        static constexpr auto written_on_T = [](expression const& f) { return written_alone(projection<L, false>{}, f); };
+        constexpr fraction<L::denominator - L::numerator, L::denominator> rest{};
+        return {known(on_T_of, written_on_T),
+                known(on_T_of * derivative<From, side::minus>{},
+                      [](expression const& f) { return written_on_T(with_symbol(f, delta_sign(From{}, side::minus))); }),
+                known(on_T_of * (rest * identity_on<From, delta_weight>{} + L{} * shift<From, side::minus>{}),
                       [](expression const& f) {
-                          return on_T_of(in_mean(f, {"½,₋", "\\frac{1}{2},-"}));
+                          auto const l = foot(From{});
+                          return written_on_T(in_mean(f, {l.terminal + ",₋", l.latex + ",-"}, mean_note<L>(side::minus)));
                       }),
-                known(step_mean, [](expression const& f) { return on_T_of(step_weighted_mean(f, half{})); })};
+                known(step_mean_at<L>{}, [](expression const& f) { return written_on_T(step_weighted_mean(f, L{})); })};
     }
     return {};
 }

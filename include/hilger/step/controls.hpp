@@ -36,6 +36,8 @@ public:
         if (others) {
             nodes_.clear();
             nodes_.resize(static_cast<std::size_t>(t.nodes));
+            if constexpr (requires { nodes_[0].take(0); })
+                for (int k = 0; k < t.nodes; ++k) nodes_[at(k)].take(t.part_of(k));
         }
         t_ = t;
         h_ = h;

@@ -20,9 +20,11 @@ struct tableau {
     std::vector<S> position, velocity; ///< nodes x controls, row by row; velocities carry 1/h
     std::vector<S> weight;             ///< carry h
     std::vector<S> inside;             ///< where there are points inside the step, the time of each node since its beginning
+    std::vector<int> part;             ///< in a sum of actions, the number of the Lagrangian that is read at each node
     [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] int part_of(int k) const { return part.empty() ? 0 : part[static_cast<std::size_t>(k)]; }
     /// The time of node k in a step from t to t + h: the position operator on the function t -> t.
     [[nodiscard]] S time(int k, S const& t, S const& h) const {
         return inside.empty() ? S(t + a(k, 1) * h) : S(t + inside[static_cast<std::size_t>(k)]);

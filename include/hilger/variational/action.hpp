@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The discrete action  q -> int L(A q, B q)  of an embedding (A, B, int) on a scale T (Cresson-Safi (10), (43), definition 8).
+// The discrete action  S(q) = int L(A q, B q)  of an embedding (A, B, int) on a scale T (Cresson-Safi (10), (43), definition 8).
 #pragma once
 
 #include "hilger/function/function.hpp"
@@ -89,32 +89,6 @@ constexpr auto nabla_integral(lagrangian_density<F, A, B> const& density, Scale 
         return does_not_compile<B::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
     else
         return action<F, A, B, nabla_weight, Root>{density.function, density.position, density.velocity, scale.root()};
-}
-
-namespace detail {
-/// L + M, of (q, v) or of (t, q, v) both.
-template <class F, class G>
-struct sum_of_lagrangians {
-    [[no_unique_address]] F first;
-    [[no_unique_address]] G second;
-    template <class... X>
-        requires std::invocable<F const&, X const&...> and std::invocable<G const&, X const&...>
-    constexpr auto operator()(X const&... x) const { return plain_t<decltype(first(x...) + second(x...))>(first(x...) + second(x...)); }
-};
-} // namespace detail
-
-/// Actions of one position, velocity and integral add up, as kinetic and potential energy do. @throws error::mismatch for two scales
-template <class F, class G, linear_map A, linear_map B, class W, class Root, linear_map C, linear_map D, class V, class Other>
-constexpr auto operator+(action<F, A, B, W, Root> const& S, action<G, C, D, V, Other> const& R) {
-    constexpr bool same = std::same_as<A, C> and std::same_as<B, D> and std::same_as<W, V> and std::is_empty_v<A> and std::is_empty_v<B>;
-    if constexpr (not same or not std::same_as<Root, Other>)
-        return does_not_compile<"actions add up that have one position, velocity and integral on one scale, and these differ in them: "
-                                "compose the flows of both, or write one Lagrangian",
-                                Root>{};
-    else {
-        if (not(S.T == R.T)) error::raise<error::mismatch>("actions add up on one scale, and these are on ", S.T, " and on ", R.T);
-        return action<detail::sum_of_lagrangians<F, G>, A, B, W, Root>{{S.function, R.function}, S.position, S.velocity, S.T};
-    }
 }
 
 } // namespace hilger

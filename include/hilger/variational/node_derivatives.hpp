@@ -20,7 +20,11 @@ inline constexpr bool has_own_derivatives = requires(Problem const& what, scalar
 template <class Problem, class V>
 inline constexpr bool is_traced_at = is_traced_state<V> and not has_own_derivatives<Problem, V>;
 template <class Problem, class V>
-using node_derivatives = std::conditional_t<is_traced_at<Problem, V>, traced_node<Problem, V>, asked_node<Problem, V>>;
+struct node_of {
+    using type = std::conditional_t<is_traced_at<Problem, V>, traced_node<Problem, V>, asked_node<Problem, V>>;
+};
+template <class Problem, class V>
+using node_derivatives = typename node_of<Problem, V>::type;
 
 /// A node to ask at any arguments, of states of any kind; the formula is traced at the first of them. Copies share it. Several threads may
 /// ask: where one is at it, another one traces for itself.
@@ -64,9 +68,10 @@ public:
         known.evaluate(what_, t, q, v, which);
         return use(std::as_const(known));
     }
-    /// dL/dq, with the force, and dL/dv, of states of any kind; second derivatives are not asked for.
+    /// dL/dq, with the force, and dL/dv, of states of any kind; second derivatives are not asked for. Of one Lagrangian there is no other
+    /// part (step/sum_of_embeddings.hpp).
     template <class S, class V>
-    std::pair<V, V> gradients(S const& t, V const& q, V const& v) const {
+    std::pair<V, V> gradients(int, S const& t, V const& q, V const& v) const {
         if constexpr (is_traced_at<Problem, V>)
             return at(t, q, v, wanted::first_order, [&](auto const& node) {
                 return std::pair(vector_like(q, [&](int k) { return node.by_q(k); }), vector_like(q, [&](int k) { return node.by_v(k); }));

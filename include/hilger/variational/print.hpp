@@ -11,6 +11,7 @@
 #include "hilger/embedding/written.hpp"
 #include "hilger/printing/notation.hpp"
 #include "hilger/variational/restricted.hpp"
+#include "hilger/variational/sum_of_actions.hpp"
 
 namespace hilger {
 
@@ -26,16 +27,23 @@ constexpr auto hamiltonian_form(euler_lagrange<Action> const& equation) {
     return hamiltonian_system<Action>{equation};
 }
 
+template <class First, class Second>
+constexpr auto hamiltonian_form(euler_lagrange<action_sum<First, Second>> const&) {
+    return does_not_compile<"a Hamiltonian form is of one position and one velocity, and a sum of actions has several of them: flow_of(EL) "
+                            "is its discrete Hamiltonian flow",
+                            First>{};
+}
+
 namespace detail {
 
-/// dL/dq, dH/dp, ... of arguments in brackets.
-inline spelled derivative_of(char function, char by, spelled const& arguments, bool negative = false) {
-    return {(negative ? "−∂" : "∂") + std::string(1, function) + "/∂" + by + arguments.terminal,
-            (negative ? "-\\frac{\\partial " : "\\frac{\\partial ") + std::string(1, function) + "}{\\partial " + by + "}" +
+/// dL/dq, dH/dp, ... of arguments in brackets; of the L with this number in a sum.
+inline spelled derivative_of(char function, char by, spelled const& arguments, bool negative = false, spelled const& number = {"", ""}) {
+    return {(negative ? "−∂" : "∂") + std::string(1, function) + number.terminal + "/∂" + by + arguments.terminal,
+            (negative ? "-\\frac{\\partial " : "\\frac{\\partial ") + std::string(1, function) + number.latex + "}{\\partial " + by + "}" +
                 arguments.latex};
 }
 
-template <class Action>
+template <class Action, class P = typename Action::position_type::from_weight>
 class equation_writer {
     using A = typename Action::position_type;
     using B = typename Action::velocity_type;
@@ -44,19 +52,29 @@ class equation_writer {
     /// The equation is written on T_lambda where the integral is over it; else on T, or on T with its points inside the steps.
     static constexpr bool on_lambda = requires(base_type const& base) { base.lambda; };
     // For A = identity and B a derivative, the integrand lives where B[q] does.
-    using integrand = decltype(euler_lagrange<Action>::counted(
+    using integrand = decltype(euler_lagrange<Action, P>::counted(
         intersect(std::declval<A const&>().image(domain<from>{}), std::declval<B const&>().image(domain<from>{}))));
 
 public:
-    equation_writer(euler_lagrange<Action> const& equation, print_style style) : EL_(equation), s_(style) {}
+    equation_writer(euler_lagrange<Action, P> const& equation, print_style style) : EL_(equation), s_(style) {}
+    /// As the part with this number of a sum, which is written on T.
+    equation_writer(euler_lagrange<Action, P> const& equation, print_style style, int number)
+        : EL_(equation), s_(style), number_{subscript(number), "_{" + std::to_string(number) + "}"} {}
 
     [[nodiscard]] std::string equals() const { return s_ == print_style::latex ? " &= " : " = "; }
     [[nodiscard]] expression left_hand_side() const {
         return written_on(EL_.force(), expression::name(derivative_of('L', 'q', star))) +
                written_on(EL_.momentum(), expression::name(derivative_of('L', 'v', star)));
     }
+    /// The same on T, of the part of a sum with this number.
+    [[nodiscard]] expression term() const {
+        spelled const at{"(⋆" + number_.terminal + ")", "(\\star" + number_.latex + ")"};
+        return written_on(EL_.force_on_T(), expression::name(derivative_of('L', 'q', at, false, number_))) +
+               written_on(EL_.momentum_on_T(), expression::name(derivative_of('L', 'v', at, false, number_)));
+    }
     [[nodiscard]] std::string arguments() const {
-        return (s_ == print_style::latex ? "\\star = (" : "⋆ = (") + position().in(s_) + ", " + velocity().in(s_) + ")";
+        return (s_ == print_style::latex ? "\\star" + number_.latex : "⋆" + number_.terminal) + " = (" + position().in(s_) + ", " +
+               velocity().in(s_) + ")";
     }
     [[nodiscard]] std::string momentum_equation() const {
         auto const force = expression::name(derivative_of('H', 'q', state(), true), true);
@@ -69,6 +87,13 @@ public:
         auto const here = domain_of_equation();
         using D = std::remove_const_t<decltype(here)>;
         return written_domain(domain<typename D::base_type, std::max(D::front, 1), std::max(D::back, on_lambda ? 0 : 1)>{here.base}, s_);
+    }
+    /// Of the equation of a sum, which is written on T, or on T with its points inside the steps.
+    [[nodiscard]] std::string inner_on_T() const {
+        if constexpr (on_lambda)
+            return written_domain(domain<nodes, 1, 1>{}, s_);
+        else
+            return inner();
     }
     [[nodiscard]] std::string whole() const { return written_domain(integrand{base()}, s_); }
     /// What has to be said about symbols in an equation, each after `before`.
@@ -89,6 +114,9 @@ public:
             return written_alone(projection<std::remove_cvref_t<decltype(base_type{}.lambda)>, true>{{}, base().lambda}, e);
     }
 
+    [[nodiscard]] expression position() const { return of_q(EL_.action().position); }
+    [[nodiscard]] expression velocity() const { return of_q(EL_.action().velocity); }
+
 private:
     inline static spelled const star{"(⋆)", "(\\star)"};
 
@@ -105,8 +133,6 @@ private:
         else
             return e.without("|" + written_domain(domain<base_type>{base()}, print_style::terminal));
     }
-    [[nodiscard]] expression position() const { return of_q(EL_.action().position); }
-    [[nodiscard]] expression velocity() const { return of_q(EL_.action().velocity); }
     [[nodiscard]] spelled p() const {
         if constexpr (not on_lambda)
             return {"p", "p"};
@@ -119,8 +145,41 @@ private:
         return {"(" + p().terminal + ", " + position().in(print_style::terminal) + ")",
                 "(" + p().latex + ", " + position().in(print_style::latex) + ")"};
     }
-    euler_lagrange<Action> const& EL_;
+    euler_lagrange<Action, P> const& EL_;
     print_style s_;
+    spelled number_{"", ""};
+};
+
+/// The sum of the parts of an equation on T, where each reads its Lagrangian, and what has to be said of symbols.
+struct sum_writer {
+    print_style style;
+    expression sum{};
+    std::string where{}, arguments{};
+    std::vector<std::string> notes{};
+    int parts = 0;
+
+    template <class Action, class P>
+    void add(euler_lagrange<Action, P> const& equation) {
+        if constexpr (is_action_sum<Action>) {
+            add(equation.first());
+            add(equation.second());
+        } else {
+            equation_writer<Action, P> const w(equation, style, ++parts);
+            if (parts == 1) where = w.inner_on_T();
+            expression const term = w.term();
+            term.collect_notes(style, notes);
+            w.position().collect_notes(style, notes);
+            w.velocity().collect_notes(style, notes);
+            sum = sum + term;
+            arguments += between() + w.arguments();
+        }
+    }
+    [[nodiscard]] std::string between() const { return style == print_style::latex ? ", \\quad " : ",   "; }
+    [[nodiscard]] std::string conclusion() const {
+        std::string text = arguments;
+        for (auto const& note : notes) text += between() + note;
+        return text;
+    }
 };
 
 } // namespace detail
@@ -131,6 +190,19 @@ std::ostream& operator<<(std::ostream& out, euler_lagrange<Action> const& equati
     detail::equation_writer<Action> const w(equation, print_style::terminal);
     return out << w.left_hand_side().in(print_style::terminal) << " = 0   on " << w.inner() << ",   " << w.arguments() << w.notes(",   ")
                << '\n';
+}
+/// The equation of a sum of actions: L₁, L₂, ... are their Lagrangians with their factors.
+template <class First, class Second>
+std::ostream& operator<<(std::ostream& out, euler_lagrange<action_sum<First, Second>> const& equation) {
+    detail::sum_writer w{print_style::terminal};
+    w.add(equation);
+    return out << w.sum.in(w.style) << " = 0   on " << w.where << w.conclusion() << '\n';
+}
+template <class First, class Second>
+std::string latex(euler_lagrange<action_sum<First, Second>> const& equation) {
+    detail::sum_writer w{print_style::latex};
+    w.add(equation);
+    return "\\begin{aligned}\n  " + w.sum.in(w.style) + " &= 0, && t \\in " + w.where + w.conclusion() + "\n\\end{aligned}\n";
 }
 /// Both equations, a line each.
 template <class Action>

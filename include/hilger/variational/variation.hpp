@@ -73,13 +73,13 @@ struct unit_at : function_interface<unit_at<Root, Base>> {
 
 } // namespace detail
 
-template <class Action>
+/// The equation of one action, in the sum over T with the weights P.
+template <class Action, class P = typename Action::position_type::from_weight>
 class euler_lagrange {
     using A = typename Action::position_type;
     using B = typename Action::velocity_type;
     using W = typename Action::weight;
     using Root = typename Action::root_type;
-    using P = typename A::from_weight; // the sum over T in which the equation is written
     template <class Force>
     using problem_with = problem<typename Action::function_type, Force>;
 
@@ -94,6 +94,13 @@ class euler_lagrange {
             return detail::on_equal_steps(a.adjoint());
         else
             return adjoint_between<P, W>(a);
+    }
+    template <linear_map Op>
+    static constexpr auto written_on_T(Op const& a) {
+        if constexpr (Root::is_uniform)
+            return uniformly(adjoint_on_T(a));
+        else
+            return adjoint_on_T(a);
     }
     /// The same written where the paper writes it: on T_lambda^- when the integral is over T_lambda, else on T.
     template <linear_map Op, class Scale>
@@ -119,6 +126,9 @@ public:
     [[nodiscard]] static constexpr auto momentum() requires by_type { return as_written(B{}, typename B::to{}); }
     [[nodiscard]] constexpr auto force() const requires(not by_type) { return as_written(action_.position, base()); }
     [[nodiscard]] constexpr auto momentum() const requires(not by_type) { return as_written(action_.velocity, base()); }
+    /// The same written on T, as the terms of a sum of equations are.
+    [[nodiscard]] constexpr auto force_on_T() const { return written_on_T(action_.position); }
+    [[nodiscard]] constexpr auto momentum_on_T() const { return written_on_T(action_.velocity); }
 
     /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation. Of vectors that L is traced for, the
     /// formula is traced once for all points.

@@ -31,8 +31,9 @@ Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index_type k
     std::vector<D> moved;
     for (std::size_t i = 0; i < x.size(); ++i)
         moved.push_back(static_cast<hilger::index_type>(i) == k ? D::variable(x[i], 0, {1, 0}) : D(x[i]));
-    auto const T = derived_scale(S.T, domain<nodes>{});
-    auto const f = function_on(S.T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
+    auto const& root = hilger::detail::scale_of(S);
+    auto const T = derived_scale(root, domain<nodes>{});
+    auto const f = function_on(root, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
     return D(S(f)).by<0>();
 }
 
@@ -40,12 +41,13 @@ Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index_type k
 template <class Weight, class Action>
 void is_the_derivative_of(Action const& S) {
     std::vector<Q> x;
-    for (int i = 0; i <= S.T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
-    auto const f = function_on(S.T, x);
+    auto const& T = hilger::detail::scale_of(S);
+    for (int i = 0; i <= T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
+    auto const f = function_on(T, x);
     auto const residual = variation(S).residual(f);
     REQUIRE(residual.first() == 1);
-    REQUIRE(residual.last() == S.T.steps() - 1);
-    for (hilger::index_type k = 1; k < S.T.steps(); ++k) {
+    REQUIRE(residual.last() == T.steps() - 1);
+    for (hilger::index_type k = 1; k < T.steps(); ++k) {
         CAPTURE(k);
         CHECK(residual[k] * weight_at<Weight>(f, k) == along_variation(S, x, k));
     }
@@ -81,6 +83,25 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
         auto const q_lambda = extend_at(lambda)[q];
         auto const v = Delta_plus_on<joined<run_time<Q>>>[q_lambda];
         is_the_derivative_of<delta_weight>(integral(L(q_lambda, v), at_lambda(T, lambda))); // the Delta sum: see natural_weight
+    }
+    SUBCASE("sums of actions that read T in different ways, in the weights of the first") {
+        constexpr lagrangian M{[](auto const& x, auto const& v) { return x * x * x / 4 - v * v / 3 + x * v; }};
+        auto const middle = integral(L(q_o, Delta_o_plus[q_o]), half(T));
+        auto const left = integral(M(q, Delta_plus[q]), T);
+        auto const right = nabla_integral(M(q, Delta_minus[q]), T);
+        is_the_derivative_of<trapezoid_rule>(middle - Q(1, 3) * (left + right));
+        is_the_derivative_of<delta_weight>(Q(1, 3) * left + (right - middle));
+        is_the_derivative_of<delta_weight>(-right + left); // the weights of the operator q
+        auto const reach_of_two = integral(M(q, (fraction<1, 2>{} * (Delta_plus + Delta_minus))[q]), T);
+        std::vector<Q> x;
+        for (int i = 0; i <= T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
+        auto const f = function_on(T, x);
+        auto const both = variation(left + reach_of_two).residual(f);
+        auto const one = variation(left).residual(f);
+        auto const other = variation(reach_of_two).residual(f);
+        REQUIRE(both.first() == other.first());
+        REQUIRE(both.last() == other.last());
+        for (hilger::index_type k = both.first(); k <= both.last(); ++k) CHECK(both[k] == one[k] + other[k]);
     }
     SUBCASE("an integrand on T_o is read on T_half") {
         auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T));

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSL-1.0
+// Sums, differences and multiples of actions. Actions of one position, velocity and integral are one action of a sum of Lagrangians; other
+// ones read each Lagrangian in a way of its own, and the equation of their sum is the sum of their equations:
+//   auto const fast = integral(L(q_o, Delta_o_plus[q_o]), half(T));
+//   auto const slow = integral(U(q, Delta_plus[q]), T) + nabla_integral(U(q, Delta_minus[q]), T);
+//   auto const EL = variation(fast - 0.5 * slow);
+// Its steps are implicit in the forces of L, and explicit in those of U, which are taken by the trapezoid rule (Stern, Grinspun 2009,
+// "Implicit-explicit variational integration of highly oscillatory problems").
+#pragma once
+
+#include "hilger/variational/variation.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// L + M, each of (q, v) or of (t, q, v).
+template <class F, class G>
+struct sum_of_lagrangians {
+    [[no_unique_address]] F first;
+    [[no_unique_address]] G second;
+    template <class Q, class V>
+        requires std::invocable<F const&, Q const&, V const&> and std::invocable<G const&, Q const&, V const&>
+    constexpr auto operator()(Q const& q, V const& v) const {
+        return plain_t<decltype(first(q, v) + second(q, v))>(first(q, v) + second(q, v));
+    }
+    template <class S, class Q, class V>
+        requires std::invocable<F const&, S const&, Q const&, V const&> or std::invocable<G const&, S const&, Q const&, V const&>
+    constexpr auto operator()(S const& t, Q const& q, V const& v) const {
+        at_time<F, S> const f{first, t};
+        at_time<G, S> const g{second, t};
+        return plain_t<decltype(f(q, v) + g(q, v))>(f(q, v) + g(q, v));
+    }
+};
+/// c L, of (q, v) or of (t, q, v).
+template <class C, class F>
+struct multiple_of_lagrangian {
+    C factor;
+    [[no_unique_address]] F function;
+    template <class... X>
+        requires std::invocable<F const&, X const&...>
+    constexpr auto operator()(X const&... x) const { return plain_t<decltype(factor * function(x...))>(factor * function(x...)); }
+};
+/// L + M of which a step reads each at nodes of its own (step/sum_of_embeddings.hpp). As a function it is their sum: what the momentum, the
+/// energy and the continuous system are of.
+template <class F, class G>
+struct lagrangian_by_node : sum_of_lagrangians<F, G> {};
+/// How many Lagrangians there are in one.
+template <class F>
+inline constexpr int parts_of = 1;
+template <class F, class G>
+inline constexpr int parts_of<lagrangian_by_node<F, G>> = parts_of<F> + parts_of<G>;
+
+} // namespace detail
+
+/// Of a sum by nodes the force is beside the first Lagrangian, and read where that is.
+template <class F, class G, class Force>
+struct problem<detail::lagrangian_by_node<F, G>, Force> {
+    detail::lagrangian_by_node<F, G> lagrangian;
+    [[no_unique_address]] Force force;
+    problem<F, Force> first;
+    problem<G, no_force> second;
+    constexpr problem(detail::lagrangian_by_node<F, G> L, Force f)
+        : lagrangian(std::move(L)), force(std::move(f)), first{lagrangian.first, force}, second{lagrangian.second, {}} {}
+};
+
+/// S + R of actions that differ in position, velocity or integral. S may be such a sum.
+template <class First, class Second>
+struct action_sum {
+    using root_type = typename First::root_type;
+    using position_type = typename First::position_type;
+    static_assert(std::same_as<typename position_type::from, typename Second::position_type::from>,
+                  "actions add up of functions that live on the same points: on T, or with the same points inside its steps");
+    First first;
+    Second second;
+
+    template <discrete_function X>
+    constexpr auto operator()(X const& x) const {
+        return first(x) + second(x);
+    }
+};
+
+namespace detail {
+
+template <class S>
+inline constexpr bool is_action = false;
+template <class F, linear_map A, linear_map B, class W, class Root>
+inline constexpr bool is_action<action<F, A, B, W, Root>> = true;
+template <class First, class Second>
+inline constexpr bool is_action<action_sum<First, Second>> = true;
+template <class S>
+inline constexpr bool is_action_sum = false;
+template <class First, class Second>
+inline constexpr bool is_action_sum<action_sum<First, Second>> = true;
+template <class S>
+concept some_action = is_action<S>;
+
+template <class S>
+constexpr auto const& scale_of(S const& s) {
+    if constexpr (is_action_sum<S>)
+        return scale_of(s.first);
+    else
+        return s.T;
+}
+/// What is summed up, for momenta and energies.
+template <class S>
+constexpr auto function_of(S const& s) {
+    if constexpr (is_action_sum<S>) {
+        auto f = function_of(s.first);
+        auto g = function_of(s.second);
+        return lagrangian_by_node<decltype(f), decltype(g)>{{std::move(f), std::move(g)}};
+    } else
+        return s.function;
+}
+template <class S>
+using function_of_t = decltype(function_of(std::declval<S const&>()));
+
+/// Of two actions of one kind, whose operators are their types.
+template <class F, class G, linear_map A, linear_map B, class W, class Root>
+    requires(std::is_empty_v<A>and std::is_empty_v<B>)
+constexpr auto sum_of(action<F, A, B, W, Root> const& S, action<G, A, B, W, Root> const& R) {
+    return action<sum_of_lagrangians<F, G>, A, B, W, Root>{{S.function, R.function}, S.position, S.velocity, S.T};
+}
+template <class S, class R>
+constexpr auto sum_of(S const& s, R const& r) {
+    if constexpr (is_action_sum<R>)
+        return sum_of(sum_of(s, r.first), r.second);
+    else
+        return action_sum<S, R>{s, r};
+}
+
+} // namespace detail
+
+/// @throws error::mismatch for two scales
+template <detail::some_action S, detail::some_action R>
+constexpr auto operator+(S const& s, R const& r) {
+    if constexpr (not std::same_as<typename S::root_type, typename R::root_type>)
+        return does_not_compile<"actions add up on one scale, and these are on two kinds of scales", S>{};
+    else {
+        if (not(detail::scale_of(s) == detail::scale_of(r)))
+            error::raise<error::mismatch>("actions add up on one scale, and these are on ", detail::scale_of(s), " and on ",
+                                          detail::scale_of(r));
+        return detail::sum_of(s, r);
+    }
+}
+/// c S, of a number in the scalar of T.
+template <detail::some_action S>
+constexpr auto operator*(std::type_identity_t<typename S::root_type::scalar_type> const& c, S const& s) {
+    using C = typename S::root_type::scalar_type;
+    if constexpr (detail::is_action_sum<S>) {
+        auto first = c * s.first;
+        auto second = c * s.second;
+        return action_sum<decltype(first), decltype(second)>{std::move(first), std::move(second)};
+    } else {
+        using A = typename S::position_type;
+        using B = typename S::velocity_type;
+        using F = detail::multiple_of_lagrangian<C, typename S::function_type>;
+        return action<F, A, B, typename S::weight, typename S::root_type>{{c, s.function}, s.position, s.velocity, s.T};
+    }
+}
+template <detail::some_action S>
+constexpr auto operator-(S const& s) {
+    return typename S::root_type::scalar_type(-1) * s;
+}
+template <detail::some_action S, detail::some_action R>
+constexpr auto operator-(S const& s, R const& r) {
+    return s + -r;
+}
+
+namespace detail {
+/// The derivatives of each Lagrangian at its nodes, of which the first has the force beside it.
+template <class Problem>
+class derivatives_by_node;
+template <class F, class Force>
+auto derivatives_at_nodes(problem<F, Force> const& what) {
+    return kept_derivatives(what);
+}
+template <class F, class G, class Force>
+auto derivatives_at_nodes(problem<lagrangian_by_node<F, G>, Force> const& what) {
+    return derivatives_by_node<problem<lagrangian_by_node<F, G>, Force>>(what);
+}
+template <class F, class G, class Force>
+class derivatives_by_node<problem<lagrangian_by_node<F, G>, Force>> {
+    using first_type = decltype(derivatives_at_nodes(std::declval<problem<F, Force> const&>()));
+
+public:
+    explicit derivatives_by_node(problem<lagrangian_by_node<F, G>, Force> const& what)
+        : first(derivatives_at_nodes(what.first)), second(what.second) {}
+    /// Of the Lagrangian with this number.
+    template <class S, class V>
+    std::pair<V, V> gradients(int part, S const& t, V const& q, V const& v) const {
+        return part < parts_of<F> ? first.gradients(part, t, q, v) : second.gradients(part - parts_of<F>, t, q, v);
+    }
+    first_type first;
+    kept_derivatives<problem<G, no_force>> second;
+};
+} // namespace detail
+
+/// The sum of both equations, in the sum over T with the weights P. A force stands beside the first Lagrangian, at its nodes.
+template <class First, class Second, class P>
+class euler_lagrange<action_sum<First, Second>, P> {
+    using sum = action_sum<First, Second>;
+    euler_lagrange<First, P> first_;
+    euler_lagrange<Second, P> second_;
+    sum action_;
+
+public:
+    constexpr explicit euler_lagrange(sum s) : first_(s.first), second_(s.second), action_(std::move(s)) {}
+    [[nodiscard]] constexpr sum const& action() const { return action_; }
+    [[nodiscard]] constexpr auto const& first() const { return first_; }
+    [[nodiscard]] constexpr auto const& second() const { return second_; }
+    static constexpr reach reads = decltype(first_)::reads | decltype(second_)::reads;
+
+    template <discrete_function X, class Force = no_force>
+    constexpr auto residual(X const& x, Force const& force = {}) const {
+        return first_.residual(x, force) + second_.residual(x);
+    }
+    template <class Force = no_force>
+    [[nodiscard]] auto derivatives(Force const& force = {}) const {
+        return detail::derivatives_at_nodes(problem<detail::function_of_t<sum>, Force>{detail::function_of(action_), force});
+    }
+    template <discrete_function X, class Kept>
+    constexpr auto residual_slope(X const& x, index_type k, Kept const& kept) const {
+        return first_.residual_slope(x, k, kept.first) + second_.residual_slope(x, k, kept.second);
+    }
+};
+template <class First, class Second>
+constexpr auto variation(action_sum<First, Second> const& S) {
+    return euler_lagrange<action_sum<First, Second>>(S);
+}
+
+} // namespace hilger
