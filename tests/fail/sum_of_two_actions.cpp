@@ -3,6 +3,7 @@
 // expect 2: fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the points of T alone
 // expect 3: actions add up of functions that live on the same points
 // expect 4: a Hamiltonian form is of one position and one velocity, and a sum of actions has several of them
+// expect 5: a coupling damps one action, and this is a sum of several that read T in different ways
 // What one sentence has to say instead of the operators inside.
 #include <iostream>
 
@@ -26,6 +27,13 @@ int main() {
     (void)(S + equation_of(embed(L, galerkin<2, gauss>), T).action());
 #else
     (void)(S + equation_of(embed(L, theta<1, 3>), T).action());
+#endif
+    constexpr unknown<"y"> y;
+    auto const friction = 0.1 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 5
+    std::cout << variation(S + nabla_integral(L(q, Delta_minus[q]), T) - friction);
+#else
+    std::cout << variation(S - friction);
 #endif
     auto const both = variation(S + nabla_integral(L(q, Delta_minus[q]), T));
 #if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 4

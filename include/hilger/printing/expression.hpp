@@ -164,7 +164,7 @@ private:
         if (terms.empty()) return {}; // an operator makes zero of zero
         written_term t;
         expression inner = *this;
-        if (terms.size() == 1 and terms[0].what.is != written_node::kind::signed_name) {
+        if (terms.size() == 1) {
             t.numerator = terms[0].numerator;
             t.denominator = terms[0].denominator;
             t.constants = terms[0].constants;

@@ -137,7 +137,10 @@ expression write_operator(A const& a, expression const& f) {
         return parts;
     } else {
         if (auto const known = as_known<Uniform>(a, f)) return *known;
-        return written_alone(a, f);
+        if constexpr (requires { written_alone(a, f, Uniform); })
+            return written_alone(a, f, Uniform);
+        else
+            return written_alone(a, f);
     }
 }
 template <class Op>

@@ -117,15 +117,16 @@ expression written_alone(projection<Lambda, Inverse> const& a, expression const&
     return with_symbol(f, name);
 }
 template <class Lambda>
-expression written_alone(step_mean_at<Lambda> const& a, expression const& f) {
+expression written_alone(step_mean_at<Lambda> const& a, expression const& f, bool equal_steps) {
     projection<Lambda, false> const on_nodes{{}, a.lambda};
     if constexpr (requires { Lambda::denominator; })
         return written_alone(on_nodes, step_weighted_mean(f, a.lambda));
     else { // in the sum with weights mu
         auto const l = written_lambda(a.lambda);
         auto const here = written_alone(on_nodes, f);
+        auto const before = with_symbol(here, {"ρ", "\\rho"});
         return here.times_constant({"(1 − " + l.terminal + ")", "(1 - " + l.latex + ")"}) +
-               with_symbol(here, {"ρ", "\\rho"}).times_weight({"(ν/μ)", "\\tfrac{\\nu}{\\mu}"}).times_constant(l);
+               (equal_steps ? before : before.times_weight({"(ν/μ)", "\\tfrac{\\nu}{\\mu}"})).times_constant(l);
     }
 }
 template <class Lambda>

@@ -8,6 +8,7 @@
 // "Implicit-explicit variational integration of highly oscillatory problems").
 #pragma once
 
+#include "hilger/variational/restricted.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {
@@ -165,6 +166,10 @@ constexpr auto operator-(S const& s) {
 template <detail::some_action S, detail::some_action R>
 constexpr auto operator-(S const& s, R const& r) {
     return s + -r;
+}
+template <class First, class Second, linear_map A, linear_map B, class Root>
+constexpr auto operator-(action_sum<First, Second> const&, coupling<A, B, Root> const&) {
+    return does_not_compile<"a coupling damps one action, and this is a sum of several that read T in different ways", First>{};
 }
 
 namespace detail {
