@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: a force is stated with L, with_force(L, f), or beside the data of an equation
+// expect 1: a force is stated with L, with_force(L, f), or beside the data of an equation
+// expect 2: forces come before the damping, with_fractional_damping(with_force(L, f), ...), and here a force is added to what is damped
 // An equation is derived from an action, and a force is no part of that.
 #include "hilger/hilger.hpp"
 
@@ -11,7 +12,12 @@ int main() {
     constexpr lagrangian L{[](auto x, auto v) { return v * v / 2 - x * x / 2; }};
     auto const friction = [](auto const&, auto const& v) { return -v; };
     auto const EL = variation(integral(L(q, Delta_plus[q]), T));
-#ifdef MUST_NOT_COMPILE
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 2
+    [[maybe_unused]] auto const damped = with_force(with_fractional_damping(L, 0.1, 0.5), friction);
+#else
+    [[maybe_unused]] auto const damped = with_fractional_damping(with_force(with_force(L, friction), friction), 0.1, 0.5);
+#endif
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 1
     [[maybe_unused]] auto const x = with_force(EL, friction);
 #else
     [[maybe_unused]] auto const x = solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, friction);

@@ -35,6 +35,9 @@ struct embedding {
     static_assert(found != detail::consistency::velocity_of_time,
                   "the velocity operator of an embedding makes 1 of the function t, and this one does not, so that it integrates another "
                   "system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
+    static_assert(found != detail::consistency::values_inside,
+                  "the velocities at the nodes of an embedding determine the values inside the step, and here they are too few, so that it "
+                  "integrates another system; if that is meant, say make_embedding<Weight>(position, velocity, name, inconsistent)");
     using weight = Weight;
     [[no_unique_address]] Position position;
     [[no_unique_address]] Velocity velocity;

@@ -12,13 +12,16 @@ namespace hilger {
 
 namespace detail {
 /// A polynomial through two points and more is 1 where they are all 1 and t where they are t, and the weights of these quadratures add up
-/// to 1; over the finite field that would take half a second to see for sixteen nodes (tests/static/galerkin_is_consistent.cpp).
+/// to 1; over the finite field that would take half a second to see for sixteen nodes (tests/static/galerkin_is_consistent.cpp). A slope of
+/// lower degree than there are nodes is zero where it is zero at all of them.
 template <int Degree, int Count>
 inline constexpr bool
-    is_consistent_by_construction<polynomial_value<Degree, gauss, Count>, polynomial_slope<Degree, gauss, Count>, step_weight> = true;
+    is_consistent_by_construction<polynomial_value<Degree, gauss, Count>, polynomial_slope<Degree, gauss, Count>, step_weight> =
+        Count >= Degree;
 template <int Degree, int Count>
 inline constexpr bool
-    is_consistent_by_construction<polynomial_value<Degree, lobatto, Count>, polynomial_slope<Degree, lobatto, Count>, step_weight> = true;
+    is_consistent_by_construction<polynomial_value<Degree, lobatto, Count>, polynomial_slope<Degree, lobatto, Count>, step_weight> =
+        Count >= Degree;
 
 template <int Stages, class Quadrature>
 constexpr auto make_galerkin() {

@@ -82,7 +82,7 @@ public:
         S const gain = is_low ? S(3) : S(std::ldexp(1.0, order_ / 2)) * S(1.25), luck = is_low ? S(5.5) : S(std::ldexp(1.0, order_ + 2));
         std::vector<V> coarse;
         S earlier(-1), before(-1), error(-1), told(-1);
-        int slow = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
+        int slow = 0, late = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
         S ended = I_.a;
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
@@ -106,6 +106,7 @@ public:
                 auto const follows = [&](S const& coarser, S const& finer) { return gain * finer <= coarser and coarser <= luck * finer; };
                 bool const is_third = before >= S(0), may_be_smooth = not watch.saw_any() and is_third and follows(before, error);
                 bool const is_smooth = may_be_smooth and not is_low and earlier >= S(0) and follows(earlier, before);
+                S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end_.q));
                 told = error;
                 if (is_third and error <= wanted and not is_smooth) {
                     told = of_kinks(fine, error, goal);
@@ -117,10 +118,12 @@ public:
                 }
                 bool const is_near = error < largest(fine) / S(64);
                 slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
+                // Of a jump in time, which nothing sees, the error depends on where it is in its step, and so do single gains. What
+                // rounding keeps from shrinking is no jump.
+                late = earlier >= S(0) and is_near and not(error < floor) and earlier < S(16) * error ? late + 1 : 0;
                 if constexpr (std::is_floating_point_v<S>)
-                    if (slow == 3 and order_ > 2) return std::nullopt;
+                    if ((slow == 3 or late == 3) and order_ > 2) return std::nullopt;
                 // Rounding grows with the number of steps: from there on nothing gets better.
-                S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end_.q));
                 if (wanted < error and before > S(0) and not(error < before) and error < floor)
                     error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
                                                         " steps of ", method_, " the solution is within ", error,

@@ -41,10 +41,11 @@ struct values_so_far : function_interface<values_so_far<V, Root, Base>> {
 
 /// The solution on T with the given first values, numbers or vectors: l + r of them (see above), which is 2 for what reaches over one step
 /// and in general twice as many as the steps that the operators of the action reach over.
+/// With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, values, f).
 /// @throws error::mismatch when there are not so many; a row that has no solution, with its cause, says between which points the solution
 /// ends
-template <class Action, detail::states_over<typename Action::root_type::scalar_type> Values>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first) {
+template <class Action, detail::states_over<typename Action::root_type::scalar_type> Values, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Values const& first, Force const& force = {}) {
     using S = typename Action::root_type::scalar_type;
     using V = detail::given_state_t<S, std::ranges::range_value_t<Values>>;
     using EL = euler_lagrange<Action>;
@@ -57,8 +58,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     for (auto const& value : first) x.push_back(detail::as_state<V>(value));
     auto const given = static_cast<index_type>(x.size());
     detail::values_so_far<V, typename Action::root_type> const so_far{{}, &T, &x};
-    auto const residual = equation.residual(so_far);
-    auto const derivatives = equation.derivatives();
+    auto const residual = equation.residual(so_far, force);
+    auto const derivatives = equation.derivatives(force);
     using rows = typename decltype(residual)::domain_type;
     static_assert(rows::front >= before and rows::back >= after,
                   "an operator that has values where not all is there that it reads, as differences by weights have beside the ends of T, "

@@ -92,10 +92,9 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
     constexpr bool one_step = -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2;
-    static_assert(
-        EL::reads.is_local(),
-        "of the equations that look to both ends of T those are solved whose action is the nabla integral of L(q, Delta_minus(alpha)[q]) "
-        "on a uniform T (hilger/boundary/solve.hpp)");
+    static_assert(EL::reads.is_local(), "of the equations that look to both ends of T those are solved, without a force and a first guess, "
+                                        "whose action is the nabla integral "
+                                        "of L(q, Delta_minus(alpha)[q]) on a uniform T (hilger/boundary/solve.hpp)");
     static_assert(
         one_step,
         "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
@@ -165,9 +164,17 @@ auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detai
 /// Of what steps by itself there is no equation here.
 template <class Method, class Derived>
     requires std::derived_from<Method, stepping<Method>>
-int solve(Method const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
+auto solve(Method const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
     static_assert(not std::same_as<Method, Method>,
                   "solve takes an equation, variation(S), and this is a method: method.along(T, {.q0 = ..., .v0 = ...}) steps it");
+    return 0;
+}
+template <class L, class Derived>
+    requires(not std::derived_from<L, stepping<L>> and not requires(L const& l) { l.action(); })
+auto solve(L const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {
+    static_assert(not std::same_as<L, L>,
+                  "solve takes an equation, variation(S), or a Lagrangian with an interval and an accuracy: embed(L, mid_point).along(T, "
+                  "{.q0 = ..., .v0 = ...}) steps a Lagrangian along T");
     return 0;
 }
 

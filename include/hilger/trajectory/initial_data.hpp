@@ -31,10 +31,13 @@ struct boundary_values {
 
 namespace detail {
 
-/// One type for two parts: numbers in the type of their sum; a vector as it is evaluated, with the length of the first.
+/// One type for two parts: numbers in the type of their sum; a vector as it is evaluated, of the length that both types say, or of a
+/// dynamic one, so that it is looked whether they have the same.
 template <class X, class Y>
 struct common_parts {
-    using type = given_state_t<typename given_vector<X>::number, X>;
+    using number = typename given_vector<X>::number;
+    using type = std::conditional_t<given_size<X> != given_size<Y> and given_size<Y> == Eigen::Dynamic,
+                                    Eigen::Matrix<number, Eigen::Dynamic, 1>, given_state_t<number, X>>;
 };
 template <class X, class Y>
     requires std::is_arithmetic_v<X> and std::is_arithmetic_v<Y>

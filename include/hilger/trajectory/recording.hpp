@@ -61,6 +61,7 @@ index_type whole_stride(N stride) {
 template <class Path>
 void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
     auto at = path.begin();
+    if (at == path.end()) return; // of a walk to its events there may be none
     auto last = *at;
     bool kept = false; // is the state that `at` stands on
     auto const finish = [&] {

@@ -13,11 +13,17 @@ namespace hilger {
 
 namespace detail {
 
-/// T_{o,lambda} of a uniform T is uniform for lambda = 1/2 only.
+/// Whether the points of a family have equal steps where T has: T_{o,lambda} for lambda = 1/2 only, and the nodes of a quadrature not.
 template <class Base>
-inline constexpr bool has_equal_steps = true;
+inline constexpr bool has_equal_steps = false;
+template <>
+inline constexpr bool has_equal_steps<nodes> = true;
+template <class Lambda>
+inline constexpr bool has_equal_steps<between<Lambda>> = true;
 template <class Lambda>
 inline constexpr bool has_equal_steps<joined<Lambda>> = std::is_same_v<Lambda, fraction<1, 2>>;
+template <int Parts>
+inline constexpr bool has_equal_steps<parts_of_steps<Parts>> = true;
 
 /// A without the reweightings that do nothing on a uniform T.
 template <linear_map A>
@@ -90,10 +96,12 @@ class euler_lagrange {
     /// The adjoint of a, written on T.
     template <linear_map Op>
     static constexpr auto adjoint_on_T(Op const& a) {
-        if constexpr (Root::is_uniform)
+        if constexpr (not Root::is_uniform)
+            return adjoint_between<P, W>(a);
+        else if constexpr (detail::has_equal_steps<typename Op::to>)
             return detail::on_equal_steps(a.adjoint());
         else
-            return adjoint_between<P, W>(a);
+            return detail::on_equal_steps(adjoint_between<P, W>(a));
     }
     template <linear_map Op>
     static constexpr auto written_on_T(Op const& a) {

@@ -74,6 +74,22 @@ TEST_CASE("what is a power no longer is not taken for one") {
     check([](auto const& x, auto const&) { return x * x / x * x; }, 2 * q, 0, 2, 0, 0);
 }
 
+TEST_CASE("a power of a sum of squares at its bottom") {
+    auto const cubic = [](auto const& x, auto const&) { return pow(x.dot(x), 1.5); }; // |x|^3
+    auto const drag = [](auto const& x, auto const&) { return pow(x.dot(x), 0.5) * x(0); };
+    Eigen::Vector2d const zero(0, 0);
+    for (auto const& e : {expand(cubic, zero, zero), expand(drag, zero, zero)}) {
+        CHECK(e.by_q == zero);
+        CHECK(e.qq == Eigen::Matrix2d::Zero());
+    }
+    double const none = 0;
+    auto const slope = expand([](auto const& x, auto const&) { return pow(x, 1.5); }, none, none);
+    CHECK(slope.by_q == 0);
+    CHECK(not std::isfinite(slope.qq)); // of x itself it is infinite
+    auto const steep = expand([](auto const& x, auto const&) { return pow(x, 0.5); }, none, none);
+    CHECK(not std::isfinite(steep.by_q));
+}
+
 TEST_CASE("powers of one variable beside powers of another") {
     check([](auto const& x, auto const& y) { return x * x * x * y; }, 3 * q * q * v, q * q * q, 6 * q * v, 3 * q * q, 0);
     check([](auto const& x, auto const& y) { return x * y * x * y * y; }, 2 * q * v * v * v, 3 * q * q * v * v, 2 * v * v * v,

@@ -138,6 +138,60 @@ TEST_CASE("angular momentum of Kepler's ellipse is kept to rounding") {
     CHECK(worst(order_one) < 1000 * epsilon<double>());
 }
 
+TEST_CASE("forces add up") {
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+    auto const friction = [](auto const&, auto const& v) { return -v / 5; };
+    auto const push = [](auto const& t, auto const& x, auto const&) { return t / 3 - x / 7; };
+    auto const both = [](auto const& t, auto const& x, auto const& v) { return -v / 5 + (t / 3 - x / 7); };
+    auto const T = uniform(Q(0), Q(1, 5), 6);
+    auto const at_once = record(embed(with_force(L, both), mid_point).along(T, Q(1), Q(0)));
+    auto const in_turn = record(embed(with_force(with_force(L, friction), push), mid_point).along(T, Q(1), Q(0)));
+    for (std::size_t i = 0; i < at_once.states.size(); ++i) CHECK(at_once.states[i] == in_turn.states[i]);
+
+    auto const in_space = [](auto const& x, auto const& v) { return v.squaredNorm() / 2 - x.squaredNorm() / 2; };
+    auto const drag = [](auto const&, auto const& v) { return -v / 5; }; // an expression
+    auto const wind = [](auto const& t, auto const& x, auto const&) { return (cos(t) / 3) * x; };
+    auto const all = [](auto const& t, auto const& x, auto const& v) { return -v / 5 + (cos(t) / 3) * x; };
+    auto const agree = [&](auto const& x, auto const& p) {
+        auto const path = embed(with_force(with_force(in_space, drag), wind), mid_point).along(uniform(0.0, 0.1, 20), x, p);
+        auto const one = embed(with_force(in_space, all), mid_point).along(uniform(0.0, 0.1, 20), x, p);
+        double most = 0;
+        auto other = one.begin();
+        for (auto const& y : path) most = std::max(most, (y.q - (*other).q).norm()), ++other;
+        CHECK(most <= 1e-14);
+        CHECK(largest_residual(path) <= 64 * epsilon<double>() / 0.1);
+    };
+    agree(Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0, 0.3));
+    agree(Eigen::VectorXd(Eigen::VectorXd::LinSpaced(6, 0.1, 0.9)), Eigen::VectorXd(Eigen::VectorXd::LinSpaced(6, 0.3, -0.2)));
+    auto const of_two = [](auto const&, auto const& v) { return v.head(2).eval(); };
+    Eigen::VectorXd const three = Eigen::VectorXd::Ones(3);
+    CHECK_THROWS_AS(
+        (void)record(embed(with_force(with_force(in_space, drag), of_two), mid_point).along(uniform(0.0, 0.1, 2), three, three)),
+        error::mismatch);
+}
+
+TEST_CASE("families of points that are not equal steps apart, of a uniform T, are walked as the points that they are") {
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
+    auto const same = [&](auto const& points) {
+        std::vector<Q> given;
+        for (Q const& t : points) given.push_back(t);
+        auto const walked = record(embed(L, mid_point).along(points, Q(1), Q(0)));
+        auto const again = record(embed(L, mid_point).along(time_scale<Q>(given), Q(1), Q(0)));
+        REQUIRE(walked.states.size() == again.states.size());
+        for (std::size_t i = 0; i < given.size(); ++i) CHECK(walked.states[i] == again.states[i]);
+    };
+    auto const T = uniform(Q(0), Q(1, 2), 4);
+    same(circ<1, 3>(T));
+    same(subdivide<3>(T));
+    same(at_lambda<1, 3>(T));
+    // Gauss' nodes are not rational
+    auto const at_gauss = embed(L, mid_point).along(at_nodes<gauss, 2>(uniform(0.0, 0.5, 4)), 1.0, 0.0);
+    CHECK(largest_residual(at_gauss) <= 64 * epsilon<double>() / 0.2);
+    double end = 0;
+    for (auto const& x : at_gauss) end = x.q;
+    CHECK(std::abs(end - std::cos(2 - 2 * (0.5 - std::sqrt(3.0) / 6) / 2)) < 0.02);
+}
+
 TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
     auto const T = uniform(0.0, 0.1, 10);
     double const infinity = std::numeric_limits<double>::infinity();

@@ -53,6 +53,16 @@ TEST_CASE("over one step it is the step") {
     for (hilger::index_type i = 0; i < T.size(); ++i) CHECK(std::abs(stepped[i] - marched[i]) <= 4096 * epsilon<double>());
 }
 
+TEST_CASE("with a force beside dL/dq") {
+    auto const T = uniform(Q(0), Q(1, 5), 12);
+    auto const EL = variation(integral(quadratic(mean_of_three[q], central[q]), T));
+    auto const force = [](auto const& t, auto const& x, auto const& v) { return t / 3 - x / 5 - v / 7; };
+    auto const x = solve(EL, T, std::vector<Q>{Q(1), Q(6, 5), Q(5, 4), Q(6, 5)}, force);
+    auto const rest = EL.residual(x, force);
+    for (auto i = rest.domain().first(T); i <= rest.domain().last(T); ++i) CHECK(rest[i] == 0);
+    CHECK(not(EL.residual(x)[5] == 0));
+}
+
 TEST_CASE("states of every kind, to rounding") {
     auto const solved = [](auto const& L, auto const& start, auto const& push) {
         using V = std::remove_cvref_t<decltype(start)>;

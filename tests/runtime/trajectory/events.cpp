@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "hilger/trajectory/events.hpp"
+#include "hilger/trajectory/recording.hpp"
 #include "support/orders.hpp"
 #include "support/systems.hpp"
 
@@ -83,6 +84,13 @@ TEST_CASE("what reaches zero and stays there does at its first zero, and not at 
     CHECK(std::abs(cubed[0] - 1.8) <= 4 * epsilon<double>());
     CHECK(times(events(passing_zero(-1.8), gap, crossing::falling)).size() == 1);
     CHECK(times(events(passing_zero(-1.8), gap, crossing::rising)).empty());
+}
+
+TEST_CASE("a recording of no events has no state") {
+    auto const never = [](auto const& x) { return x.q - 100; };
+    CHECK(record(events(passing_zero(-2.0), never)).states.empty());
+    CHECK(record(events(passing_zero(-2.0), never), 3).states.empty());
+    CHECK(record(events(passing_zero(-2.0), position)).states.size() == 1);
 }
 
 TEST_CASE("a condition is an event where it changes") {

@@ -82,6 +82,17 @@ TEST_CASE("expressions, rows, arrays and spans become columns") {
     CHECK_THROWS_AS((void)flow_of_it.along(T, x0, std::vector<double>{1, 2, 3}), error::mismatch);
 }
 
+TEST_CASE("parts of different lengths are an error, whichever of them has its length in its type") {
+    Eigen::VectorXd const three = Eigen::VectorXd::Ones(3), two = Eigen::VectorXd::Ones(2);
+    CHECK_THROWS_AS(end_of(flow_of_it.along(T, initial_velocity{x0, three})), error::mismatch);
+    CHECK_THROWS_AS(end_of(flow_of_it.along(T, initial_velocity{three, x0})), error::mismatch);
+    CHECK_THROWS_AS(end_of(flow_of_it.along(T, initial_positions{x0, three})), error::mismatch);
+    CHECK_THROWS_AS(solve(equation_of(flow_of_it, T), T, boundary_values{x0, three}), error::mismatch);
+    auto const mixed = end_of(flow_of_it.along(T, initial_velocity{x0, two}));
+    auto const right = end_of(flow_of_it.along(T, initial_velocity{x0, vector(1, 1)}));
+    CHECK((mixed.q - right.q).norm() <= 8 * epsilon<double>() * right.q.norm());
+}
+
 TEST_CASE("in braces the kind of the state is that of its parts") {
     auto const right = end_of(flow_of_it.along(T, x0, p0));
     CHECK(end_of(flow_of_it.along(T, {.q0 = x0, .v0 = p0})) == right);

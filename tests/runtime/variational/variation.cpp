@@ -53,6 +53,16 @@ void is_the_derivative_of(Action const& S) {
     }
 }
 
+/// Nodes 1/3 and 1, which are rational.
+struct radau_of_two {
+    static constexpr char const* name = "Radau";
+    static constexpr bool is_symmetric = false;
+    template <class S>
+    static quadrature<S> on_unit_interval(int) {
+        return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
+    }
+};
+
 constexpr unknown q;
 constexpr auto q_o = extend[q];
 constexpr auto q_third = extend_lambda<1, 3>[q];
@@ -128,6 +138,24 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
             auto const g = function_on(T, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
             CHECK(residual[k](c) * weight_at<trapezoid_rule>(f, k) == D(S(g)).by<0>());
         }
+}
+
+TEST_CASE("at the nodes of a quadrature weights differ on a uniform T too") {
+    using B = quadrature_nodes<radau_of_two, 2>;
+    constexpr unknown<"q", subdivided<2>> x;
+    constexpr lagrangian L{[](auto const& y, auto const& v) { return v * v / 2 - y * y / 3 + y * v / 5 + y; }};
+    auto const T = uniform(Q(0), Q(1), 4);
+    auto const S = integral(L((sigma_on<B> * polynomial_value<2, radau_of_two, 2>{})[x], polynomial_slope<2, radau_of_two, 2>{}[x]),
+                            at_nodes<radau_of_two, 2>(T));
+    std::vector<Q> values;
+    for (int i = 0; i <= 8; ++i) values.push_back(some_value<Q>(i, 1));
+    auto const residual = variation(S).residual(function_on(subdivide<2>(T), values));
+    for (hilger::index_type i = residual.first(); i <= residual.last(); ++i) { // S is quadratic: a central difference is exact
+        auto up = values, down = values;
+        up[static_cast<std::size_t>(i)] += 1;
+        down[static_cast<std::size_t>(i)] -= 1;
+        CHECK(residual[i] / 2 == (S(function_on(subdivide<2>(T), up)) - S(function_on(subdivide<2>(T), down))) / 2); // h/2 = 1/2
+    }
 }
 
 TEST_CASE("the operators of the equation are those of the papers, by type") {

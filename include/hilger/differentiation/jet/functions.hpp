@@ -8,6 +8,7 @@
 #include "hilger/differentiation/jet/comparisons.hpp"
 #include "hilger/differentiation/jet/pairs.hpp"
 #include "hilger/inlining.hpp"
+#include "hilger/scalar.hpp"
 
 namespace hilger {
 
@@ -158,8 +159,14 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> pow(jet<S, F, C, O> const& x, K cons
     };
     S const e(exponent);
     // The factor is zero exactly where x^(n-1) or x^(n-2) would be 1/0 at x = 0.
-    S const g1 = e == S(0) ? S(0) : power(1);
-    S const g2 = e == S(0) or e == S(1) ? S(0) : power(2);
+    S g1 = e == S(0) ? S(0) : power(1);
+    S g2 = e == S(0) or e == S(1) ? S(0) : power(2);
+    if constexpr (not std::is_integral_v<K>)
+        if (x.value == S(0)) [[unlikely]] // as sqrt
+            if (detail::is_level(x, std::make_integer_sequence<int, C>{})) {
+                if (not hilger::is_finite(g1)) g1 = S(0);
+                if (not hilger::is_finite(g2)) g2 = S(0);
+            }
     return chain_rule(x, power(0), g1, g2, e, S(e - S(1)));
 }
 template <class S, int F, int C, int G, int D, int O>
