@@ -184,8 +184,8 @@ TEST_CASE("where the force jumps in time") {
     CHECK(std::abs(y.end.q - 1.0 / 3.25 * 10) <= 0.3);
     // Of an order that the jump leaves to none, the steps that cost least do as much.
     auto const switched = [](auto const& t, auto const& q, auto const& v) { return (t < 0.3 ? 0.0 : 1.0) + 0 * q + 0 * v; };
-    auto const z = solve(with_force(free, switched), interval{0.0, 1.0}, initial_velocity<double>{0.0, 0.0}, accuracy{1e-5});
-    CHECK(std::abs(z.end.q - 0.245) <= 1e-5);
+    auto const z = solve(with_force(free, switched), interval{0.0, 1.0}, initial_velocity<double>{0.0, 0.0}, accuracy{1e-4});
+    CHECK(std::abs(z.end.q - 0.245) <= 1e-4);
     CHECK(std::string(z.method) == "mid-point");
 }
 
