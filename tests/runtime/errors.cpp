@@ -2,6 +2,8 @@
 // The errors: one root, one type for each thing a caller can do about it, and messages that keep the digits of the numbers in them.
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "support/values.hpp"
@@ -60,6 +62,30 @@ TEST_CASE("an error leaves what it happened to as it was") {
     std::vector<Q> points{Q(0), Q(1), Q(1)};
     CHECK_THROWS_AS((void)time_scale<Q>(points), error::invalid_scale);
     CHECK(points.size() == 3);
+}
+
+TEST_CASE("what is thrown needs no more than the alignment of exceptions, whatever its values need") {
+    struct alignas(64) wide {
+        double x = 0;
+        bool operator==(wide const&) const = default;
+    };
+    static_assert(alignof(newton_failure<wide>) <= alignof(std::max_align_t));
+    static_assert(alignof(step_failure<error::singular, double, wide>) <= alignof(std::max_align_t));
+    try {
+        throw newton_failure<wide>("of values", wide{1}, wide{2});
+    } catch (newton_failure<wide> const& failure) {
+        auto const copy = failure;
+        CHECK(copy.iterate.x == 1);
+        CHECK(copy.residual.x == 2);
+        CHECK(reinterpret_cast<std::uintptr_t>(&copy.iterate) % 64 == 0);
+    }
+    try {
+        throw step_failure<error::singular, double, wide>("of a state", state<double, wide>{0.5, wide{1}, wide{2}});
+    } catch (interrupted<double, wide> const& stopped) {
+        CHECK(stopped.last.t == 0.5);
+        CHECK(stopped.last.p.x == 2);
+        CHECK(reinterpret_cast<std::uintptr_t>(&stopped.last.q) % 64 == 0);
+    }
 }
 
 } // namespace errors_tests

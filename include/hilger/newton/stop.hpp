@@ -3,8 +3,10 @@
 // sqrt(epsilon) leaves an error of size epsilon, so the last correction is applied and not evaluated again.
 #pragma once
 
+#include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "hilger/differentiation/shape.hpp"
 #include "hilger/inlining.hpp"
@@ -14,10 +16,16 @@ namespace hilger {
 
 /// A Newton iteration that failed: how far it came.
 template <class V, class Cause = error::no_convergence>
-struct newton_failure : Cause {
-    newton_failure(std::string const& what, V last, V rest) : Cause(what), iterate(std::move(last)), residual(std::move(rest)) {}
-    V iterate;
-    V residual;
+class newton_failure : public Cause {
+    // Exceptions are aligned to 16 bytes at least, and registers of AVX want 32: the values lie elsewhere.
+    std::shared_ptr<std::pair<V, V> const> kept_;
+
+public:
+    newton_failure(std::string const& what, V last, V rest)
+        : Cause(what), kept_(std::make_shared<std::pair<V, V> const>(std::move(last), std::move(rest))), iterate(kept_->first),
+          residual(kept_->second) {}
+    V const& iterate;
+    V const& residual;
 };
 
 namespace detail {

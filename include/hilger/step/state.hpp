@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -21,15 +22,20 @@ struct state {
 
 /// Where a trajectory stopped: the states up to `last` are right.
 template <class S, class V>
-struct interrupted {
-    state<S, V> last;
+class interrupted {
+    // Exceptions are aligned to 16 bytes at least, and registers of AVX want 32: the state lies elsewhere.
+    std::shared_ptr<state<S, V> const> kept_;
+
+public:
+    explicit interrupted(state<S, V> reached) : kept_(std::make_shared<state<S, V> const>(std::move(reached))), last(*kept_) {}
+    state<S, V> const& last;
 };
 
 /// A step that could not be made, as the error that it met (no_convergence, no_branch, singular, not_finite) and as interrupted<S, V>. The
 /// Newton iterate and its residual, where there are any, are in the nested exception (std::rethrow_if_nested).
 template <class Cause, class S, class V>
 struct step_failure : Cause, interrupted<S, V> {
-    step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>{std::move(reached)} {}
+    step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>(std::move(reached)) {}
 };
 
 namespace detail {
