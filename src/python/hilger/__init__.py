@@ -31,7 +31,6 @@ from .equations import (
     Damping,
     Equation,
     Force,
-    Lagrangian,
     Method,
     Zener,
     damping,
@@ -79,6 +78,7 @@ from .formulas import (
     tanh,
     variables,
 )
+from .lagrangians import Lagrangian
 from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
 from .solutions import AccurateSolution, Events, Solution, StepFailure

@@ -1,142 +1,17 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Lagrangians, methods, and the discrete Euler-Lagrange equations that they make together."""
+"""Methods, forces and damping, and the discrete Euler-Lagrange equations that they make with Lagrangians."""
 
 from __future__ import annotations
 
-import inspect
-import re
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Callable, Optional, Sequence, Union
+from typing import Optional
 
 import numpy as np
 
 from . import _core
-from ._core import Expression
-from .formulas import Formula, Vector, variables
+from .formulas import Formula
+from .lagrangians import Lagrangian
 from .scales import TimeScale, Uniform, digits, real
-
-Variables = Union[str, Expression, Vector, Sequence[Union[Expression, Vector]]]
-
-
-def _all(x: Variables) -> list:
-    if isinstance(x, str):
-        x = variables(x)
-    return list(x) if isinstance(x, (tuple, list)) else [x]
-
-
-def _size(x: "Expression | Vector") -> int:
-    return x.size if isinstance(x, Vector) else 0
-
-
-def _components(text: str) -> str:
-    """What a text takes of q and v, as "[2]" where that is q[0] and v[1], and nothing where they are numbers."""
-    numbers = [int(i) for i in re.findall(r"\b[qv]\s*\[\s*(\d+)\s*\]", text)]
-    return f"[{max(numbers) + 1}]" if numbers else ""
-
-
-def _called(L: Callable, time: str, qs: list, vs: list) -> "Formula":
-    """What a function of (q, v), or of variables that it names, makes of them."""
-    q, v = (x[0] if len(x) == 1 else x for x in (qs, vs))
-    known = {time: variables(time), getattr(q, "name", "q"): q, getattr(v, "name", "v"): v}
-    try:
-        taken = [name for name, x in inspect.signature(L).parameters.items() if x.default is x.empty and x.kind == x.POSITIONAL_OR_KEYWORD]
-    except ValueError:  # of numpy's functions
-        taken = []
-    if taken and {*taken} <= {*known}:
-        return L(**{name: known[name] for name in taken})
-    if len(taken) == 2:
-        return L(q, v)
-    raise _core.InvalidParameter(
-        f"a Lagrangian is a function of (q, v), or of ones that it names {', '.join(known)}, and here is one of ({', '.join(taken)})"
-    )
-
-
-class Lagrangian:
-    """L(t, q, v): a formula, a function of (q, v) or (t, q, v) that makes one, or a text such as "m*v^2/2 - m*g*l*(1 - cos(q))" with the
-    parameters in it as keywords.
-
-    q and v are variables, lists of them, or their names: q and v where nothing is said, of as many components as a text takes of them, as
-    v[1]; `time` is the name of the time. Coordinates are numbered as they are given. Parameters of any name, as "time", can be given in a
-    dictionary: parameters={"time": 3}.
-    """
-
-    def __init__(
-        self,
-        L: "Formula | str | Callable",
-        q: "Optional[Variables]" = None,
-        v: "Optional[Variables]" = None,
-        /,
-        *,
-        time: str = "t",
-        parameters: "Optional[Mapping[str, object]]" = None,
-        **more: object,
-    ) -> None:
-        if not isinstance(time, str):
-            raise _core.InvalidParameter(f"time is the name of the time, and here is {time!r}: a parameter of that name is given in parameters={{...}}")
-        if not isinstance(parameters, (Mapping, type(None))):
-            raise _core.InvalidParameter(f'parameters are given by their names, as {{"g": 9.81}}, and here is {parameters!r}')
-        # q= and v= are the coordinates where these are not given before, and else parameters
-        components = _components(L) if isinstance(L, str) else ""
-        q, v = (more.pop(name, name + components) if x is None else x for x, name in ((q, "q"), (v, "v")))
-        if twice := sorted({*more} & {*(parameters or ())}):
-            raise _core.InvalidParameter(f"each parameter is given once, and {', '.join(twice)} twice")
-        parameters = {**more, **(parameters or {})}
-        qs, vs = _all(q), _all(v)
-        if [_size(x) for x in qs] != [_size(x) for x in vs]:
-            raise _core.Mismatch("each coordinate has its velocity, of the same size")
-        for x in (*qs, *vs):
-            if not isinstance(x, (Expression, Vector)) or x.name is None:
-                raise _core.InvalidParameter("coordinates and velocities are variables, as h.variables makes them")
-        self.coordinates = [(x.name, y.name, _size(x)) for x, y in zip(qs, vs)]
-        self.time = time
-        if callable(L):
-            L = _called(L, time, qs, vs)
-        if isinstance(L, np.ndarray) and L.size == 1:
-            L = L.item()
-        formula = _core.read(L, "L") if isinstance(L, str) else _core.as_expression(L)
-        given = {}
-        for name, x in parameters.items():
-            try:
-                given[name] = digits(x) if isinstance(x, str) or not hasattr(x, "__len__") or np.ndim(x) == 0 else [digits(y) for y in x]
-            except _core.InvalidParameter as why:
-                raise _core.InvalidParameter(f"the parameter {name} is a number or a list of numbers: {why}") from None
-        self._formula, self._parameters = formula, given
-        try:
-            self._problem = _core.Problem(formula, self.coordinates, time, given)
-        except _core.Unreadable as why:
-            if "has no components" not in str(why):
-                raise
-            raise _core.Unreadable(f'{why}; a vector says how many, as in Lagrangian(L, "q[3]", "v[3]")') from None
-
-    def __getstate__(self) -> dict:
-        return {name: x for name, x in self.__dict__.items() if name != "_problem"}
-
-    def __setstate__(self, kept: dict) -> None:
-        self.__dict__.update(kept)
-        self._problem = _core.Problem(self._formula, self.coordinates, self.time, self._parameters)
-
-    @property
-    def dimension(self) -> int:
-        """The number of coordinates."""
-        return self._problem.dimension()
-
-    @property
-    def is_scalar(self) -> bool:
-        """One coordinate that is a number: states are numbers then, and not vectors of one."""
-        return len(self.coordinates) == 1 and self.coordinates[0][2] == 0
-
-    def _written(self, latex: bool) -> str:
-        try:
-            return self._problem.written(self.coordinates, self.time, latex)
-        except _core.NoFormula:
-            return "\\text{a formula with branches}" if latex else "a formula with branches"
-
-    def __repr__(self) -> str:
-        return f"L = {self._written(False)}"
-
-    def _repr_latex_(self) -> str:
-        return f"$L = {self._written(True)}$"
 
 
 @dataclass(frozen=True)

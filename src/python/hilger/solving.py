@@ -10,7 +10,8 @@ from typing import Callable, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
-from .equations import Equation, Lagrangian
+from .equations import Equation
+from .lagrangians import Lagrangian
 from .scales import digits, real, require_real
 from .solutions import AccurateSolution, Solution, StepFailure, numbers_from
 
