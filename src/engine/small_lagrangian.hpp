@@ -16,7 +16,7 @@
 #include "engine/machine_code/c_library.hpp"
 #include "engine/machine_code/machine_code.hpp"
 #include "hilger/text/lagrangian.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace engine {
 

@@ -182,9 +182,9 @@ private:
     }
     static std::partial_ordering compared(symbol const& x, symbol const& y) {
         if (not x.is_number() or not y.is_number())
-            error::raise<error::no_formula>("a callable that compares its arguments is not one formula, nor is one that iterates, as the "
-                                            "Legendre transform of a Hamiltonian does: "
-                                            "constants can be compared, and min, max and abs are formulas");
+            error::raise<error::no_formula>(
+                "a callable that compares its arguments is not one formula, nor is one that iterates, as the "
+                "Legendre transform of a Hamiltonian does: constants can be compared, and min, max and abs are formulas");
         return x.value() <=> y.value();
     }
     /// c z with a number c before a z that is none.

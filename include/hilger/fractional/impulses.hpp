@@ -26,7 +26,7 @@
 #include "hilger/fractional/damping.hpp"
 #include "hilger/models/mechanical.hpp"
 #include "hilger/step/force.hpp"
-#include "hilger/variational/gradients.hpp"
+#include "hilger/variational/nodes/gradients.hpp"
 
 namespace hilger {
 

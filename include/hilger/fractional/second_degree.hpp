@@ -8,7 +8,7 @@
 #pragma once
 
 #include "hilger/differentiation/derivatives.hpp"
-#include "hilger/variational/gradients.hpp"
+#include "hilger/variational/nodes/gradients.hpp"
 
 namespace hilger {
 

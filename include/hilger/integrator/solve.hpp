@@ -93,8 +93,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     using S = typename Action::root_type::scalar_type;
     constexpr bool one_step = -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2;
     static_assert(EL::reads.is_local(), "of the equations that look to both ends of T those are solved, without a force and a first guess, "
-                                        "whose action is the nabla integral "
-                                        "of L(q, Delta_minus(alpha)[q]) on a uniform T (hilger/boundary/solve.hpp)");
+                                        "whose action is the nabla integral of "
+                                        "L(q, Delta_minus(alpha)[q]) on a uniform T (hilger/boundary/solve.hpp)");
     static_assert(
         one_step,
         "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "

@@ -9,7 +9,7 @@
 
 #include "hilger/step/state.hpp"
 #include "hilger/step/tableau.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 #include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {

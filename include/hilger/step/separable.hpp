@@ -13,8 +13,8 @@
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
-#include "hilger/variational/gradients.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/gradients.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace hilger::detail {
 

@@ -2,10 +2,8 @@
 // The step of a sum of actions: the nodes of all of them, each with the Lagrangian that is read there.
 #pragma once
 
-#include <string>
-
 #include "hilger/step/tableau.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 #include "hilger/variational/sum_of_actions.hpp"
 
 namespace hilger {

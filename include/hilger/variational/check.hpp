@@ -57,8 +57,7 @@ constexpr void refuse_mechanics() {
             static_assert(not time_first,
                           "a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before "
                           "them: derivatives pass through it, and through functions without std:: before them, as max(q, 0.0); it is "
-                          "const, and so no "
-                          "lambda that is mutable");
+                          "const, and so no lambda that is mutable");
         }
     } else {
         using Z = typename jets_for<V>::of_force;

@@ -4,7 +4,7 @@
 
 #include "hilger/differentiation/derivatives.hpp"
 #include "hilger/newton/newton.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace hilger {
 

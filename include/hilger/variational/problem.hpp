@@ -23,64 +23,6 @@ template <class F>
 inline constexpr bool has_force<problem<F, no_force>> = false;
 
 namespace detail {
-template <class F, class Force>
-void is_problem(problem<F, Force> const&);
-/// f + g, each of (q, v) or of (t, q, v).
-template <class F, class G>
-struct sum_of_forces {
-    [[no_unique_address]] F first;
-    [[no_unique_address]] G second;
-    template <class Q, class V>
-        requires std::invocable<F const&, Q const&, V const&> and std::invocable<G const&, Q const&, V const&>
-    constexpr auto operator()(Q const& q, V const& v) const { return sum(evaluated(first(q, v)), evaluated(second(q, v))); }
-    template <class S, class Q, class V>
-        requires std::invocable<F const&, S const&, Q const&, V const&> or std::invocable<G const&, S const&, Q const&, V const&>
-    constexpr auto operator()(S const& t, Q const& q, V const& v) const { return sum(of(first, t, q, v), of(second, t, q, v)); }
-
-private:
-    template <class H, class S, class Q, class V>
-    static constexpr auto of(H const& h, S const& t, Q const& q, V const& v) {
-        if constexpr (std::invocable<H const&, S const&, Q const&, V const&>)
-            return evaluated(h(t, q, v));
-        else
-            return evaluated(h(q, v));
-    }
-    template <class X, class Y>
-    static constexpr auto sum(X const& f, Y const& g) {
-        if constexpr (requires { f.size() == g.size(); })
-            if (f.size() != g.size())
-                error::raise<error::mismatch>("forces that act together have one dimension, and these have ", f.size(), " and ", g.size());
-        return plain_t<decltype(f + g)>(f + g);
-    }
-};
-} // namespace detail
-
-/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
-/// dL/dq is, at the middle of the step, which keeps order 2. The time is the first of three arguments, of a force as of a Lagrangian
-/// L(t, q, v): what takes three of any type is called in this order, whatever it calls them. Forces add up:
-/// with_force(with_force(L, f), g).
-template <class L, class Force>
-constexpr auto with_force(L const& l, Force f) {
-    static_assert(
-        not requires { l.action(); },
-        "a force is stated with L, with_force(L, f), or beside the data of an equation, solve(equation, T, {.q0 = ..., .v0 = ...}, f)");
-    static_assert(
-        not requires { l.mechanics; },
-        "forces come before the damping, with_fractional_damping(with_force(L, f), ...), and here a force is added to what is damped");
-    if constexpr (requires { l.function; })
-        return problem<std::remove_cvref_t<decltype(l.function)>, Force>{l.function, std::move(f)};
-    else if constexpr (requires { detail::is_problem(l); }) {
-        using before = std::remove_cvref_t<decltype(l.force)>;
-        using F = std::remove_cvref_t<decltype(l.lagrangian)>;
-        if constexpr (std::same_as<before, no_force>)
-            return problem<F, Force>{l.lagrangian, std::move(f)};
-        else
-            return problem<F, detail::sum_of_forces<before, Force>>{l.lagrangian, {l.force, std::move(f)}};
-    } else
-        return problem<L, Force>{l, std::move(f)};
-}
-
-namespace detail {
 
 /// Whether an L(t, q, v) or f(t, q, v) says that its time may be of any number type, as its states may: a member is_generic_in_time = true.
 /// What does not say so is told the time as a number of T, of which it may ask anything, std::sin(t) too.
@@ -135,6 +77,32 @@ struct at_time {
 };
 template <class F, class S>
 at_time(F const&, S const&) -> at_time<F, S>;
+
+/// f + g, each of (q, v) or of (t, q, v): Lagrangians, or forces that act together. @throws error::mismatch for vectors of two lengths
+template <class F, class G>
+struct sum_of_callables {
+    [[no_unique_address]] F first;
+    [[no_unique_address]] G second;
+    template <class Q, class V>
+        requires std::invocable<F const&, Q const&, V const&> and std::invocable<G const&, Q const&, V const&>
+    constexpr auto operator()(Q const& q, V const& v) const { return sum(evaluated(first(q, v)), evaluated(second(q, v))); }
+    template <class S, class Q, class V>
+        requires std::invocable<F const&, S const&, Q const&, V const&> or std::invocable<G const&, S const&, Q const&, V const&>
+    constexpr auto operator()(S const& t, Q const& q, V const& v) const {
+        return sum(evaluated(at_time<F, S>{first, t}(q, v)), evaluated(at_time<G, S>{second, t}(q, v)));
+    }
+
+private:
+    template <class X, class Y>
+    static constexpr auto sum(X const& f, Y const& g) {
+        if constexpr (requires { f.size() == g.size(); })
+            if (f.size() != g.size())
+                error::raise<error::mismatch>("forces that act together have one dimension, and these have ", f.size(), " and ", g.size());
+        return plain_t<decltype(f + g)>(f + g);
+    }
+};
+template <class F, class Force>
+void is_problem(problem<F, Force> const&);
 
 template <class X>
 concept has_components = requires(X const& x) {
@@ -271,4 +239,30 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
 }
 
 } // namespace detail
+
+/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
+/// dL/dq is, at the middle of the step, which keeps order 2. The time is the first of three arguments, of a force as of a Lagrangian
+/// L(t, q, v): what takes three of any type is called in this order, whatever it calls them. Forces add up:
+/// with_force(with_force(L, f), g).
+template <class L, class Force>
+constexpr auto with_force(L const& l, Force f) {
+    static_assert(
+        not requires { l.action(); },
+        "a force is stated with L, with_force(L, f), or beside the data of an equation, solve(equation, T, {.q0 = ..., .v0 = ...}, f)");
+    static_assert(
+        not requires { l.mechanics; },
+        "forces come before the damping, with_fractional_damping(with_force(L, f), ...), and here a force is added to what is damped");
+    if constexpr (requires { l.function; })
+        return problem<std::remove_cvref_t<decltype(l.function)>, Force>{l.function, std::move(f)};
+    else if constexpr (requires { detail::is_problem(l); }) {
+        using before = std::remove_cvref_t<decltype(l.force)>;
+        using F = std::remove_cvref_t<decltype(l.lagrangian)>;
+        if constexpr (std::same_as<before, no_force>)
+            return problem<F, Force>{l.lagrangian, std::move(f)};
+        else
+            return problem<F, detail::sum_of_callables<before, Force>>{l.lagrangian, {l.force, std::move(f)}};
+    } else
+        return problem<L, Force>{l, std::move(f)};
+}
+
 } // namespace hilger

@@ -15,24 +15,6 @@ namespace hilger {
 
 namespace detail {
 
-/// L + M, each of (q, v) or of (t, q, v).
-template <class F, class G>
-struct sum_of_lagrangians {
-    [[no_unique_address]] F first;
-    [[no_unique_address]] G second;
-    template <class Q, class V>
-        requires std::invocable<F const&, Q const&, V const&> and std::invocable<G const&, Q const&, V const&>
-    constexpr auto operator()(Q const& q, V const& v) const {
-        return plain_t<decltype(first(q, v) + second(q, v))>(first(q, v) + second(q, v));
-    }
-    template <class S, class Q, class V>
-        requires std::invocable<F const&, S const&, Q const&, V const&> or std::invocable<G const&, S const&, Q const&, V const&>
-    constexpr auto operator()(S const& t, Q const& q, V const& v) const {
-        at_time<F, S> const f{first, t};
-        at_time<G, S> const g{second, t};
-        return plain_t<decltype(f(q, v) + g(q, v))>(f(q, v) + g(q, v));
-    }
-};
 /// c L, of (q, v) or of (t, q, v).
 template <class C, class F>
 struct multiple_of_lagrangian {
@@ -45,7 +27,7 @@ struct multiple_of_lagrangian {
 /// L + M of which a step reads each at nodes of its own (step/sum_of_embeddings.hpp). As a function it is their sum: what the momentum, the
 /// energy and the continuous system are of.
 template <class F, class G>
-struct lagrangian_by_node : sum_of_lagrangians<F, G> {};
+struct lagrangian_by_node : sum_of_callables<F, G> {};
 /// How many Lagrangians there are in one.
 template <class F>
 inline constexpr int parts_of = 1;
@@ -120,7 +102,7 @@ using function_of_t = decltype(function_of(std::declval<S const&>()));
 template <class F, class G, linear_map A, linear_map B, class W, class Root>
     requires(std::is_empty_v<A>and std::is_empty_v<B>)
 constexpr auto sum_of(action<F, A, B, W, Root> const& S, action<G, A, B, W, Root> const& R) {
-    return action<sum_of_lagrangians<F, G>, A, B, W, Root>{{S.function, R.function}, S.position, S.velocity, S.T};
+    return action<sum_of_callables<F, G>, A, B, W, Root>{{S.function, R.function}, S.position, S.velocity, S.T};
 }
 template <class S, class R>
 constexpr auto sum_of(S const& s, R const& r) {

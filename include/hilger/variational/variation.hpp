@@ -7,7 +7,7 @@
 
 #include "hilger/adjoint/adjoint.hpp"
 #include "hilger/variational/action.hpp"
-#include "hilger/variational/node_derivatives.hpp"
+#include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace hilger {
 

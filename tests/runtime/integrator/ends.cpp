@@ -87,7 +87,7 @@ TEST_CASE("what initial values lead to is found again from its ends") {
 }
 
 TEST_CASE("a straight line that whole corrections lead away from") {
-    for (index_type const n : {100, 300}) {
+    for (index_type const n : {100, 1000}) {
         auto const T = uniform(interval{0.0, 10.0}, n);
         auto const EL = variation(integral(pendulum(extend[q], Delta_o_plus[extend[q]]), half(T)));
         for (double const end : {-0.5, 1.2, 7.5}) {

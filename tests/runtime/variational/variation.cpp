@@ -5,6 +5,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "runtime/embedding/radau.hpp"
 
 namespace variation_tests {
 
@@ -52,16 +53,6 @@ void is_the_derivative_of(Action const& S) {
         CHECK(residual[k] * weight_at<Weight>(f, k) == along_variation(S, x, k));
     }
 }
-
-/// Nodes 1/3 and 1, which are rational.
-struct radau_of_two {
-    static constexpr char const* name = "Radau";
-    static constexpr bool is_symmetric = false;
-    template <class S>
-    static quadrature<S> on_unit_interval(int) {
-        return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
-    }
-};
 
 constexpr unknown q;
 constexpr auto q_o = extend[q];
@@ -141,12 +132,12 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
 }
 
 TEST_CASE("at the nodes of a quadrature weights differ on a uniform T too") {
-    using B = quadrature_nodes<radau_of_two, 2>;
+    using B = quadrature_nodes<testing::radau, 2>;
     constexpr unknown<"q", subdivided<2>> x;
     constexpr lagrangian L{[](auto const& y, auto const& v) { return v * v / 2 - y * y / 3 + y * v / 5 + y; }};
     auto const T = uniform(Q(0), Q(1), 4);
-    auto const S = integral(L((sigma_on<B> * polynomial_value<2, radau_of_two, 2>{})[x], polynomial_slope<2, radau_of_two, 2>{}[x]),
-                            at_nodes<radau_of_two, 2>(T));
+    auto const S = integral(L((sigma_on<B> * polynomial_value<2, testing::radau, 2>{})[x], polynomial_slope<2, testing::radau, 2>{}[x]),
+                            at_nodes<testing::radau, 2>(T));
     std::vector<Q> values;
     for (int i = 0; i <= 8; ++i) values.push_back(some_value<Q>(i, 1));
     auto const residual = variation(S).residual(function_on(subdivide<2>(T), values));

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <memory>
 
-#include "hilger/variational/asked_node.hpp"
-#include "hilger/variational/traced_node.hpp"
+#include "hilger/variational/nodes/asked_node.hpp"
+#include "hilger/variational/nodes/traced_node.hpp"
 
 namespace hilger::detail {
 

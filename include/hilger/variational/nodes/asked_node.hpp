@@ -6,8 +6,8 @@
 #pragma once
 
 #include "hilger/differentiation/branches.hpp"
-#include "hilger/variational/gradients.hpp"
-#include "hilger/variational/node_values.hpp"
+#include "hilger/variational/nodes/gradients.hpp"
+#include "hilger/variational/nodes/node_values.hpp"
 
 namespace hilger::detail {
 

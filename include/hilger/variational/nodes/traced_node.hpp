@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hilger/differentiation/traced/trace.hpp"
-#include "hilger/variational/node_values.hpp"
+#include "hilger/variational/nodes/node_values.hpp"
 #include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
