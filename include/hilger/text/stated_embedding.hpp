@@ -103,7 +103,8 @@ inline void require_one_step(embedding_formula const& e, Q const& rounding = Q(0
     using hilger::detail::consistency;
     switch (detail::consistency_of(e, rounding)) {
     case consistency::holds:
-    case consistency::weights: // those of both sums add up to the step
+    case consistency::weights:       // those of both sums add up to the step
+    case consistency::values_inside: // one step of this kind has none
         break;
     case consistency::position_of_one:
         return fails("position of an embedding makes 1 of the constant 1");
