@@ -79,7 +79,7 @@ auto with_members(problem const& what, Use const& use) {
 template <class Mechanics>
 std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string const& method, std::optional<double> const& lambda) {
     symbol const h = symbol::variable("h"), one_over_h = symbol(1) / h;
-    if (lambda) return one_node_parts{{{1, 2, {symbol(1 - *lambda), symbol(*lambda)}, {-one_over_h, one_over_h}, {h}, {}}}, {{0, 1}}};
+    if (lambda) return one_node_parts{{{1, 2, {symbol(1 - *lambda), symbol(*lambda)}, {-one_over_h, one_over_h}, {h}, {}, {}}}, {{0, 1}}};
     auto const one = [&](auto const& flow) { return tableau_of(flow.embedding(), h); };
     if (method == "order-one") return one_node_parts{{one(embed(mechanics, hilger::order_one))}, {{0, 1}}};
     if (method == "order-one-left") return one_node_parts{{one(embed(mechanics, hilger::order_one_left))}, {{0, 1}}};
