@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A square matrix of which it is known before any number is what of it is not zero. That decides how it is solved with: by
-// elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen, dense or sparse.
+// A square matrix of which it is known before any number is what of it is not zero. That decides how it is solved with: by its inverse
+// where it is diagonal, by elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen, dense or sparse.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ struct own : std::unique_ptr<Factors> {
 
 template <class S>
 class patterned_matrix {
-    enum class solver { elimination, dense, sparse };
+    enum class solver { diagonal, elimination, dense, sparse };
     static constexpr int small = 16; // up to here a library's blocks are not worth their setting up
 
 public:
@@ -35,6 +35,7 @@ public:
     [[nodiscard]] int size() const { return d_; }
     /// Where an entry is kept.
     [[nodiscard]] int place(int j, int k) const {
+        if (how_ == solver::diagonal) return j;
         if (how_ == solver::elimination) return few_.place(j, k);
         if (how_ == solver::dense) return k * d_ + j;
         int const *first = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k],
@@ -65,17 +66,19 @@ public:
     template <class X>
     void solve(X& x) const {
         tally<S>::add(work::solve);
-        if (how_ == solver::elimination)
+        if (how_ == solver::diagonal)
+            for (int k = 0; k < d_; ++k) x(k) = x(k) * data_[static_cast<std::size_t>(k)];
+        else if (how_ == solver::elimination)
             few_.solve(x);
         else
             x = solution(weight_.cwiseProduct(x));
     }
 
 private:
-    S* data() { return how_ == solver::sparse ? sparse_.valuePtr() : how_ == solver::dense ? data_.data() : few_.data().data(); }
+    S* data() { return how_ == solver::sparse ? sparse_.valuePtr() : how_ == solver::elimination ? few_.data().data() : data_.data(); }
     std::ptrdiff_t length() {
         return how_ == solver::sparse ? sparse_.nonZeros()
-                                      : static_cast<std::ptrdiff_t>(how_ == solver::dense ? data_.size() : few_.data().size());
+                                      : static_cast<std::ptrdiff_t>(how_ == solver::elimination ? few_.data().size() : data_.size());
     }
     bool makes_factors();
     vector solution(vector const& weighed) const;
@@ -83,8 +86,8 @@ private:
     bool factorized_ = false;
     int d_ = 0;
     elimination<S> few_;
-    std::vector<S> data_;
-    vector weight_; ///< of each row, 1 / its largest entry
+    std::vector<S> data_; ///< the inverse, where it is diagonal and factorized
+    vector weight_;       ///< of each row, 1 / its largest entry
     Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;
     own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
@@ -99,7 +102,10 @@ void patterned_matrix<S>::prepare(int d, std::vector<std::pair<int, int>> const&
         above = std::max(above, k - j);
     }
     int const width = 2 * below + above + 1;
-    if (2 * width < d) {
+    if (below == 0 and above == 0) {
+        how_ = solver::diagonal;
+        data_.assign(static_cast<std::size_t>(d), S(0));
+    } else if (2 * width < d) {
         how_ = solver::elimination;
         few_ = elimination<S>(d, below, above);
     } else if (d <= small) {
@@ -123,6 +129,13 @@ void patterned_matrix<S>::prepare(int d, std::vector<std::pair<int, int>> const&
 template <class S>
 bool patterned_matrix<S>::makes_factors() {
     if (how_ == solver::elimination) return few_.factorize();
+    if (how_ == solver::diagonal) {
+        for (S& x : data_) {
+            if (not(S(0) < magnitude(x))) return false;
+            x = S(1) / x;
+        }
+        return true;
+    }
     weight_.setZero(d_);
     auto const weigh = [&](index_type row, S const& x) {
         if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;

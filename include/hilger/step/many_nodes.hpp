@@ -13,10 +13,11 @@
 
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/stop.hpp"
+#include "hilger/newton/weighed_corrections.hpp"
 #include "hilger/step/equation.hpp"
+#include "hilger/step/explicit_node.hpp"
 #include "hilger/step/past_steps.hpp"
 #include "hilger/step/summation.hpp"
-#include "hilger/step/weighed_corrections.hpp"
 
 namespace hilger::detail {
 
@@ -29,16 +30,19 @@ class many_nodes {
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
     using derivatives = typename equation::derivatives;
+    static constexpr bool may_be_explicit =
+        Controls == 2 and not has_step_force<Extra> and not has_force<Problem> and is_traced_at<Problem, V>;
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
         : e_(like, std::move(extra)), velocity_(zero_like(like)), past_(e_.moved), correction_(vector::Zero(e_.unknowns())),
-          weighed_(correction_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+          weighed_(correction_), explicit_(like), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
         if (steps_ > 0) velocity_ = e_.end() / e_.h();
         e_.prepare(t, h);
+        if constexpr (may_be_explicit) explicit_.prepare(t, e_.adds_up);
         steps_ = 0;
         stiff_ = false;
     }
@@ -71,6 +75,11 @@ public:
     /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
     /// them). The state is as it was; advance makes the step.
     void solve(Problem const& problem, state<S, V> const& x) {
+        if constexpr (may_be_explicit)
+            if (explicit_.steps(problem, x, e_.moved, e_.increment)) {
+                ++steps_;
+                return;
+            }
         branch_watch const watch;
         if (not e_.is_prepared) {
             unknown const last = e_.moved;
@@ -245,13 +254,16 @@ private:
         // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
         if (not is_finite(S(all_moved(x) + (e_.adds_up ? total(x.p, e_.increment) : total(e_.whole, e_.whole))))) [[unlikely]]
             refuse_overflow(x);
-        for (int c = 0; c < dimension(); ++c) {
-            sum_q_.add(s::component(x.q, c), e_.end(c), c);
-            if (e_.adds_up)
-                sum_p_.add(s::component(x.p, c), e_.increment(c), c);
-            else
-                s::component(x.p, c) = e_.whole(c);
-        }
+        if constexpr (not Compensated and not s::is_scalar and Controls == 2)
+            x.q += e_.moved;
+        else
+            for (int c = 0; c < dimension(); ++c) sum_q_.add(s::component(x.q, c), e_.end(c), c);
+        if (not e_.adds_up)
+            for (int c = 0; c < dimension(); ++c) s::component(x.p, c) = e_.whole(c);
+        else if constexpr (not Compensated and not s::is_scalar)
+            x.p += e_.increment;
+        else
+            for (int c = 0; c < dimension(); ++c) sum_p_.add(s::component(x.p, c), e_.increment(c), c);
         x.t = x.t + e_.h();
     }
 
@@ -272,9 +284,15 @@ private:
     /// The sum of all components of x and y, of which one may be a number and the other a vector of one.
     template <class X, class Y>
     static S total(X const& x, Y const& y) {
-        if constexpr (has_components<X> and has_components<Y>)
-            return (x + y).sum();
-        else
+        if constexpr (has_components<X> and has_components<Y>) {
+            // numbers that were just written one by one are not read as vectors, which would wait for them
+            S sum(0);
+            if constexpr (s::size != Eigen::Dynamic)
+                for (int c = 0; c < s::size; ++c) sum = sum + (x(c) + y(c));
+            else
+                sum = (x + y).sum();
+            return sum;
+        } else
             return S(component_of(x, 0) + component_of(y, 0));
     }
 
@@ -286,6 +304,7 @@ private:
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
+    [[no_unique_address]] std::conditional_t<may_be_explicit, explicit_node<Problem, S, V>, no_explicit_node> explicit_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
     [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
 };

@@ -123,12 +123,20 @@ public:
         divide(v);
     }
     bool force(what_type const& what, S const&, V const& q, V& f) {
+        force(what, q, [&](int c, S const& x) { f(c) = x; });
+        return true;
+    }
+    /// Calls use(c, component c of dL/dq at q).
+    template <class Use>
+    void force(what_type const& what, V const& q, Use const& use) {
         int const d = s::dimension(q);
         std::copy_n(q.data(), d, node_.arguments());
         (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
-        node_.put_by_q(S(1), f);
-        return true;
+        for (int c = 0; c < d; ++c) use(c, node_.by_q(c));
     }
+    /// Component c of M^-1 (p - a), where M is diagonal.
+    [[nodiscard]] bool is_diagonal() const { return is_diagonal_; }
+    [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
 
 private:
     void divide(V& v) {

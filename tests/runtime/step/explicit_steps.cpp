@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSL-1.0
+// Order one of L = v.Mv/2 + a.v - U(q) written as a plain lambda, in any dimension: nothing is solved, and what is returned solves the
+// equation. Where the formula of L has other parts, or the node is not at an end of the step, the equation is solved.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+#include "support/systems.hpp"
+
+namespace explicit_steps_tests {
+
+using namespace hilger;
+
+namespace {
+
+template <class S, int D>
+using vector = Eigen::Matrix<S, D, 1>;
+
+/// Masses that differ, a magnetic term that is linear in v, quartic neighbours.
+constexpr auto separable = [](auto const& q, auto const& v) {
+    auto L = v(0) * v(0) * 3 / 2 + v(1) / 3;
+    for (int k = 1; k < q.size(); ++k) {
+        auto const r = q(k) - q(k - 1);
+        L = L + v(k) * v(k) / (k + 1) - r * r / 2 - r * r * r * r / 4;
+    }
+    return L - q(0) * q(0);
+};
+/// Masses that are coupled.
+constexpr auto coupled_masses = [](auto const& q, auto const& v) { return separable(q, v) + v(0) * v(2) / 5 + v(1) * v(2) / 7; };
+
+template <class S, int D>
+struct start {
+    vector<S, D> q, p;
+    explicit start(int d) : q(d), p(d) {
+        for (int k = 0; k < d; ++k) {
+            q(k) = S(1) / S(k + 3);
+            p(k) = S(1) / S(5 - k) - S(k % 2);
+        }
+    }
+};
+template <int D, class L>
+void solves_its_equation(L const& l) {
+    time_scale<Q> const T{Q(0), Q(1, 3), Q(1, 2), Q(1, 2) + Q(1, 7)};
+    start<Q, D> const x(5);
+    CHECK(largest_residual(embed(l, order_one).along(T, x.q, x.p)) == 0);
+    CHECK(largest_residual(embed(l, order_one_left).along(T, x.q, x.p)) == 0);
+    CHECK(largest_residual(embed(l, order_one).along(uniform(Q(0), Q(1, 10), 3), x.q, x.p)) == 0);
+    CHECK(largest_residual(embed(l, order_one_left).along(uniform(Q(0), Q(1, 10), 3), x.q, x.p)) == 0);
+}
+template <class How, class L, class V>
+requirements asked(How const& how, L const& l, V const& q, V const& p) {
+    return requirements_of(embed(l, how).along(uniform(0.0, 0.05, 40), q, p));
+}
+
+} // namespace
+
+TEST_CASE("explicit steps solve the derived equation, exactly") {
+    solves_its_equation<5>(separable);
+    solves_its_equation<Eigen::Dynamic>(separable);
+    solves_its_equation<5>(coupled_masses);
+    solves_its_equation<Eigen::Dynamic>(coupled_masses);
+}
+
+TEST_CASE("explicit steps ask for one force and solve nothing") {
+    start<double, 5> const x(5);
+    for (auto const& r : {asked(order_one, separable, x.q, x.p), asked(order_one_left, separable, x.q, x.p)}) {
+        CHECK(r.forces == 1);
+        CHECK(r.newton_rounds == 0);
+        CHECK(r.second_derivatives == 0);
+        CHECK(r.solves == 0);
+        CHECK(r.factorizations == 0);
+    }
+    auto const coupled = asked(order_one, coupled_masses, x.q, x.p);
+    CHECK(coupled.forces == 1);
+    CHECK(coupled.newton_rounds == 0);
+    CHECK(coupled.solves == 1); // with the masses, whose factors are made once
+    CHECK(coupled.factorizations == 0);
+}
+
+TEST_CASE("what has other parts is solved for") {
+    start<double, 5> const x(5);
+    double const h = 0.05;
+    auto const solved = [&](auto const& l, auto const& how) {
+        double const far = largest_residual(embed(l, how).along(uniform(0.0, h, 40), x.q, x.p));
+        CHECK(far <= 4 * std::numeric_limits<double>::epsilon() / (h * h)); // masses to 3 times differences of differences of rounded q
+    };
+    auto const in_all = [&](auto const& l) {
+        solved(l, order_one);
+        solved(l, order_one_left);
+    };
+    in_all([](auto const& q, auto const& v) { return separable(q, v) + q(1) * v(3) / 3; });
+    in_all([](auto const& q, auto const& v) { return separable(q, v) + q(0) * q(0) * v(0) * v(0) / 4; });
+    in_all([](auto const& q, auto const& v) { return separable(q, v) + v(0) * v(0) * v(0) * v(0) / 50; });
+    in_all([](auto const& q, auto const& v) { return separable(q, v) - max(q(0) - q(3), 0.0) * max(q(0) - q(3), 0.0) * 3; });
+    in_all([](auto const& t, auto const& q, auto const& v) { return separable(q, v) * (1 + t); });
+    solved(separable, mid_point);
+    solved(separable, theta<1, 3>);
+}
+
+TEST_CASE("compensated sums keep what explicit steps round off") {
+    start<double, 5> const x(5);
+    start<float50, 5> const y(5);
+    auto const T = uniform(0.0, 0.01, 4000);
+    auto const end = [&](auto const& flow) { return record(flow.along(T, x.q, x.p)).states.back().q; };
+    auto const right = record(embed(separable, order_one).along(uniform(float50(0.01) * 0, float50(0.01), 4000), y.q, y.p)).states.back().q;
+    auto const error_of = [&](auto const& q) { return magnitude(vector<float50, 5>(q.template cast<float50>() - right)); };
+    CHECK(error_of(end(embed(separable, order_one, compensated))) * 8 < error_of(end(embed(separable, order_one))));
+}
+
+} // namespace explicit_steps_tests
