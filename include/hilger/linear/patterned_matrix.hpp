@@ -67,7 +67,7 @@ public:
     void solve(X& x) const {
         tally<S>::add(work::solve);
         if (how_ == solver::diagonal)
-            for (int k = 0; k < d_; ++k) x(k) = x(k) * data_[static_cast<std::size_t>(k)];
+            for (int k = 0; k < d_; ++k) x(k) = x(k) * weight_(k);
         else if (how_ == solver::elimination)
             few_.solve(x);
         else
@@ -86,8 +86,8 @@ private:
     bool factorized_ = false;
     int d_ = 0;
     elimination<S> few_;
-    std::vector<S> data_; ///< the inverse, where it is diagonal and factorized
-    vector weight_;       ///< of each row, 1 / its largest entry
+    std::vector<S> data_;
+    vector weight_; ///< of each row, 1 / its largest entry
     Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;
     own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
@@ -130,9 +130,11 @@ template <class S>
 bool patterned_matrix<S>::makes_factors() {
     if (how_ == solver::elimination) return few_.factorize();
     if (how_ == solver::diagonal) {
-        for (S& x : data_) {
+        weight_.resize(d_);
+        for (int k = 0; k < d_; ++k) {
+            S const& x = data_[static_cast<std::size_t>(k)];
             if (not(S(0) < magnitude(x))) return false;
-            x = S(1) / x;
+            weight_(k) = S(1) / x;
         }
         return true;
     }

@@ -27,6 +27,7 @@ public:
     using vector = Eigen::Matrix<S, rows, 1>;
     using unknown = std::conditional_t<U == 1, V, vector>;
     using derivatives = node_derivatives<Problem, V>;
+    static constexpr bool ends_alone = U == 1; ///< no control values inside the step
 
     explicit step_controls(V const& like)
         : moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)), B_(A_) {}

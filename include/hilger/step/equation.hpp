@@ -13,46 +13,49 @@
 #include <vector>
 
 #include "hilger/linear/patterned_matrix.hpp"
-#include "hilger/step/controls.hpp"
-#include "hilger/step/force.hpp"
+#include "hilger/step/sizes.hpp"
 
 namespace hilger::detail {
 
+/// What of the gradients that were computed last does not know of the last correction.
+enum class corrected { in_nothing, in_constants, in_all };
+
 template <class Problem, class S, class V, class Extra = no_step_force, int Controls = 2>
-class step_equation : public step_controls<Problem, S, V, Controls> {
+class step_equation : public step_sizes<Problem, S, V, Extra, Controls> {
     using s = shape<V>;
-    using controls = step_controls<Problem, S, V, Controls>;
+    using controls = step_sizes<Problem, S, V, Extra, Controls>;
     using controls::at, controls::compute, controls::d_, controls::h_, controls::last, controls::nodes_, controls::place_of, controls::t_,
-        controls::U;
+        controls::U, controls::row_of, controls::factor, controls::share;
 
 public:
-    using controls::adds_up, controls::dimension, controls::end, controls::moved, controls::unknowns;
+    using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved,
+        controls::put_sizes, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;
     using of_state = Eigen::Matrix<S, s::size, 1>;
 
     step_equation(V const& like, Extra extra_force)
-        : controls(like), extra(std::move(extra_force)), residual(vector::Zero(s::dimension(like) * U)),
+        : controls(like, std::move(extra_force)), residual(vector::Zero(s::dimension(like) * U)),
           increment(of_state::Zero(s::dimension(like))), whole(increment), sizes_(residual) {}
     void prepare(tableau<S> const& t, S const& h) {
         if (controls::prepare(t, h)) is_prepared = false;
     }
 
-    [[no_unique_address]] Extra extra;
     vector residual;           ///< r(U)
     of_state increment, whole; ///< what the momentum gains; what it becomes
     matrix full_matrix;        ///< r'(U)
     matrix constant_part;      ///< what of it never changes
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
 
-    /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new.
-    void evaluate(Problem const& problem, state<S, V> const& x, wanted which) {
+    /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new. @returns whether they are
+    bool evaluate(Problem const& problem, state<S, V> const& x, wanted which) {
         bool is_new = not is_prepared;
         for (int k = 0; k < t_.nodes; ++k) {
             bool const no_force = is_prepared and is_constant and which == wanted::first_order and again_[at(k)] and not enters_by_force(k);
             if (compute(problem, x, k, no_force ? wanted::momenta_only : which)) is_new = true;
         }
         if (is_new) prepare_matrices();
+        return is_new;
     }
     void put_residual(state<S, V> const& x) {
         for (int c = 0; c < dimension(); ++c) residual(place_of(1, c)) = s::component(x.p, c);
@@ -93,36 +96,6 @@ public:
         });
         put_resistance(full_matrix);
     }
-    /// The size of what the residual is a sum of.
-    [[nodiscard]] S forces() const {
-        S sum(0);
-        for (int k = 0; k < t_.nodes; ++k) {
-            S f(0), m(0);
-            for (int c = 0; c < dimension(); ++c) {
-                f = std::max(f, S(magnitude(nodes_[at(k)].by_q(c))));
-                m = std::max(m, S(magnitude(nodes_[at(k)].by_v(c))));
-            }
-            sum = sum + magnitude(t_.w(k)) * f + m;
-        }
-        if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
-        return sum;
-    }
-    /// What each component of the residual is a sum of, in magnitudes. Where p_i is in it, it is of the size of what dL/dv adds.
-    void put_sizes(state<S, V> const& x, vector& sizes) const {
-        for (int j = 0; j < U; ++j) {
-            auto&& size = row_of(sizes, j);
-            for (int c = 0; c < dimension(); ++c) size(c) = j == 0 ? magnitude(s::component(x.p, c)) : S(0);
-            for (int k = 0; k < t_.nodes; ++k) {
-                S const wa = magnitude(S(t_.w(k) * t_.a(k, j))), wb = magnitude(S(t_.w(k) * t_.b(k, j)));
-                if (not(wa == S(0)))
-                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wa * magnitude(nodes_[at(k)].by_q(c));
-                if (j > 0)
-                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wb * magnitude(nodes_[at(k)].by_v(c));
-            }
-            if constexpr (has_step_force<Extra>)
-                for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
-        }
-    }
     /// Whether no component of the residual is more than the rounding of what it is a sum of.
     [[nodiscard]] bool is_rounding(state<S, V> const& x) {
         put_sizes(x, sizes_);
@@ -130,26 +103,21 @@ public:
             if (not(magnitude(S(residual(c))) <= S(8) * epsilon<S>() * sizes_(c))) return false;
         return true;
     }
-    /// What rounding of a position does to the residual, at most.
-    [[nodiscard]] S bends() const {
-        S most(0);
-        for (int k = 0; k < t_.nodes; ++k)
-            for (auto const& e : nodes_[at(k)].places().entries[block_qq])
-                if (S const size = magnitude(S(t_.w(k) * nodes_[at(k)].value(e.place))); most < size) most = size;
-        return most;
-    }
     /// What the momenta gain, into increment, and what they become, into whole where they are not found in that way. The last correction is
-    /// applied to the gradients to first order, or they are evaluated again where that is not enough. As sum_m a_km = 1 and sum_m b_km = 0
-    /// the equations add up to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce
-    /// constants use the latter.
-    void gather(Problem const& problem, state<S, V> const& x, vector const& correction, bool is_corrected) {
+    /// applied to the gradients to first order, or they are evaluated again where that is not enough; or where it is of the size of their
+    /// rounding but for what of the second derivatives never changes, by these. As sum_m a_km = 1 and sum_m b_km = 0 the equations add up
+    /// to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce constants use the
+    /// latter.
+    void gather(Problem const& problem, state<S, V> const& x, vector const& correction, corrected how) {
         if constexpr (not has_step_force<Extra>)
             if (U == 1 and t_.nodes == 1 and adds_up) {
                 auto& e = nodes_[0];
                 bool const again = is_constant and again_[0];
                 if (again) (void)compute(problem, x, 0, wanted::forces_only);
-                auto const moves_force = [&](block_number b, S const& by) { return not(by == S(0)) and not e.places().entries[b].empty(); };
-                if (again or not is_corrected or not(moves_force(block_qq, t_.a(0, 1)) or moves_force(block_qv, t_.b(0, 1)))) {
+                auto const moves_force = [&](block_number b, S const& by) {
+                    return not(by == S(0)) and not e.places().entries[b].empty() and (how == corrected::in_all or e.places().constant[b]);
+                };
+                if (again or how == corrected::in_nothing or not(moves_force(block_qq, t_.a(0, 1)) or moves_force(block_qv, t_.b(0, 1)))) {
                     e.put_by_q(t_.w(0), increment);
                     return;
                 }
@@ -170,7 +138,8 @@ public:
                 e.add_by_v(S(w * b), whole);
             }
             if (again) continue;
-            for (int block = 0; block < blocks; ++block)
+            for (int block = 0; block < blocks; ++block) {
+                if (how == corrected::in_constants and not e.places().constant[at(block)]) continue;
                 for (int m = 1; m <= U; ++m) {
                     S const& by = block == block_qq or block == block_vq ? t_.a(k, m) : t_.b(k, m);
                     if (by == S(0)) continue;
@@ -181,6 +150,7 @@ public:
                         if (not adds_up) whole(entry.row) = whole(entry.row) - (of_force ? a : b) * change;
                     }
                 }
+            }
         }
         if constexpr (has_step_force<Extra>)
             for (int c = 0; c < dimension(); ++c) {
@@ -192,23 +162,6 @@ public:
 
 private:
     static constexpr std::size_t pair_of(int j, int m) { return at(j * U + m - 1); }
-    /// The row j of all components.
-    struct strided {
-        vector& x;
-        int j;
-        S& operator()(int c) const { return x(c * U + j); }
-    };
-    static decltype(auto) row_of(vector& x, int j) {
-        if constexpr (U == 1)
-            return (x);
-        else
-            return strided{x, j};
-    }
-    /// What block `b` of node k is multiplied by in row j of the matrix, in the column of U_m.
-    [[nodiscard]] S factor(int k, int b, int j, int m) const {
-        S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, j) : t_.b(k, j));
-        return w * (b == block_qq or b == block_vq ? t_.a(k, m) : t_.b(k, m));
-    }
     /// each(node, block, row, control, factor, entries) for all blocks that the matrix has.
     template <class Each>
     void for_each_block(Each const& each) const {
@@ -218,13 +171,6 @@ private:
                     for (int j = 0; j < U; ++j)
                         for (int m = 1; m <= U; ++m)
                             if (S const c = factor(k, b, j, m); not(c == S(0))) each(k, b, j, m, c, entries);
-    }
-    /// How much of the impulse of the extra force row j has.
-    [[nodiscard]] S share(int j) const {
-        if (U == 1) return h_ / S(2);
-        S sum(0);
-        for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * t_.a(k, j);
-        return sum;
     }
     /// Whether dL/dq at node k is in the equation.
     [[nodiscard]] bool enters_by_force(int k) const {

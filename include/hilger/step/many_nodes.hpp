@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/newton/weighed_corrections.hpp"
 #include "hilger/step/equation.hpp"
 #include "hilger/step/explicit_node.hpp"
-#include "hilger/step/past_steps.hpp"
 #include "hilger/step/summation.hpp"
 
 namespace hilger::detail {
@@ -36,7 +36,7 @@ class many_nodes {
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
         : e_(like, std::move(extra)), velocity_(zero_like(like)), past_(e_.moved), correction_(vector::Zero(e_.unknowns())),
-          weighed_(correction_), explicit_(like), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+          weighed_(correction_), explicit_(like), sums_(s::dimension(like)) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
@@ -64,13 +64,15 @@ public:
         memory::visit_components("velocity", velocity_, each);
         memory::visit_components("increment", e_.moved, each);
         past_.visit("past", each);
-        sum_q_.visit(each);
-        sum_p_.visit(each);
+        each("rate", rate_);
+        each("rate_holds_for", rate_holds_for_);
+        weighed_.visit(each);
+        sums_.visit(each);
     }
 
     void advance(Problem const& problem, state<S, V>& x) {
         solve(problem, x);
-        finish(x);
+        sums_.add(e_, x, name);
     }
     /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
     /// them). The state is as it was; advance makes the step.
@@ -84,7 +86,7 @@ public:
         if (not e_.is_prepared) {
             unknown const last = e_.moved;
             e_.move_with(velocity_);
-            e_.evaluate(problem, x, wanted::first_order);
+            (void)e_.evaluate(problem, x, wanted::first_order);
             e_.moved = last;
             watch.forget(); // it is no part of the step
         }
@@ -92,13 +94,15 @@ public:
         long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
         bool const was_constant = e_.is_constant;
         bool const by_newton = not e_.is_constant and (stiff_ or not e_.has_constant_mass);
+        if (made == 0) forget_rate();
+        bool const asks = asks_for_rate(made);
         try {
-            if (not by_newton) e_.evaluate(problem, x, wanted::first_order);
+            if (not by_newton and e_.evaluate(problem, x, asks ? wanted::with_seconds : wanted::first_order)) forget_rate();
             if (watch.saw_any())
                 search(problem, x);
             else if (by_newton)
                 newton(problem, x, watch);
-            else if (not iterate(problem, x, watch)) {
+            else if (not iterate(problem, x, watch, asks)) {
                 stiff_ = e_.has_constant_mass;
                 steps_ = made;
                 first_guess();
@@ -110,7 +114,7 @@ public:
             e_.moved = past_[0]; // an extrapolated guess may lie where L is not defined
             search(problem, x);
         }
-        e_.gather(problem, x, correction_, is_corrected_);
+        e_.gather(problem, x, correction_, corrected_);
         if (not e_.is_constant) past_.keep(e_.moved);
         steps_ = was_constant and not e_.is_constant ? 1 : made + 1; // increments that may be anything were not kept
     }
@@ -126,10 +130,6 @@ public:
 
 private:
     [[nodiscard]] int dimension() const { return e_.dimension(); }
-    static V value_of_nan(V x, S const& bad) {
-        s::component(x, 0) = bad;
-        return x;
-    }
     /// By the polynomial through the last increments, as far as there are some of this step's length.
     void first_guess() {
         if (steps_ == 0)
@@ -139,10 +139,10 @@ private:
     }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
-    bool iterate(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
+    bool iterate(Problem const& problem, state<S, V> const& x, branch_watch const& watch, bool asks) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
-            if (round > 0) e_.evaluate(problem, x, wanted::first_order);
+            if (round > 0) (void)e_.evaluate(problem, x, wanted::first_order);
             if (watch.saw_any()) {
                 search(problem, x);
                 return true;
@@ -156,14 +156,13 @@ private:
             correct(e_.constant_part);
             tally<S>::add(work::newton_round);
             if (e_.is_constant) return true;
-            if (round == 0) weigh(x, e_.constant_part);
+            if (round == 0) look_at_rate(x, asks);
             S const size = weighed_.size_of(correction_), floor = epsilon<S>();
-            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            // What is left is the rate times this correction, and the rate is the ratio of two corrections, or was bounded before.
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
-                (previous > S(0) and size * (size / previous) <= floor * S(Compensated ? 1 : 128) / S(256)) or
+                (previous > S(0) and size * (size / previous) <= small() * e_.share_of_force()) or is_last(size) or
                 is_rounding_of(x, size, previous)) {
-                is_corrected_ = false; // it is of the size of the rounding in the gradients
-                correction_.setZero();
+                corrected_ = corrected::in_constants; // the rate knows nothing of them
                 return true;
             }
             if (previous > S(0) and not(S(4) * size < previous) and S(1024) * floor < size) return false;
@@ -171,12 +170,32 @@ private:
         }
         return false;
     }
+    void forget_rate() {
+        rate_ = S(-1);
+        rate_holds_for_ = 0;
+    }
+    /// What is left of the equation where no correction follows, at most.
+    static S small() { return epsilon<S>() * S(Compensated ? 1 : 128) / S(256); }
+    /// Whether a correction is the last one, by a rate that may have grown to four times what it was.
+    [[nodiscard]] bool is_last(S const& size) const { return rate_ >= S(0) and S(4) * rate_ * size <= small(); }
+    /// Weights and the rate of corrections change along a trajectory, slowly: where the rate is known they are those of some steps ago. It
+    /// is asked for less often where it does not help.
+    [[nodiscard]] bool asks_for_rate(long long made) const { return made > 0 and not e_.is_constant and rate_holds_for_ == 0; }
+    void look_at_rate(state<S, V> const& x, bool asks) {
+        if (rate_holds_for_ > 0) --rate_holds_for_;
+        if (asks or rate_ < S(0)) weigh(x, e_.constant_part);
+        if (not asks) return;
+        rate_ = e_.contraction_rate(weighed_.weights());
+        bool const helps = is_last(weighed_.size_of(correction_));
+        rate_holds_for_ = helps ? 8 : 64;
+        if (not helps) rate_ = S(-1);
+    }
     void newton(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
         bool singular = false;
         S size(0), previous(-1);
         S const small = small_correction();
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
-            e_.evaluate(problem, x, wanted::with_seconds);
+            (void)e_.evaluate(problem, x, wanted::with_seconds);
             if (watch.saw_any()) return search(problem, x);
             e_.put_residual(x);
             refuse_nan(x, size);
@@ -206,13 +225,13 @@ private:
     void correct(matrix& K) {
         correction_ = e_.residual;
         K.solve(correction_);
-        is_corrected_ = true;
+        corrected_ = corrected::in_all;
         for (int c = 0; c < e_.unknowns(); ++c) u::component(e_.moved, c) = u::component(e_.moved, c) - correction_(c);
     }
     void refuse_nan(state<S, V> const& x, S const& size) {
         if (is_finite(e_.residual)) return;
         for (int k = 0; k < e_.unknowns(); ++k)
-            if (not is_finite(e_.residual(k))) give_up(name, false, x.q, value_of_nan(x.q, e_.residual(k)), size);
+            if (not is_finite(e_.residual(k))) give_up(name, false, x.q, with_first(x.q, e_.residual(k)), size);
     }
     [[noreturn]] void refuse(state<S, V> const& x, bool singular, S const& size) {
         V rest = s::zero(dimension());
@@ -223,7 +242,7 @@ private:
     void search(Problem const& problem, state<S, V> const& x) {
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y;
-            e_.evaluate(problem, x, wanted::with_seconds);
+            (void)e_.evaluate(problem, x, wanted::with_seconds);
             e_.put_residual(x);
             e_.put_matrix();
             for (int c = 0; c < e_.unknowns(); ++c) u::component(r, c) = e_.residual(c);
@@ -247,66 +266,21 @@ private:
             give_up_on_branches(name, how, V(x.q + e_.end()), first);
         }
         correction_.setZero();
-        is_corrected_ = false;
+        corrected_ = corrected::in_nothing;
     }
-    /// The step, once its equation is solved. @throws error::not_finite, and x is as it was
-    void finish(state<S, V>& x) {
-        // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
-        if (not is_finite(S(all_moved(x) + (e_.adds_up ? total(x.p, e_.increment) : total(e_.whole, e_.whole))))) [[unlikely]]
-            refuse_overflow(x);
-        if constexpr (not Compensated and not s::is_scalar and Controls == 2)
-            x.q += e_.moved;
-        else
-            for (int c = 0; c < dimension(); ++c) sum_q_.add(s::component(x.q, c), e_.end(c), c);
-        if (not e_.adds_up)
-            for (int c = 0; c < dimension(); ++c) s::component(x.p, c) = e_.whole(c);
-        else if constexpr (not Compensated and not s::is_scalar)
-            x.p += e_.increment;
-        else
-            for (int c = 0; c < dimension(); ++c) sum_p_.add(s::component(x.p, c), e_.increment(c), c);
-        x.t = x.t + e_.h();
-    }
-
-    /// The sum of all positions after the step.
-    [[nodiscard]] S all_moved(state<S, V> const& x) const {
-        if constexpr (Controls == 2)
-            return total(x.q, e_.moved);
-        else
-            return total(x.q, x.q) + e_.moved.sum();
-    }
-    /// @throws error::not_finite, unless it was the sum alone that overflowed
-    [[gnu::noinline, gnu::cold]] void refuse_overflow(state<S, V> const& x) {
-        for (int c = 0; c < dimension(); ++c) {
-            S const q = s::component(x.q, c) + e_.end(c), p = e_.adds_up ? S(s::component(x.p, c) + e_.increment(c)) : S(e_.whole(c));
-            if (not is_finite(q) or not is_finite(p)) give_up(name, false, x.q, value_of_nan(x.q, S((q - q) + (p - p))), S(0));
-        }
-    }
-    /// The sum of all components of x and y, of which one may be a number and the other a vector of one.
-    template <class X, class Y>
-    static S total(X const& x, Y const& y) {
-        if constexpr (has_components<X> and has_components<Y>) {
-            // numbers that were just written one by one are not read as vectors, which would wait for them
-            S sum(0);
-            if constexpr (s::size != Eigen::Dynamic)
-                for (int c = 0; c < s::size; ++c) sum = sum + (x(c) + y(c));
-            else
-                sum = (x + y).sum();
-            return sum;
-        } else
-            return S(component_of(x, 0) + component_of(y, 0));
-    }
-
     equation e_;
     long long steps_ = 0; ///< of this length
     int guessed_ = 0;
-    bool stiff_ = false, is_corrected_ = false;
-    V velocity_; ///< to start from where there are no steps of this length
+    bool stiff_ = false;
+    corrected corrected_ = corrected::in_nothing;
+    S rate_{-1};
+    int rate_holds_for_ = 0; ///< steps
+    V velocity_;             ///< to start from where there are no steps of this length
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
     [[no_unique_address]] std::conditional_t<may_be_explicit, explicit_node<Problem, S, V>, no_explicit_node> explicit_;
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+    [[no_unique_address]] state_sums<Compensated, S, V> sums_;
 };
 
 } // namespace hilger::detail

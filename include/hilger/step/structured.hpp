@@ -8,10 +8,10 @@
 
 #include "hilger/linear/symmetric_matrix.hpp"
 #include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/mass_solver.hpp"
-#include "hilger/step/past_steps.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/step/tableau.hpp"

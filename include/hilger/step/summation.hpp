@@ -10,6 +10,8 @@
 
 #include "hilger/error_free.hpp"
 #include "hilger/inlining.hpp"
+#include "hilger/newton/stop.hpp"
+#include "hilger/step/state.hpp"
 
 namespace hilger {
 
@@ -46,6 +48,84 @@ struct summation<true, S, N> {
     void visit(Visit& each) {
         for (S& carry : rest) each("carry", carry);
     }
+};
+
+/// x, of which the first component is another number.
+template <class S, class V>
+V with_first(V x, S const& other) {
+    shape<V>::component(x, 0) = other;
+    return x;
+}
+
+/// What a step adds to positions and momenta.
+template <bool Compensated, class S, class V>
+class state_sums {
+    using s = shape<V>;
+
+public:
+    explicit state_sums(int d) : q_(d), p_(d) {}
+    /// Everything that later sums depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        q_.visit(each);
+        p_.visit(each);
+    }
+    /// The state after a step whose equation is solved. @throws error::not_finite, and x is as it was
+    template <class Equation>
+    void add(Equation const& e, state<S, V>& x, char const* name) {
+        // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
+        if (not is_finite(S(all_moved(e, x) + (e.adds_up ? total(x.p, e.increment) : total(e.whole, e.whole))))) [[unlikely]]
+            refuse_overflow(e, x, name);
+        if constexpr (not Compensated and not s::is_scalar and Equation::ends_alone)
+            x.q += e.moved;
+        else
+            for (int c = 0; c < e.dimension(); ++c) q_.add(s::component(x.q, c), e.end(c), c);
+        if (not e.adds_up)
+            for (int c = 0; c < e.dimension(); ++c) s::component(x.p, c) = e.whole(c);
+        else if constexpr (not Compensated and not s::is_scalar)
+            x.p += e.increment;
+        else
+            for (int c = 0; c < e.dimension(); ++c) p_.add(s::component(x.p, c), e.increment(c), c);
+        x.t = x.t + e.h();
+    }
+
+private:
+    /// The sum of all positions after the step.
+    template <class Equation>
+    static S all_moved(Equation const& e, state<S, V> const& x) {
+        if constexpr (Equation::ends_alone)
+            return total(x.q, e.moved);
+        else
+            return total(x.q, x.q) + e.moved.sum();
+    }
+    /// @throws error::not_finite, unless it was the sum alone that overflowed
+    template <class Equation>
+    [[gnu::noinline, gnu::cold]] static void refuse_overflow(Equation const& e, state<S, V> const& x, char const* name) {
+        for (int c = 0; c < e.dimension(); ++c) {
+            S const q = s::component(x.q, c) + e.end(c), p = e.adds_up ? S(s::component(x.p, c) + e.increment(c)) : S(e.whole(c));
+            if (not is_finite(q) or not is_finite(p)) give_up(name, false, x.q, with_first(x.q, S((q - q) + (p - p))), S(0));
+        }
+    }
+    template <class X>
+    static S const& component(X const& x, int c) {
+        if constexpr (std::same_as<X, S>)
+            return x;
+        else
+            return x(c);
+    }
+    /// The sum of all components of x and y, of which one may be a number and the other a vector of one.
+    template <class X, class Y>
+    static S total(X const& x, Y const& y) {
+        if constexpr (s::size == Eigen::Dynamic)
+            return S((x + y).sum());
+        else {
+            S sum(0); // one by one: a vector of numbers that were just written one by one would wait for them
+            for (int c = 0; c < s::size; ++c) sum = sum + (component(x, c) + component(y, c));
+            return sum;
+        }
+    }
+    [[no_unique_address]] summation<Compensated, S, s::size> q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> p_;
 };
 
 } // namespace hilger::detail

@@ -53,6 +53,7 @@ S error_of(int d, places const& entries, unsigned seed) {
         y(j) += entry * x(k);
     }
     if (not K.factorize()) return S(-1);
+    CHECK(K.factorize()); // of the entries, again
     K.solve(y);
     return S((y - x).cwiseAbs().maxCoeff() / x.cwiseAbs().maxCoeff());
 }
