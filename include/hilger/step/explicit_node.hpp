@@ -13,6 +13,12 @@
 
 namespace hilger::detail {
 
+/// What says itself that it is mechanical has a step of its own where there is one node.
+template <class Problem, class V>
+inline constexpr bool may_be_explicit = false;
+template <class F, class V>
+inline constexpr bool may_be_explicit<problem<F, no_force>, V> = is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>;
+
 struct no_explicit_node {
     template <class V>
     explicit no_explicit_node(V const&) {}

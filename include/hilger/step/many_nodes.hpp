@@ -30,8 +30,7 @@ class many_nodes {
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
     using derivatives = typename equation::derivatives;
-    static constexpr bool may_be_explicit =
-        Controls == 2 and not has_step_force<Extra> and not has_force<Problem> and is_traced_at<Problem, V>;
+    static constexpr bool looks_for_explicit = Controls == 2 and not has_step_force<Extra> and may_be_explicit<Problem, V>;
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
@@ -42,7 +41,7 @@ public:
     void prepare(tableau<S> const& t, S const& h) {
         if (steps_ > 0) velocity_ = e_.end() / e_.h();
         e_.prepare(t, h);
-        if constexpr (may_be_explicit) explicit_.prepare(t, e_.adds_up);
+        if constexpr (looks_for_explicit) explicit_.prepare(t, e_.adds_up);
         steps_ = 0;
         stiff_ = false;
     }
@@ -77,7 +76,7 @@ public:
     /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
     /// them). The state is as it was; advance makes the step.
     void solve(Problem const& problem, state<S, V> const& x) {
-        if constexpr (may_be_explicit)
+        if constexpr (looks_for_explicit)
             if (explicit_.steps(problem, x, e_.moved, e_.increment)) {
                 ++steps_;
                 return;
@@ -279,7 +278,7 @@ private:
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
-    [[no_unique_address]] std::conditional_t<may_be_explicit, explicit_node<Problem, S, V>, no_explicit_node> explicit_;
+    [[no_unique_address]] std::conditional_t<looks_for_explicit, explicit_node<Problem, S, V>, no_explicit_node> explicit_;
     [[no_unique_address]] state_sums<Compensated, S, V> sums_;
 };
 

@@ -87,6 +87,14 @@ TEST_CASE("what has other parts is solved for") {
     solved(separable, mid_point);
 }
 
+TEST_CASE("what says that it is mechanical is solved for where it has no step of its own") {
+    start<Q, Eigen::Dynamic> const x(5);
+    auto const L = mechanical(Q(2), [](auto const& q) { return q.dot(q) / 2 - q(0) * q(3); });
+    auto const stretched =
+        make_embedding<step_weight>(fraction<3, 2>{} * mid_point.position, mid_point.velocity, "stretched", inconsistent);
+    CHECK(largest_residual(embed(L, stretched).along(uniform(Q(0), Q(1, 10), 3), x.q, x.p)) == 0);
+}
+
 TEST_CASE("compensated sums keep what explicit steps round off") {
     start<double, 5> const x(5);
     start<float50, 5> const y(5);
