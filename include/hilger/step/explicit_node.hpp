@@ -29,7 +29,7 @@ class explicit_node {
     enum class place { inside, start, end };
 
 public:
-    explicit explicit_node(V const& like) : like_(like), v_(zero_like(like)) {}
+    explicit explicit_node(V const& like) : v_(zero_like(like)) {}
     void prepare(tableau<S> const& t, bool reproduces_constants) {
         place_ = place::inside;
         if (not reproduces_constants or t.nodes != 1 or not(magnitude(S(t.w(0) * t.b(0, 1) - S(1))) <= S(4) * epsilon<S>())) return;
@@ -40,15 +40,11 @@ public:
     template <class Gained>
     bool steps(Problem const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (place_ == place::inside) return false;
-        if (not is_inspected_) {
-            is_inspected_ = true;
-            parts_.emplace(what, like_);
-            has_parts_ = parts_->inspect(what, x);
-        }
-        if (not has_parts_) return false;
+        if (not parts_) parts_.emplace(what, x.q);
+        if (not parts_->inspect(what, x)) return false;
         auto& of = *parts_;
         if (place_ == place::start) {
-            bool const diagonal = of.is_diagonal();
+            bool const diagonal = of.is_diagonal(); // then in one loop: reading as vectors what was just written one by one takes longer
             of.force(what, x.q, [&](int c, S const& f) {
                 S const more = w_ * f;
                 gained(c) = more;
@@ -69,9 +65,8 @@ public:
 private:
     std::optional<separable<Problem, S, V>> parts_;
     place place_ = place::inside;
-    bool is_inspected_ = false, has_parts_ = false;
     S w_{0};
-    V like_, v_;
+    V v_; ///< room
 };
 
 } // namespace hilger::detail

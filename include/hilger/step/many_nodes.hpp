@@ -267,6 +267,7 @@ private:
         correction_.setZero();
         corrected_ = corrected::in_nothing;
     }
+
     equation e_;
     long long steps_ = 0; ///< of this length
     int guessed_ = 0;

@@ -134,8 +134,8 @@ public:
         (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
         for (int c = 0; c < d; ++c) use(c, node_.by_q(c));
     }
-    /// Component c of M^-1 (p - a), where M is diagonal.
     [[nodiscard]] bool is_diagonal() const { return is_diagonal_; }
+    /// Component c of M^-1 (p - a), where M is diagonal.
     [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
 
 private:
