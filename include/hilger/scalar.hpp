@@ -81,9 +81,12 @@ using value_on = std::conditional_t<std::is_integral_v<plain_t<V>>, S, plain_t<V
 /// True when x is neither NaN nor infinite, for scalars and Eigen vectors.
 template <class V>
 constexpr bool is_finite(V const& x) {
-    if constexpr (requires { x.allFinite(); })
-        return x.allFinite();
-    else if constexpr (std::numeric_limits<V>::is_exact)
+    if constexpr (requires { x.allFinite(); }) { // that is three expressions more for each type of vector
+        for (index_type j = 0; j < x.cols(); ++j)
+            for (index_type i = 0; i < x.rows(); ++i)
+                if (not is_finite(x.coeff(i, j))) return false;
+        return true;
+    } else if constexpr (std::numeric_limits<V>::is_exact)
         return true;
     else
         return x - x == V(0);

@@ -143,7 +143,7 @@ private:
         return made;
     }
     [[gnu::noinline]] void interpret(S t, V const& q, V const& v, wanted which, typename table::numbers& x) const {
-        if (node_.evaluate(of_, t, q, v, which) or not table_) table_.emplace(node_);
+        if (node_.evaluate(hilger::detail::given<problem_type, V, true>(of_), t, q, v, which) or not table_) table_.emplace(node_);
         table_->read(node_, x, which == wanted::with_seconds ? table::size : table::firsts);
         if (node_.has_branches()) return;
         bool const is_often = ++interpreted_ == next_look_;
@@ -168,7 +168,7 @@ private:
     }
     problem_type of_;
     std::shared_ptr<found> found_ = std::make_shared<found>();
-    mutable hilger::detail::traced_node<problem_type, V> node_;
+    mutable hilger::detail::traced_node<V> node_;
     mutable std::optional<table> table_;
     mutable long long interpreted_ = 0, next_look_ = 512;
     mutable std::shared_ptr<functions const> compiled_;

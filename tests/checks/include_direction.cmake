@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 
 set(order
   "inlining.hpp"
-  "error.hpp error_free.hpp fixed_text.hpp scalar.hpp version.hpp"
+  "error.hpp error_free.hpp fixed_text.hpp function_view.hpp scalar.hpp version.hpp"
   "whole_number.hpp"
   "scale"
   "function"
@@ -30,7 +30,7 @@ set(order
   "text"
   "scene")
 # These, and what they include, take the scalar and the vector as template parameters.
-set(lean error.hpp error_free.hpp fixed_text.hpp inlining.hpp scalar.hpp version.hpp whole_number.hpp scale function operator adjoint printing)
+set(lean error.hpp error_free.hpp fixed_text.hpp function_view.hpp inlining.hpp scalar.hpp version.hpp whole_number.hpp scale function operator adjoint printing)
 
 set(rank 0)
 foreach(line IN LISTS order)

@@ -4,10 +4,11 @@
 // (T and T_o) do not compile; operands on different scales of one type throw error::mismatch when they are combined.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <utility>
 
 #include "hilger/function/concept.hpp"
-#include "hilger/function/operands.hpp"
 
 namespace hilger {
 
@@ -54,50 +55,66 @@ constexpr auto apart() {
         return live_on_two_kinds<What, typename F::root_type, typename G::root_type>();
 }
 
-template <discrete_function F, discrete_function G>
-constexpr void require_same_points(F const& f, G const& g) {
-    if (not(f.domain().base == g.domain().base) or not f.root().same_points(g.root()))
-        error::raise<error::mismatch>("functions combine on one scale, and these live on ", f.scale(), " and on ", g.scale());
+/// Of the types of scales and not of functions, of which there are many more.
+template <class Root, class D, class E>
+constexpr void require_same_points(Root const& root, D const& domain, Root const& other_root, E const& other) {
+    if (not(domain.base == other.base) or not root.same_points(other_root))
+        error::raise<error::mismatch>("functions combine on one scale, and these live on ", derived_scale(root, domain), " and on ",
+                                      derived_scale(other_root, other));
+}
+
+template <class D>
+constexpr D common_domain(D const& d) {
+    return d;
+}
+template <class D, class E, class... Ds>
+constexpr auto common_domain(D const& d, E const& e, Ds const&... rest) {
+    return common_domain(intersect(d, e), rest...);
 }
 
 } // namespace detail
 
-/// map(f(t), g(t), ...) at each common point.
-template <class Map, discrete_function F, discrete_function... Gs>
-class pointwise : public function_interface<pointwise<Map, F, Gs...>> {
-public:
+// Not in detail, where unqualified calls with a function would then look too.
+template <std::size_t I, class F>
+struct operand {
+    [[no_unique_address]] F value;
+};
+/// A map and its operands, each of them in a base class with its number. std::tuple asks of each how it may be converted, assigned and
+/// compared, and of expressions of expressions that is most of what they cost to compile.
+template <class Indices, class Map, class F, class... Gs>
+struct map_of_operands;
+template <std::size_t... I, class Map, class F, class... Gs>
+struct map_of_operands<std::index_sequence<0, I...>, Map, F, Gs...> : operand<0, F>, operand<I, Gs>... {
     using root_type = typename F::root_type;
+    using domain_type =
+        decltype(detail::common_domain(std::declval<typename F::domain_type>(), std::declval<typename Gs::domain_type>()...));
+    [[no_unique_address]] Map map;
 
-    constexpr explicit pointwise(Map map, F f, Gs... gs) : map_(std::move(map)), operands_(std::move(f), std::move(gs)...) {
-        operands_.apply([](auto const& head, auto const&... tail) { (detail::require_same_points(head, tail), ...); });
-    }
-    [[nodiscard]] constexpr auto const& root() const {
-        return operands_.apply([](auto const& head, auto const&...) -> auto const& { return head.root(); });
-    }
+    [[nodiscard]] constexpr auto const& root() const { return operand<0, F>::value.root(); }
     [[nodiscard]] constexpr auto domain() const {
-        return operands_.apply([](auto const&... fs) { return common(fs.domain()...); });
+        return detail::common_domain(operand<0, F>::value.domain(), operand<I, Gs>::value.domain()...);
     }
     [[nodiscard]] constexpr auto get(index_type i) const {
-        return operands_.apply([&](auto const&... fs) {
-            using value = value_on<decltype(map_(fs.get(i)...)), typename root_type::scalar_type>;
-            return value(map_(fs.get(i)...));
-        });
+        using raw = decltype(map(operand<0, F>::value.get(i), operand<I, Gs>::value.get(i)...));
+        using value = value_on<raw, typename root_type::scalar_type>;
+        return value(map(operand<0, F>::value.get(i), operand<I, Gs>::value.get(i)...));
     }
+    constexpr void require_common_points() const {
+        (detail::require_same_points(root(), operand<0, F>::value.domain(), operand<I, Gs>::value.root(), operand<I, Gs>::value.domain()),
+         ...);
+    }
+};
 
-private:
-    template <class D>
-    static constexpr D common(D const& d) {
-        return d;
-    }
-    template <class D, class E, class... Ds>
-    static constexpr auto common(D const& d, E const& e, Ds const&... rest) {
-        return common(intersect(d, e), rest...);
-    }
-    [[no_unique_address]] Map map_;
-    detail::operands<F, Gs...> operands_;
+/// map(f(t), g(t), ...) at each common point.
+template <class Map, discrete_function F, discrete_function... Gs>
+class pointwise : public function_interface<pointwise<Map, F, Gs...>>,
+                  public map_of_operands<std::index_sequence_for<F, Gs...>, Map, F, Gs...> {
+    using operands = map_of_operands<std::index_sequence_for<F, Gs...>, Map, F, Gs...>;
 
 public:
-    using domain_type = decltype(common(std::declval<typename F::domain_type>(), std::declval<typename Gs::domain_type>()...));
+    constexpr explicit pointwise(Map map, F f, Gs... gs) : operands{{std::move(f)}, {std::move(gs)}..., std::move(map)} {
+        if constexpr (sizeof...(Gs) > 0) operands::require_common_points();
+    }
 };
 
 namespace detail {

@@ -91,7 +91,7 @@ public:
             else if constexpr (small)
                 return detail::one_node<problem_type, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
             else
-                return detail::many_nodes<problem_type, carried, S, V, Extra, controls_of<E>>(tableau_of(f.embedding_, h), h, like, extra);
+                return detail::many_nodes<carried, S, V, Extra, controls_of<E>>(tableau_of(f.embedding_, h), h, like, extra);
         }
 
     public:
@@ -142,11 +142,14 @@ public:
                 return;
             stepper_.prepare(tableau_of(f.embedding_, h), h);
         }
-        HILGER_ALWAYS_INLINE static auto const& what(flow const& f) {
-            if constexpr (known)
-                return f.problem_.lagrangian;
+        /// What a step is given: the problem with its type where derivatives in registers are compiled with it.
+        HILGER_ALWAYS_INLINE static decltype(auto) what(flow const& f) {
+            if constexpr (inner or (small and not known))
+                return (f.problem_);
+            else if constexpr (known)
+                return (f.problem_.lagrangian);
             else
-                return f.problem_;
+                return detail::given<problem_type, V>(f.problem_);
         }
         decltype(choose(std::declval<flow const&>(), std::declval<S const&>(), std::declval<V const&>(),
                         std::declval<Extra const&>())) stepper_;

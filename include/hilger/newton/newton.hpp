@@ -3,7 +3,6 @@
 // scalar's rounding, and gives up, saying where, when corrections stop shrinking.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 
@@ -64,7 +63,7 @@ V sizes(V const& x) {
 }
 /// Iterate -> newton_system. Erased, so that one iteration is compiled for all systems of the same vectors and matrices.
 template <class V, class Jacobian>
-using newton_function = std::function<newton_system<V, Jacobian>(V const&)>;
+using newton_function = function_view<newton_system<V, Jacobian>(V const&)>;
 
 /// The root of a system with branches.
 template <class V, class Jacobian>
@@ -84,7 +83,7 @@ V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& g
         return true;
     };
     V residual = x;
-    branch_search const how = search_branches(x, residual, std::cref(evaluate_at), std::cref(correct), small);
+    branch_search const how = search_branches(x, residual, evaluate_at, correct, small);
     if (how != branch_search::found) give_up_on_branches(what, how, x, residual, by);
     return x;
 }
@@ -189,7 +188,7 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
 template <class V, class System>
 V newton(System const& system, V guess, V const& given, char const* what, detail::solvability const& by = detail::by_the_velocity) {
     using jacobian = decltype(system(guess).jacobian);
-    return detail::newton_of<V, jacobian>(std::cref(system), std::move(guess), given, what, by);
+    return detail::newton_of<V, jacobian>(system, std::move(guess), given, what, by);
 }
 
 } // namespace hilger

@@ -8,10 +8,10 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <type_traits>
 
 #include "hilger/differentiation/branches.hpp"
+#include "hilger/function_view.hpp"
 #include "hilger/newton/stop.hpp"
 
 namespace hilger::detail {
@@ -29,9 +29,9 @@ struct branch_point {
 
 /// Erased, since a search is long and there is one in every step that has an implicit equation: it is compiled once for all of them.
 template <class X>
-using equation_on_branches = std::type_identity_t<std::function<scalar_of<X>(X const& x, X& r)>>;
+using equation_on_branches = std::type_identity_t<function_view<scalar_of<X>(X const& x, X& r)>>;
 template <class X>
-using correction_on_branches = std::type_identity_t<std::function<bool(X const& r, X& d)>>;
+using correction_on_branches = std::type_identity_t<function_view<bool(X const& r, X& d)>>;
 
 /// x in r(x) = 0. `evaluate(x, r)` puts r(x) into r and returns the size that its rounding is measured by; `correct(r, d)` puts Newton's
 /// correction at the last x evaluated into d, false where the derivative is singular there. `small` is the relative size below which a

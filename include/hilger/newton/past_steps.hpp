@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "hilger/history/component.hpp"
 #include "hilger/newton/stop.hpp"
@@ -25,7 +24,7 @@ public:
     void guess(Unknown& next, long long known) const {
         auto const& past = *this;
         if (known >= Most)
-            extrapolate(next, std::make_integer_sequence<int, Most>{});
+            extrapolate(next);
         else if (known >= 2)
             next = S(2) * past[0] - past[1];
         else
@@ -40,9 +39,11 @@ public:
 
 private:
     static constexpr std::size_t place(int j) { return static_cast<std::size_t>(j); }
-    template <int... I>
-    void extrapolate(Unknown& next, std::integer_sequence<int, I...>) const {
-        next = ((S(extrapolation(Most, I)) * (*this)[I]) + ...);
+    /// Two vectors at a time: the sum as one expression is a type of its own for each of its parts.
+    void extrapolate(Unknown& next) const {
+        auto const& past = *this;
+        next = S(extrapolation(Most, Most - 1)) * past[Most - 1];
+        for (int k = Most - 2; k >= 0; --k) next = S(extrapolation(Most, k)) * past[k] + next;
     }
     std::array<Unknown, static_cast<std::size_t>(Most)> past_;
     int newest_ = 0;

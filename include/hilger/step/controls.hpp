@@ -10,11 +10,10 @@
 #include "hilger/step/state.hpp"
 #include "hilger/step/tableau.hpp"
 #include "hilger/variational/nodes/node_derivatives.hpp"
-#include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
 
-template <class Problem, class S, class V, int Controls>
+template <class S, class V, int Controls>
 class step_controls {
     using s = shape<V>;
 
@@ -26,7 +25,8 @@ protected:
 public:
     using vector = Eigen::Matrix<S, rows, 1>;
     using unknown = std::conditional_t<U == 1, V, vector>;
-    using derivatives = node_derivatives<Problem, V>;
+    using derivatives = node_derivatives<V>;
+    using problem_type = given_problem<V>;
     static constexpr bool ends_alone = U == 1; ///< no control values inside the step
 
     explicit step_controls(V const& like)
@@ -37,8 +37,6 @@ public:
         if (others) {
             nodes_.clear();
             nodes_.resize(static_cast<std::size_t>(t.nodes));
-            if constexpr (requires { nodes_[0].take(0); })
-                for (int k = 0; k < t.nodes; ++k) nodes_[at(k)].take(t.part_of(k));
         }
         t_ = t;
         h_ = h;
@@ -114,8 +112,9 @@ protected:
         }
     }
     /// The derivatives at node k. @returns whether their places changed
-    bool compute(Problem const& problem, state<S, V> const& x, int k, wanted which) {
-        if constexpr (derivatives::has_room)
+    bool compute(problem_type const& problem, state<S, V> const& x, int k, wanted which) {
+        problem_type const& what = t_.part.empty() ? problem : problem.part(t_.part_of(k));
+        if constexpr (is_traced_state<V>)
             if (auto& e = nodes_[at(k)]; e.has_arguments() and adds_up) {
                 S* const to = e.arguments();
                 int const d = dimension();
@@ -127,10 +126,10 @@ protected:
                     for (int c = 0; c < d; ++c) to[c] = position(x, k, c);
                     for (int c = 0; c < d; ++c) to[d + c] = velocity(x, k, c);
                 }
-                return e.evaluate_here(problem, t_.time(k, x.t, h_), d, which);
+                return e.evaluate_here(what, t_.time(k, x.t, h_), d, which);
             }
         place(x, k);
-        return nodes_[at(k)].evaluate(problem, t_.time(k, x.t, h_), A_, B_, which);
+        return nodes_[at(k)].evaluate(what, t_.time(k, x.t, h_), A_, B_, which);
     }
 
     int d_;

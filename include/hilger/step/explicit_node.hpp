@@ -1,72 +1,97 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step whose equation has nothing to solve: one node at an end of the step, and an L = v.Mv/2 + a.v - U(q) whose formula says so.
-// With w and b of the tableau, w b = 1, and f = dL/dq,
-//   at q_i:      p_{i+1} = p_i + w f(q_i),                 q_{i+1} = q_i + w M^-1 (p_{i+1} - a);
-//   at q_{i+1}:  q_{i+1} = q_i + w M^-1 (p_i - a),         p_{i+1} = p_i + w f(q_{i+1}),
+// The step whose equation has nothing to iterate: one node at an end of the step, an L = v.Mv/2 + a.v - U(q) whose formula says so, and
+// perhaps a force f(q, v) beside it. With w and b of the tableau, w b = 1, and F = dL/dq + f,
+//   at q_i, for f affine in v:  (M - w df/dv) v = p_i - a + w F(q_i, 0),   q_{i+1} = q_i + w v,   p_{i+1} = p_i + w F(q_i, v);
+//   at q_{i+1}:                 M v = p_i - a,                             q_{i+1} = q_i + w v,   p_{i+1} = p_i + w F(q_{i+1}, v),
 // which is what p_i = -d_1 L_h and p_{i+1} = d_2 L_h are then (step/equation.hpp).
 #pragma once
 
-#include <optional>
+#include <utility>
+#include <vector>
 
+#include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/step/separable.hpp"
 #include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {
-
-/// What says itself that it is mechanical has a step of its own where there is one node.
-template <class Problem, class V>
-inline constexpr bool may_be_explicit = false;
-template <class F, class V>
-inline constexpr bool may_be_explicit<problem<F, no_force>, V> = is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>;
 
 struct no_explicit_node {
     template <class V>
     explicit no_explicit_node(V const&) {}
 };
 
-template <class Problem, class S, class V>
+template <class S, class V>
 class explicit_node {
     enum class place { inside, start, end };
 
 public:
-    explicit explicit_node(V const& like) : v_(zero_like(like)) {}
+    explicit explicit_node(V const& like) : parts_(like), v_(zero_like(like)) {}
     void prepare(tableau<S> const& t, bool reproduces_constants) {
         place_ = place::inside;
         if (not reproduces_constants or t.nodes != 1 or not(magnitude(S(t.w(0) * t.b(0, 1) - S(1))) <= S(4) * epsilon<S>())) return;
         place_ = t.a(0, 1) == S(0) ? place::start : t.a(0, 0) == S(0) ? place::end : place::inside;
         w_ = t.w(0);
+        resisted_ = {};
     }
     /// moved = q_{i+1} - q_i and gained = p_{i+1} - p_i, from x. False where the equation is to be solved, and nothing is done.
     template <class Gained>
-    bool steps(Problem const& what, state<S, V> const& x, V& moved, Gained& gained) {
+    bool steps(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (place_ == place::inside) return false;
-        if (not parts_) parts_.emplace(what, x.q);
-        if (not parts_->inspect(what, x)) return false;
-        auto& of = *parts_;
-        if (place_ == place::start) {
-            bool const diagonal = of.is_diagonal(); // then in one loop: reading as vectors what was just written one by one takes longer
-            of.force(what, x.q, [&](int c, S const& f) {
-                S const more = w_ * f;
-                gained(c) = more;
-                if (diagonal) moved(c) = w_ * of.velocity(c, x.p(c) + more);
-            });
-            if (diagonal) return true;
-            of.velocity(x.p + gained, v_);
+        if (not parts_.inspect(what, x.q)) return false;
+        if (place_ == place::end) {
+            parts_.velocity(x.p, v_);
             moved = w_ * v_;
-        } else {
-            of.velocity(x.p, v_);
-            moved = w_ * v_;
-            v_ = x.q + moved;
-            of.force(what, v_, [&](int c, S const& f) { gained(c) = w_ * f; });
+            parts_.force(what, x.q + moved, v_, [&](int c, S const& f) { gained(c) = w_ * f; });
+            return true;
         }
+        if (parts_.reads_velocity()) return steps_with_friction(what, x, moved, gained);
+        bool const diagonal = parts_.is_diagonal(); // then in one loop: reading as vectors what was just written one by one takes longer
+        parts_.force(what, x.q, [&](int c, S const& f) {
+            S const more = w_ * f;
+            gained(c) = more;
+            if (diagonal) moved(c) = w_ * parts_.velocity(c, x.p(c) + more);
+        });
+        if (diagonal) return true;
+        parts_.velocity(x.p + gained, v_);
+        moved = w_ * v_;
         return true;
     }
 
 private:
-    std::optional<separable<Problem, S, V>> parts_;
+    /// From q_i, where the force changes with the velocity.
+    template <class Gained>
+    bool steps_with_friction(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
+        if (not parts_.has_constant_friction()) return false;
+        parts_.force(what, x.q, [&](int c, S const& f) { gained(c) = w_ * f; });
+        if (not resisted_.is_factorized() and not weigh()) return false;
+        v_ = x.p + gained - parts_.at_rest();
+        resisted_.solve(v_);
+        moved = w_ * v_;
+        for (auto const& e : parts_.frictions()) gained(e.row) = gained(e.row) + parts_.value(e) * moved(e.column);
+        return true;
+    }
+    /// M - w df/dv, factorized. False where it is singular.
+    bool weigh() {
+        std::vector<std::pair<int, int>> pattern;
+        for (auto const* entries : {&parts_.masses(), &parts_.frictions()})
+            for (auto const& e : *entries) pattern.emplace_back(e.row, e.column);
+        resisted_.prepare(static_cast<int>(v_.size()), pattern);
+        resisted_.set_zero();
+        auto const add = [&](auto const& entries, S const& c) {
+            for (auto const& e : entries) {
+                S& entry = resisted_[resisted_.place(e.row, e.column)];
+                entry = entry + c * parts_.value(e);
+            }
+        };
+        add(parts_.masses(), S(1));
+        add(parts_.frictions(), S(-w_));
+        return resisted_.factorize();
+    }
+    separable_formula<S, V> parts_;
     place place_ = place::inside;
     S w_{0};
-    V v_; ///< room
+    patterned_matrix<S> resisted_; ///< of steps of this length
+    V v_;                          ///< room
 };
 
 } // namespace hilger::detail

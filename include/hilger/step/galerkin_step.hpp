@@ -229,7 +229,7 @@ private:
         known_ = 1;
     }
     void finish_by_equation(Problem const& what, state<S, V>& x) {
-        equation_.solve(what, x);
+        equation_.solve(given<Problem, V>(what), x);
         add(x, equation_.moved(), equation_.gained());
     }
     /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
@@ -247,7 +247,7 @@ private:
     int d_, known_ = 0, way_ = undecided;
     bool inspected_ = false;
     separable_type separable_;
-    many_nodes<Problem, Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
+    many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
     V v_, next_, room_;                                ///< v_0, and room
     S largest_{0};                                     ///< of the sizes of components

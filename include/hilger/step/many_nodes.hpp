@@ -7,7 +7,6 @@
 // constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -21,16 +20,15 @@
 
 namespace hilger::detail {
 
-template <class Problem, bool Compensated, class S, class V, class Extra = no_step_force, int Controls = 2>
+template <bool Compensated, class S, class V, class Extra = no_step_force, int Controls = 2>
 class many_nodes {
     using s = shape<V>;
-    using equation = step_equation<Problem, S, V, Extra, Controls>;
+    using equation = step_equation<S, V, Extra, Controls>;
     using unknown = typename equation::unknown;
     using u = shape<unknown>;
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
-    using derivatives = typename equation::derivatives;
-    static constexpr bool looks_for_explicit = Controls == 2 and not has_step_force<Extra> and may_be_explicit<Problem, V>;
+    static constexpr bool looks_for_explicit = Controls == 2 and not has_step_force<Extra> and is_traced_state<V>;
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
@@ -69,13 +67,13 @@ public:
         sums_.visit(each);
     }
 
-    void advance(Problem const& problem, state<S, V>& x) {
+    void advance(given_problem<V> const& problem, state<S, V>& x) {
         solve(problem, x);
         sums_.add(e_, x, name);
     }
     /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
     /// them). The state is as it was; advance makes the step.
-    void solve(Problem const& problem, state<S, V> const& x) {
+    void solve(given_problem<V> const& problem, state<S, V> const& x) {
         if constexpr (looks_for_explicit)
             if (explicit_.steps(problem, x, e_.moved, e_.increment)) {
                 ++steps_;
@@ -138,7 +136,7 @@ private:
     }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
-    bool iterate(Problem const& problem, state<S, V> const& x, branch_watch const& watch, bool asks) {
+    bool iterate(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, bool asks) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
             if (round > 0) (void)e_.evaluate(problem, x, wanted::first_order);
@@ -189,7 +187,7 @@ private:
         rate_holds_for_ = helps ? 8 : 64;
         if (not helps) rate_ = S(-1);
     }
-    void newton(Problem const& problem, state<S, V> const& x, branch_watch const& watch) {
+    void newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch) {
         bool singular = false;
         S size(0), previous(-1);
         S const small = small_correction();
@@ -238,7 +236,7 @@ private:
         give_up(name, singular, V(x.q + e_.end()), rest, size);
     }
     /// The same for an L with branches: e_.moved and the derivatives there.
-    void search(Problem const& problem, state<S, V> const& x) {
+    void search(given_problem<V> const& problem, state<S, V> const& x) {
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y;
             (void)e_.evaluate(problem, x, wanted::with_seconds);
@@ -257,7 +255,7 @@ private:
             return true;
         };
         unknown rest = e_.moved, y = e_.moved;
-        branch_search const how = search_branches(y, rest, std::cref(evaluate_at), std::cref(correct), small_correction());
+        branch_search const how = search_branches(y, rest, evaluate_at, correct, small_correction());
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());
@@ -279,7 +277,7 @@ private:
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
-    [[no_unique_address]] std::conditional_t<looks_for_explicit, explicit_node<Problem, S, V>, no_explicit_node> explicit_;
+    [[no_unique_address]] std::conditional_t<looks_for_explicit, explicit_node<S, V>, no_explicit_node> explicit_;
     [[no_unique_address]] state_sums<Compensated, S, V> sums_;
 };
 

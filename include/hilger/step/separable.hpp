@@ -99,20 +99,17 @@ private:
 };
 
 /// Of a Lagrangian whose formula is traced, and says whether it has these parts: second derivatives by q and v that are not there, and by v
-/// twice that never change. One with branches, or that reads the time, has none.
-template <class F, class S, class V>
-    requires(is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>)
-class separable<problem<F, no_force>, S, V> {
-    using what_type = problem<F, no_force>;
+/// twice that never change. One with branches, or that reads the time, has none. A force f(q, v) beside it is part of dL/dq.
+template <class S, class V>
+class separable_formula {
     using s = shape<V>;
 
 public:
-    separable(what_type const&, V const& like) : at_rest_(zero_like(like)) {}
-    bool inspect(what_type const& what, state<S, V> const& x) {
-        if (not is_known_) learn(what, x.q);
+    explicit separable_formula(V const& like) : at_rest_(zero_like(like)) {}
+    bool inspect(given_problem<V> const& what, V const& q) {
+        if (not is_known_) learn(what, q);
         return has_parts_;
     }
-    static constexpr bool has_forces = false;
     template <class R>
     void velocity(R const& p, V& v) {
         v = p - at_rest_;
@@ -122,18 +119,26 @@ public:
         v = f;
         divide(v);
     }
-    bool force(what_type const& what, S const&, V const& q, V& f) {
-        force(what, q, [&](int c, S const& x) { f(c) = x; });
-        return true;
-    }
-    /// Calls use(c, component c of dL/dq at q).
+    /// Calls use(c, component c of dL/dq at q), where a force is the one at v = 0, or at v.
     template <class Use>
-    void force(what_type const& what, V const& q, Use const& use) {
+    void force(given_problem<V> const& what, V const& q, Use const& use) {
         int const d = s::dimension(q);
         std::copy_n(q.data(), d, node_.arguments());
         (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
         for (int c = 0; c < d; ++c) use(c, node_.by_q(c));
     }
+    template <class Use>
+    void force(given_problem<V> const& what, V const& q, V const& v, Use const& use) {
+        if (reads_velocity()) std::copy_n(v.data(), v.size(), node_.arguments() + v.size());
+        force(what, q, use);
+    }
+    [[nodiscard]] V const& at_rest() const { return at_rest_; }
+    /// The masses and what a force changes by with the velocity, at the places of the formula.
+    [[nodiscard]] auto const& masses() const { return node_.places().entries[block_vv]; }
+    [[nodiscard]] auto const& frictions() const { return node_.places().entries[block_qv]; }
+    [[nodiscard]] S const& value(derivative_places::second const& e) const { return node_.value(e.place); }
+    [[nodiscard]] bool reads_velocity() const { return not frictions().empty(); }
+    [[nodiscard]] bool has_constant_friction() const { return node_.places().constant[block_qv]; }
     [[nodiscard]] bool is_diagonal() const { return is_diagonal_; }
     /// Component c of M^-1 (p - a), where M is diagonal.
     [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
@@ -146,12 +151,12 @@ private:
             mass_.solve(v);
     }
     /// At v = 0, where the arguments of the formula stay.
-    void learn(what_type const& what, V const& q) {
+    void learn(given_problem<V> const& what, V const& q) {
         is_known_ = true;
-        if (reads_time_in<S, V>(what.lagrangian)) return;
+        if (not what.is_traced or what.reads_time()) return;
         (void)node_.evaluate(what, S(0), q, zero_like(q), wanted::with_seconds);
         auto const& at = node_.places();
-        if (node_.has_branches() or not at.entries[block_qv].empty() or not at.constant[block_vv]) return;
+        if (node_.has_branches() or not at.entries[block_vq].empty() or not at.constant[block_vv]) return;
         for (int k = 0; k < s::dimension(q); ++k) at_rest_(k) = node_.by_v(k);
         has_parts_ = weigh(at.entries[block_vv], s::dimension(q));
     }
@@ -174,10 +179,25 @@ private:
         for (auto const& e : entries) mass_[mass_.place(e.row, e.column)] = node_.value(e.place);
         return mass_.factorize();
     }
-    traced_node<what_type, V> node_;
+    traced_node<V> node_;
     bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
     V at_rest_, inverse_; ///< a; M^-1 where M is diagonal
     patterned_matrix<S> mass_;
+};
+template <class F, class S, class V>
+    requires(is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>)
+class separable<problem<F, no_force>, S, V> : public separable_formula<S, V> {
+    using what_type = problem<F, no_force>;
+    using formula = separable_formula<S, V>;
+
+public:
+    separable(what_type const&, V const& like) : formula(like) {}
+    static constexpr bool has_forces = false;
+    bool inspect(what_type const& what, state<S, V> const& x) { return formula::inspect(given<what_type, V>(what), x.q); }
+    bool force(what_type const& what, S const&, V const& q, V& f) {
+        formula::force(given<what_type, V>(what), q, [&](int c, S const& x) { f(c) = x; });
+        return true;
+    }
 };
 
 /// Of a system that says so, of any size.

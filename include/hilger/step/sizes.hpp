@@ -11,10 +11,10 @@
 
 namespace hilger::detail {
 
-template <class Problem, class S, class V, class Extra, int Controls>
-class step_sizes : public step_controls<Problem, S, V, Controls> {
+template <class S, class V, class Extra, int Controls>
+class step_sizes : public step_controls<S, V, Controls> {
     using s = shape<V>;
-    using controls = step_controls<Problem, S, V, Controls>;
+    using controls = step_controls<S, V, Controls>;
 
 public:
     using controls::dimension, controls::unknowns;

@@ -53,6 +53,24 @@ template <class Cause, class S, class V>
     std::throw_with_nested(step_failure<Cause, S, V>(message.str(), at));
 }
 
+/// The exception that is being handled, as a step_failure.
+template <class S, class V>
+[[noreturn, gnu::noinline, gnu::cold]] void stop_at(state<S, V> const& at, S const& h) {
+    try {
+        throw;
+    } catch (error::no_branch const& cause) {
+        stop_at(at, h, cause);
+    } catch (error::no_convergence const& cause) {
+        stop_at(at, h, cause);
+    } catch (error::singular const& cause) {
+        stop_at(at, h, cause);
+    } catch (error::not_finite const& cause) {
+        stop_at(at, h, cause);
+    } catch (error::outside_domain const& cause) { // more steps than a history was made for
+        stop_at(at, h, cause);
+    }
+}
+
 } // namespace detail
 
 /// Does `work`, the step from `at` with length h. @throws what goes wrong in it as a step_failure
@@ -60,16 +78,8 @@ template <class S, class V, class Work>
 void saying_where(state<S, V> const& at, S const& h, Work const& work) {
     try {
         work();
-    } catch (error::no_branch const& cause) {
-        detail::stop_at(at, h, cause);
-    } catch (error::no_convergence const& cause) {
-        detail::stop_at(at, h, cause);
-    } catch (error::singular const& cause) {
-        detail::stop_at(at, h, cause);
-    } catch (error::not_finite const& cause) {
-        detail::stop_at(at, h, cause);
-    } catch (error::outside_domain const& cause) { // more steps than a history was made for
-        detail::stop_at(at, h, cause);
+    } catch (...) {
+        detail::stop_at(at, h);
     }
 }
 

@@ -4,8 +4,6 @@
 // factor h^2 |M^-1 U''| / 4; where that is too little, by Newton, solving with M + a_0 a_1 h^2 U'' in the pattern that U has.
 #pragma once
 
-#include <functional>
-
 #include "hilger/linear/symmetric_matrix.hpp"
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/past_steps.hpp"
@@ -257,8 +255,8 @@ private:
             return kernel_.solve(d);
         };
         V y = v_, rest = v_;
-        branch_search const how = search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, std::cref(evaluate_at), std::cref(correct),
-                                                        S(square_root_of_epsilon<S>() * small()));
+        branch_search const how =
+            search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {

@@ -52,55 +52,24 @@ constexpr auto embedding_of(S const& s) {
         return make_embedding<typename S::weight>(s.position, s.velocity, "the embedding of an action");
 }
 
-/// The derivatives of one of several Lagrangians.
-template <class Problem, class V>
-class node_of_sum;
-template <class F, class G, class Force, class V>
-class node_of_sum<problem<lagrangian_by_node<F, G>, Force>, V> {
-    using S = scalar_of<V>;
+/// Several Lagrangians; the nodes ask each for one of them.
+template <class F, class G, class Force, class V, bool Traces>
+class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final : public given_problem<V> {
+    using base = given_problem<V>;
+    using typename base::formula;
+    using typename base::S;
     using what_type = problem<lagrangian_by_node<F, G>, Force>;
+    given<problem<F, Force>, V> first_;
+    given<problem<G, no_force>, V> second_;
 
 public:
-    static constexpr bool has_room = false;
-    /// To be of the Lagrangian with this number.
-    void take(int part) {
-        is_second_ = part >= parts_of<F>;
-        if constexpr (requires { first_.take(part); })
-            if (not is_second_) first_.take(part);
-    }
-    bool evaluate(what_type const& what, S const& t, V const& q, V const& v, wanted which) {
-        return is_second_ ? second_.evaluate(what.second, t, q, v, which) : first_.evaluate(what.first, t, q, v, which);
-    }
-    [[nodiscard]] S const& value(int place) const { return is_second_ ? second_.value(place) : first_.value(place); }
-    [[nodiscard]] S const& by_q(int k) const { return is_second_ ? second_.by_q(k) : first_.by_q(k); }
-    [[nodiscard]] S const& by_v(int k) const { return is_second_ ? second_.by_v(k) : first_.by_v(k); }
-    [[nodiscard]] derivative_places const& places() const { return is_second_ ? second_.places() : first_.places(); }
-    [[nodiscard]] bool has_branches() const { return is_second_ ? second_.has_branches() : first_.has_branches(); }
-    template <class X>
-    void put_by_q(S const& c, X& to) const {
-        is_second_ ? second_.put_by_q(c, to) : first_.put_by_q(c, to);
-    }
-    template <class X>
-    void add_both(S const& a, S const& b, X& to) const {
-        is_second_ ? second_.add_both(a, b, to) : first_.add_both(a, b, to);
-    }
-    template <class X>
-    void add_by_q(S const& c, X& to) const {
-        is_second_ ? second_.add_by_q(c, to) : first_.add_by_q(c, to);
-    }
-    template <class X>
-    void add_by_v(S const& c, X& to) const {
-        is_second_ ? second_.add_by_v(c, to) : first_.add_by_v(c, to);
-    }
-
-private:
-    node_derivatives<problem<F, Force>, V> first_;
-    node_derivatives<problem<G, no_force>, V> second_;
-    bool is_second_ = false;
-};
-template <class F, class G, class Force, class V>
-struct node_of<problem<lagrangian_by_node<F, G>, Force>, V> {
-    using type = node_of_sum<problem<lagrangian_by_node<F, G>, Force>, V>;
+    explicit given(what_type const& what) : base(false, false, false), first_(what.first), second_(what.second) {}
+    [[nodiscard]] base const& part(int k) const override { return k < parts_of<F> ? first_.part(k) : second_; }
+    formula traced_at(S const&, V const&, V const&) const override { return {}; }
+    node_table<V> expand(S const&, V const&, V const&) const override { return {}; }
+    dependence gradients(S const&, V const&, V const&, V&, V&) const override { return {}; }
+    dependence gradients_of_lagrangian(S const&, V const&, V const&, V&, V&) const override { return {}; }
+    bool reads_time() const override { return true; }
 };
 
 } // namespace detail

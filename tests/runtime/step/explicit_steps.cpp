@@ -55,6 +55,28 @@ TEST_CASE("explicit steps solve the derived equation, exactly") {
     solves_its_equation<5>(coupled_masses, time_scale<Q>{Q(0), Q(1, 3), Q(1, 2), Q(1, 2) + Q(1, 7)});
 }
 
+TEST_CASE("explicit steps take forces, exactly") {
+    auto const T = time_scale<Q>{Q(0), Q(1, 3), Q(1, 2), Q(1, 2) + Q(1, 7)};
+    auto const of_position = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(q.cwiseProduct(q) / 3 + 0 * v); };
+    auto const friction = [](auto const& q, auto const& v) {
+        plain_t<decltype(q + v)> f = -v / 4 - q.cwiseProduct(q) / 7;
+        f(1) = f(1) + v(3) / 5;
+        f(4) = f(4) - v(0) / 9;
+        return f;
+    };
+    auto const each_by_its_own = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(-v / 4 - q / 5); };
+    auto const solves = [&](auto const& force) {
+        solves_its_equation<5>(with_force(separable, force), T);
+        solves_its_equation<Eigen::Dynamic>(with_force(coupled_masses, force), T);
+    };
+    solves(of_position);
+    solves(friction);
+    solves(each_by_its_own);
+    auto const quadratic = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(q / 5 - v.cwiseProduct(v) / 4); };
+    start<Q, 5> const x(5);
+    CHECK(largest_residual(embed(with_force(coupled_masses, quadratic), order_one_left).along(T, x.q, x.p)) == 0);
+}
+
 TEST_CASE("explicit steps ask for one force and solve nothing") {
     start<double, 5> const x(5);
     for (auto const& r : {asked(order_one, separable, x.q, x.p), asked(order_one_left, separable, x.q, x.p)}) {
@@ -71,6 +93,23 @@ TEST_CASE("explicit steps ask for one force and solve nothing") {
     CHECK(coupled.factorizations == 0);
 }
 
+TEST_CASE("explicit steps with a force ask for one force, and solve with what it changes by with the velocity") {
+    start<double, 5> const x(5);
+    auto const friction = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(-v / 4 - q / 5); };
+    auto const drag = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(-v.cwiseProduct(v) / 4 - q / 5); };
+    auto const looks_once = [&](requirements const& r, double solves) {
+        CHECK(r.forces == 1);
+        CHECK(r.newton_rounds == 0);
+        CHECK(r.second_derivatives == 0);
+        CHECK(r.solves == solves);
+        CHECK(r.factorizations == 0);
+    };
+    looks_once(asked(order_one, with_force(separable, friction), x.q, x.p), 1);
+    looks_once(asked(order_one_left, with_force(separable, friction), x.q, x.p), 0);
+    looks_once(asked(order_one_left, with_force(separable, drag), x.q, x.p), 0);
+    CHECK(asked(order_one, with_force(separable, drag), x.q, x.p).newton_rounds > 0);
+}
+
 TEST_CASE("what has other parts is solved for") {
     start<double, 5> const x(5);
     double const h = 0.05;
@@ -85,6 +124,13 @@ TEST_CASE("what has other parts is solved for") {
            order_one_left);
     solved([](auto const& t, auto const& q, auto const& v) { return separable(q, v) * (1 + t); }, order_one);
     solved(separable, mid_point);
+    auto const drag = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(-v.cwiseProduct(v) / 4 - q / 5); };
+    solved(with_force(separable, drag), order_one);
+    auto const on_one_side = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(max(v(0), 0.0) * q); };
+    solved(with_force(separable, on_one_side), order_one);
+    solved(with_force(separable, on_one_side), order_one_left);
+    solved(with_force(separable, [](auto const& t, auto const& q, auto const& v) { return plain_t<decltype(q + v)>(t * q - t * v); }),
+           order_one);
 }
 
 TEST_CASE("what says that it is mechanical is solved for where it has no step of its own") {
@@ -95,14 +141,24 @@ TEST_CASE("what says that it is mechanical is solved for where it has no step of
     CHECK(largest_residual(embed(L, stretched).along(uniform(Q(0), Q(1, 10), 3), x.q, x.p)) == 0);
 }
 
-TEST_CASE("compensated sums keep what explicit steps round off") {
+TEST_CASE("compensated sums keep what explicit steps round off, of positions and of momenta") {
     start<double, 5> const x(5);
     start<float50, 5> const y(5);
-    auto const T = uniform(0.0, 0.01, 4000);
-    auto const end = [&](auto const& flow) { return record(flow.along(T, x.q, x.p)).states.back().q; };
-    auto const right = record(embed(separable, order_one).along(uniform(float50(0.01) * 0, float50(0.01), 4000), y.q, y.p)).states.back().q;
-    auto const error_of = [&](auto const& q) { return magnitude(vector<float50, 5>(q.template cast<float50>() - right)); };
-    CHECK(error_of(end(embed(separable, order_one, compensated))) * 8 < error_of(end(embed(separable, order_one))));
+    int const steps = 400;
+    auto const run = [&](auto const& how) {
+        auto const right = record(embed(separable, how).along(uniform(float50(0), float50(0.01), steps), y.q, y.p)).states.back();
+        auto const end = [&](auto const& flow) { return record(flow.along(uniform(0.0, 0.01, steps), x.q, x.p)).states.back(); };
+        auto const far = [&](auto const& of, auto const& from) {
+            return magnitude(vector<float50, 5>(of.template cast<float50>() - from)) / std::numeric_limits<double>::epsilon();
+        };
+        auto const kept = end(embed(separable, how, compensated)), plain = end(embed(separable, how));
+        CHECK(far(kept.q, right.q) <= 1); // the sums are right to half an epsilon of themselves, and they are up to 1
+        CHECK(far(kept.p, right.p) <= 1);
+        CHECK(far(plain.q, right.q) > 2);
+        CHECK(far(plain.p, right.p) > 2);
+    };
+    run(order_one);
+    run(order_one_left);
 }
 
 } // namespace explicit_steps_tests

@@ -27,7 +27,7 @@ class one_node {
     using all = std::make_integer_sequence<int, N>;
     using every = std::make_integer_sequence<int, N * N>;
     using failure = small_failure<S, V, all>;
-    using search = small_search<Problem, Compensated, S, V, all>;
+    using search = small_search<Compensated, S, V, all>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.

@@ -4,7 +4,8 @@
 // be in memory for this in every step that succeeds.
 #pragma once
 
-#include <functional>
+#include <algorithm>
+#include <array>
 
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/small_solve.hpp"
@@ -40,29 +41,45 @@ public:
     }
 };
 
+/// Derivatives at one node, as node_jet has them, in arrays.
+template <class S, std::size_t N>
+struct small_table {
+    std::array<S, N> by_q, by_v;
+    std::array<S, N * N> qq, qv, vq, vv;
+};
+
 /// The step by a search: from the iterate v on, or else from the last velocity, until the equation holds at what is returned.
-template <class Problem, bool Compensated, class S, class V, class Components>
+template <bool Compensated, class S, class V, class Components>
 class small_search;
-template <class Problem, bool Compensated, class S, class V, int... K>
-class small_search<Problem, Compensated, S, V, std::integer_sequence<int, K...>> {
+template <bool Compensated, class S, class V, int... K>
+class small_search<Compensated, S, V, std::integer_sequence<int, K...>> {
     template <int>
     using number = S;
     using s = shape<V>;
-    static constexpr int N = sizeof...(K);
-    using components_ = std::array<S, sizeof...(K)>;
-    using matrix_ = std::array<S, sizeof...(K) * sizeof...(K)>;
+    static constexpr std::size_t N = sizeof...(K);
+    using components_ = std::array<S, N>;
+    using matrix_ = std::array<S, N * N>;
+    using table_ = small_table<S, N>;
+    using derivatives_ = function_view<void(components_ const& q, components_ const& v, table_& to)>;
     struct node_values {
         components_ v, g;
     };
 
 public:
-    template <bool SayWhere>
+    template <bool SayWhere, class Problem>
     [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
                                                          number<K>... p, number<K>... v, number<K>... last, number<K>... resistance) {
-        node_values found{};
-        auto const search = [&] {
-            found = searched(problem, node, w, c, f, {q...}, vector(p...), vector(v...), vector(last...), {resistance...});
+        auto const derivatives = [&](components_ const& A, components_ const& B, table_& to) {
+            auto const e = evaluate<s::is_scalar, false>(problem, node, A, B, std::integer_sequence<int, K...>{});
+            [&]<int... M>(std::integer_sequence<int, M...>) {
+                constexpr int n = static_cast<int>(N);
+                to = {{S(e.template by_q<K>())...},          {S(e.template by_v<K>())...},          {S(e.template qq<M / n, M % n>())...},
+                      {S(e.template qv<M / n, M % n>())...}, {S(e.template vq<M / n, M % n>())...}, {S(e.template vv<M / n, M % n>())...}};
+            }
+            (std::make_integer_sequence<int, static_cast<int>(N * N)>{});
         };
+        node_values found{};
+        auto const search = [&] { found = searched(derivatives, w, c, f, {q...}, {p...}, vector(v...), vector(last...), {resistance...}); };
         if constexpr (SayWhere)
             saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
         else
@@ -71,27 +88,28 @@ public:
     }
 
 private:
-    static node_values searched(Problem const& problem, S const& t, S const& w, S const& c, S const& f, components_ const& q, V const& p,
-                                V v, V const& last, components_ const& resistance) {
+    static node_values searched(derivatives_ const& derivatives, S const& w, S const& c, S const& f, components_ const& q,
+                                components_ const& p, V v, V const& last, components_ const& resistance) {
+        table_ e{};
         matrix_ J{};
-        components_ g{};
+        components_ A{}, B{};
         // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
         auto const evaluate_at = [&](V const& y, V& r) {
-            components_ const B{s::component(y, K)...}, A{S(q[K] + c * B[K])...};
-            auto const e = evaluate<s::is_scalar, false>(problem, t, A, B, std::integer_sequence<int, K...>{});
-            g = {S(e.template by_q<K>())...};
-            ((s::component(r, K) = s::component(p, K) + f * g[K] - e.template by_v<K>() - resistance[K] * B[K]), ...);
-            matrix_ D{};
+            for (std::size_t k = 0; k < N; ++k) {
+                B[k] = s::component(y, static_cast<int>(k));
+                A[k] = q[k] + c * B[k];
+            }
+            derivatives(A, B, e);
             S sizes(0);
-            auto const row = [&]<int I>(std::integral_constant<int, I>) {
-                ((D[I * N + K] = c * e.template qq<I, K>() + e.template qv<I, K>(),
-                  J[I * N + K] = e.template vv<I, K>() + c * e.template vq<I, K>() - f * D[I * N + K],
-                  sizes = std::max(sizes, S(magnitude(S(f * e.template qq<I, K>()))))),
-                 ...);
-            };
-            (row(std::integral_constant<int, K>{}), ...);
-            ((J[K * N + K] = J[K * N + K] + resistance[K]), ...);
-            return S(magnitude(p) + magnitude(f) * largest(g) + S(N) * (sizes * largest(A) + largest(J) * magnitude(y)));
+            for (std::size_t j = 0; j < N; ++j) {
+                s::component(r, static_cast<int>(j)) = p[j] + f * e.by_q[j] - e.by_v[j] - resistance[j] * B[j];
+                for (std::size_t jk = j * N; jk < j * N + N; ++jk) {
+                    J[jk] = e.vv[jk] + c * e.vq[jk] - f * (c * e.qq[jk] + e.qv[jk]);
+                    sizes = std::max(sizes, S(magnitude(S(f * e.qq[jk]))));
+                }
+                J[j * N + j] = J[j * N + j] + resistance[j];
+            }
+            return S(largest(p) + magnitude(f) * largest(e.by_q) + S(static_cast<int>(N)) * (sizes * largest(A) + largest(J) * largest(B)));
         };
         auto const correct = [&](V const& r, V& d) {
             components_ x{s::component(r, K)...};
@@ -101,14 +119,13 @@ private:
             return true;
         };
         V residual = v;
-        branch_search const how = search_branches_twice(v, last, residual, std::cref(evaluate_at), std::cref(correct),
+        branch_search const how = search_branches_twice(v, last, residual, evaluate_at, correct,
                                                         S(square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>()));
         if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
-        node_values const found{{s::component(v, K)...}, g};
-        components_ const at_p{s::component(p, K)...};
+        node_values const found{{s::component(v, K)...}, e.by_q};
         if (S const nan = std::numeric_limits<S>::is_exact
                               ? S(0)
-                              : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(at_p[K] + w * g[K])) + ...));
+                              : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(p[K] + w * found.g[K])) + ...));
             not(nan == S(0)))
             give_up_on_branches("the step p = -d_1 L_h(q, y)", branch_search::not_finite, v, v);
         return found;

@@ -5,38 +5,38 @@
 // one that was zero until now may come: what a driven L compares is the time, and that is not seen.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "hilger/differentiation/branches.hpp"
-#include "hilger/variational/nodes/gradients.hpp"
+#include "hilger/variational/nodes/given_problem.hpp"
 #include "hilger/variational/nodes/node_values.hpp"
 
 namespace hilger::detail {
 
-template <class Problem, class V>
-class asked_node : public node_values<scalar_of<V>, asked_node<Problem, V>> {
+template <class V>
+class asked_node : public node_values<scalar_of<V>> {
+protected:
     using S = scalar_of<V>;
     using s = shape<V>;
-    using F = std::remove_cvref_t<decltype(std::declval<Problem const&>().lagrangian)>;
-    using Force = std::remove_cvref_t<decltype(std::declval<Problem const&>().force)>;
-    using node_values<S, asked_node>::values_;
+    using node_values<S>::values_, node_values<S>::places_, node_values<S>::has_branches_;
 
 public:
-    static constexpr bool has_room = false;
-
     /// Computes them at (t, q, v). @returns whether the places changed
-    bool evaluate(Problem const& what, S const& t, V const& q, V const& v, wanted which) {
+    bool evaluate(given_problem<V> const& what, S const& t, V const& q, V const& v, wanted which) {
         int const d = s::dimension(q);
         branch_watch const watch;
         bool const is_first = values_.empty();
         if (is_first) {
             values_.resize(static_cast<std::size_t>(2 * d + blocks * d * d), S(0));
             by_q_ = by_v_ = s::zero(d);
-            on_ = gradients_at(problem<F, no_force>{what.lagrangian, {}}, t, q, v, by_q_, by_v_);
+            on_ = what.gradients_of_lagrangian(t, q, v, by_q_, by_v_);
             watch.forget(); // it is no part of the step
-            says_all_ = not reads_time_in<S, V>(what.lagrangian) and not is_timed<no_force, Force, S, V>;
+            says_all_ = not what.reads_time();
         }
         dependence on;
         if (is_first or which == wanted::with_seconds) {
-            auto const e = expand_at(what, t, q, v);
+            auto const e = what.expand(t, q, v);
             on = e.on();
             put(0, e.e.by_q, d);
             put(d, e.e.by_v, d);
@@ -45,7 +45,7 @@ public:
                 for (int j = 0; j < d; ++j)
                     for (int k = 0; k < d; ++k) values_[at(place(b, j, k, d))] = s::entry(*in[b], j, k);
         } else {
-            on = gradients_at(what, t, q, v, by_q_, by_v_);
+            on = what.gradients(t, q, v, by_q_, by_v_);
             put(0, by_q_, d);
             put(d, by_v_, d);
         }
@@ -53,11 +53,9 @@ public:
         if (grows) on_ = on_ + on;
         bool const is_new = is_first or grows or (not has_branches_ and watch.saw_any());
         if (watch.saw_any()) has_branches_ = true;
-        if (is_new) arrange(d);
+        if (is_new) arrange(d, what.has_force);
         return is_new;
     }
-    [[nodiscard]] derivative_places const& places() const { return places_; }
-    [[nodiscard]] bool has_branches() const { return has_branches_; }
 
 private:
     static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
@@ -66,27 +64,26 @@ private:
         for (int k = 0; k < d; ++k) values_[at(first + k)] = s::component(x, k);
     }
     /// Which entries there are, and which of them never change.
-    void arrange(int d) {
+    void arrange(int d, bool forced) {
         dependence const on = has_branches_ ? dependence{dependence::no_polynomial, dependence::no_polynomial, true} : on_;
-        bool const forced = not std::same_as<Force, no_force>;
         bool const is_there[] = {forced or on.q > 1, forced or on.coupled, on.coupled, on.v > 1};
         bool const is_constant[] = {not forced and not on.coupled and on.q <= 2, not forced and on.q <= 1 and on.v <= 1,
                                     on.q <= 1 and on.v <= 1, not on.coupled and on.v <= 2};
-        places_ = {};
+        derivative_places made;
         for (int k = 0; k < d; ++k) {
-            places_.by_q.push_back(k);
-            places_.by_v.push_back(d + k);
+            made.by_q.push_back(k);
+            made.by_v.push_back(d + k);
         }
         for (int b = 0; b < blocks; ++b) {
-            places_.constant[at(b)] = says_all_ and is_constant[b];
+            made.constant[at(b)] = says_all_ and is_constant[b];
             if (not is_there[b]) continue;
             for (int j = 0; j < d; ++j)
-                for (int k = 0; k < d; ++k) places_.entries[at(b)].push_back({j, k, place(b, j, k, d)});
+                for (int k = 0; k < d; ++k) made.entries[at(b)].push_back({j, k, place(b, j, k, d)});
         }
+        places_ = std::make_shared<derivative_places const>(std::move(made));
     }
-    derivative_places places_;
     dependence on_;
-    bool has_branches_ = false, says_all_ = false;
+    bool says_all_ = false;
     V by_q_, by_v_; ///< room
 };
 

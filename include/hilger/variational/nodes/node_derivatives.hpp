@@ -7,24 +7,13 @@
 #include <atomic>
 #include <memory>
 
-#include "hilger/variational/nodes/asked_node.hpp"
 #include "hilger/variational/nodes/traced_node.hpp"
 
 namespace hilger::detail {
 
-template <class Problem, class V>
-inline constexpr bool has_own_derivatives = requires(Problem const& what, scalar_of<V> const& t, V const& x) {
-    at_time{what.lagrangian, t}.expand(x, x);
-};
-/// Whether a formula is traced for states V.
-template <class Problem, class V>
-inline constexpr bool is_traced_at = is_traced_state<V> and not has_own_derivatives<Problem, V>;
-template <class Problem, class V>
-struct node_of {
-    using type = std::conditional_t<is_traced_at<Problem, V>, traced_node<Problem, V>, asked_node<Problem, V>>;
-};
-template <class Problem, class V>
-using node_derivatives = typename node_of<Problem, V>::type;
+/// For states V.
+template <class V>
+using node_derivatives = std::conditional_t<is_traced_state<V>, traced_node<V>, asked_node<V>>;
 
 /// A node to ask at any arguments, of states of any kind; the formula is traced at the first of them. Copies share it. Several threads may
 /// ask: where one is at it, another one traces for itself.
@@ -52,11 +41,12 @@ public:
     /// use(node) with what is wanted at (t, q, v), of states that are traced.
     template <class S, class V, class Use>
     auto at(S const& t, V const& q, V const& v, wanted which, Use const& use) const {
-        using node = traced_node<Problem, V>;
+        using node = traced_node<V>;
+        given<Problem, V> const what(what_);
         taking const here{kept_->is_taken};
         if (not here.is_mine) {
             node own;
-            own.evaluate(what_, t, q, v, which);
+            own.evaluate(what, t, q, v, which);
             return use(std::as_const(own));
         }
         if (int const d = shape<V>::dimension(q); kept_->states != &kind_of_states<V> or kept_->dimension != d) {
@@ -65,7 +55,7 @@ public:
             kept_->dimension = d;
         }
         auto& known = *static_cast<node*>(kept_->node.get());
-        known.evaluate(what_, t, q, v, which);
+        known.evaluate(what, t, q, v, which);
         return use(std::as_const(known));
     }
     /// dL/dq, with the force, and dL/dv, of states of any kind; second derivatives are not asked for. Of one Lagrangian there is no other

@@ -7,46 +7,21 @@
 #include <memory>
 #include <vector>
 
-#include "hilger/differentiation/traced/trace.hpp"
-#include "hilger/variational/nodes/node_values.hpp"
-#include "hilger/variational/problem.hpp"
+#include "hilger/variational/nodes/asked_node.hpp"
 
 namespace hilger::detail {
 
-template <class F, class Force, class S, class V>
-traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V const& q, V const& v) {
-    using T = traced<S>;
-    auto const value = [&](auto const& f, T const& time, auto const& x, auto const& y) {
-        if constexpr (is_generic_in_time<std::remove_cvref_t<decltype(f)>>)
-            return value_from(f, time, x, y);
-        else
-            return at_time{f, t}(x, y);
-    };
-    return trace<S>(t, q, v, on_position | on_velocity, [&](T const& time, auto const& x, auto const& y, std::vector<T>& force) {
-        if constexpr (not std::same_as<Force, no_force>) put_force<V>(value(what.force, time, x, y), shape<V>::dimension(q), force);
-        return as_jet<T>(value(what.lagrangian, time, x, y));
-    });
-}
-
-/// All derivatives at one node, where the node is, of states that are traced.
-template <class Problem, class V>
-class traced_node : public node_values<scalar_of<V>, traced_node<Problem, V>> {
-    using S = scalar_of<V>;
-    using node_values<S, traced_node>::values_;
-    using s = shape<V>;
-    using F = std::remove_cvref_t<decltype(std::declval<Problem const&>().lagrangian)>;
-    using given = typename s::template with<traced<S>>;
-    /// Whether the formula is another one at another time.
-    template <class X>
-    static constexpr bool told_time = std::invocable<X const&, S const&, given const&, given const&> and not is_generic_in_time<X>;
-    static constexpr bool timed =
-        told_time<F> or (has_force<Problem> and told_time<std::remove_cvref_t<decltype(std::declval<Problem const&>().force)>>);
+/// All derivatives at one node, where the node is, of states that are traced. A problem that has derivatives of its own is asked for them.
+template <class V>
+class traced_node : public asked_node<V> {
+    using typename asked_node<V>::S;
+    using typename asked_node<V>::s;
+    using asked_node<V>::values_, asked_node<V>::places_, asked_node<V>::has_branches_;
 
 public:
-    static constexpr bool has_room = true; ///< for arguments
-
     /// Computes them at (t, q, v). @returns whether the places changed
-    bool evaluate(Problem const& what, S const& t, V const& q, V const& v, wanted which) {
+    bool evaluate(given_problem<V> const& what, S const& t, V const& q, V const& v, wanted which) {
+        if (not what.is_traced) return asked_node<V>::evaluate(what, t, q, v, which);
         bool const is_new = now_ == nullptr;
         if (is_new) learn(what, t, q, v);
         now_->put(t, q, v, values_);
@@ -56,18 +31,17 @@ public:
     [[nodiscard]] bool has_arguments() const { return now_ != nullptr; }
     [[nodiscard]] S* arguments() { return values_.data(); }
     /// The same at the arguments that are there.
-    bool evaluate_here(Problem const& what, S const& t, int d, wanted which) {
+    bool evaluate_here(given_problem<V> const& what, S const& t, int d, wanted which) {
         if (which != wanted::momenta_only) tally<S>::add(work::force);
         bool is_new = false;
         values_[static_cast<std::size_t>(2 * d)] = t;
-        if constexpr (timed)
-            if (not(t == time_)) {
-                V const q = argument(0, d), v = argument(d, d);
-                known_.clear();
-                learn(what, t, q, v);
-                now_->put(t, q, v, values_);
-                is_new = true;
-            }
+        if (what.is_of_one_time and not(t == time_)) {
+            V const q = argument(0, d), v = argument(d, d);
+            known_.clear();
+            learn(what, t, q, v);
+            now_->put(t, q, v, values_);
+            is_new = true;
+        }
         if (which == wanted::with_seconds and now_->guards.empty()) {
             now_->how.compute_all(values_.data());
             return is_new;
@@ -83,15 +57,14 @@ public:
         if (which == wanted::with_seconds) now_->how.compute(evaluation<S>::seconds, values_.data());
         return is_new;
     }
-    [[nodiscard]] derivative_places const& places() const { return now_->places; }
     [[nodiscard]] evaluation<S> const& how() const { return now_->how; }
-    /// Whether the formula holds where comparisons come out as they did.
-    [[nodiscard]] bool has_branches() const { return now_ != nullptr and not now_->guards.empty(); }
 
 private:
     using formula = std::shared_ptr<traced_formula<S> const>;
     void take(formula const& f) {
         now_ = f;
+        places_ = std::shared_ptr<derivative_places const>(f, &f->places);
+        has_branches_ = not f->guards.empty();
         now_->how.prepare(values_);
     }
     [[nodiscard]] V argument(int first, int d) const {
@@ -99,17 +72,13 @@ private:
         for (int k = 0; k < d; ++k) s::component(x, k) = values_[static_cast<std::size_t>(first + k)];
         return x;
     }
-    void learn(Problem const& what, S const& t, V const& q, V const& v) {
+    void learn(given_problem<V> const& what, S const& t, V const& q, V const& v) {
         time_ = t;
-        auto const traced_here = [&] { return trace_problem(what, t, q, v); };
-        if constexpr (not has_force<Problem> and requires { what.lagrangian.kept(); })
-            known_.push_back(what.lagrangian.kept().template of<S>(traced_here));
-        else
-            known_.push_back(std::make_shared<traced_formula<S> const>(traced_here()));
+        known_.push_back(what.traced_at(t, q, v));
         take(known_.back());
     }
     /// The formula that holds at (q, v): one that is known, or a new one.
-    void take_branch(Problem const& what, S const& t, V const& q, V const& v) {
+    void take_branch(given_problem<V> const& what, S const& t, V const& q, V const& v) {
         for (auto const& f : known_) {
             take(f);
             f->put(t, q, v, values_);

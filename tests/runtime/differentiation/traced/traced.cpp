@@ -147,12 +147,13 @@ TEST_CASE("a formula is looked at once, and again where a comparison comes out d
     };
     using V = Eigen::Matrix<double, 5, 1>;
     problem<decltype(spring)> const what{spring, {}};
-    detail::traced_node<problem<decltype(spring)>, V> at;
+    detail::given<problem<decltype(spring)>, V> const asked(what);
+    detail::traced_node<V> at;
     V q = V::Zero(), v = V::Ones();
     q(4) = 1;
     auto const slope = [&](double far, detail::wanted which) {
         q(4) = far;
-        (void)at.evaluate(what, 0.0, q, v, which);
+        (void)at.evaluate(asked, 0.0, q, v, which);
         return at.by_q(4);
     };
     using parts = detail::wanted;
@@ -177,9 +178,11 @@ TEST_CASE("a formula is looked at once, and again where a comparison comes out d
 TEST_CASE("a time that a formula is told is the time that it has") {
     auto const driven = [](double t, auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * std::cos(t); };
     using V = Eigen::Matrix<double, 5, 1>;
-    detail::traced_node<problem<decltype(driven)>, V> at;
+    problem<decltype(driven)> const what{driven, {}};
+    detail::given<problem<decltype(driven)>, V> const asked(what);
+    detail::traced_node<V> at;
     for (double const t : {0.0, 1.0, 0.5, 1.0}) {
-        (void)at.evaluate(problem<decltype(driven)>{driven, {}}, t, V::Ones(), V::Zero(), detail::wanted::first_order);
+        (void)at.evaluate(asked, t, V::Ones(), V::Zero(), detail::wanted::first_order);
         CHECK(at.by_q(2) == -2 * std::cos(t));
     }
 }
@@ -191,9 +194,11 @@ TEST_CASE("of a chain only the neighbours are there") {
         for (int k = 1; k < q.size(); ++k) sum = sum - pow(q(k) - q(k - 1), 4) / 4;
         return sum;
     };
-    detail::traced_node<problem<decltype(chain)>, Eigen::VectorXd> at;
+    problem<decltype(chain)> const what{chain, {}};
+    detail::given<problem<decltype(chain)>, Eigen::VectorXd> const asked(what);
+    detail::traced_node<Eigen::VectorXd> at;
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(n, 0, 1), v = q;
-    (void)at.evaluate(problem<decltype(chain)>{chain, {}}, 0.0, q, v, detail::wanted::with_seconds);
+    (void)at.evaluate(asked, 0.0, q, v, detail::wanted::with_seconds);
     auto const& places = at.places();
     CHECK(places.entries[detail::block_qq].size() == 3 * n - 2);
     CHECK(places.entries[detail::block_vv].size() == n);
