@@ -11,3 +11,12 @@
 #define HILGER_ALWAYS_INLINE
 #define HILGER_FLATTEN
 #endif
+
+namespace hilger::detail {
+/// Whether __builtin_constant_p says of any number that it is known: a compiler that does not optimise knows none.
+#ifdef __NO_INLINE__
+inline constexpr bool numbers_are_known = false;
+#else
+inline constexpr bool numbers_are_known = true;
+#endif
+} // namespace hilger::detail

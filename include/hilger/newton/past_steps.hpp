@@ -4,8 +4,10 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "hilger/history/component.hpp"
+#include "hilger/inlining.hpp"
 #include "hilger/newton/stop.hpp"
 
 namespace hilger::detail {
@@ -24,7 +26,7 @@ public:
     void guess(Unknown& next, long long known) const {
         auto const& past = *this;
         if (known >= Most)
-            extrapolate(next);
+            extrapolate(next, std::make_integer_sequence<int, Most - 1>{});
         else if (known >= 2)
             next = S(2) * past[0] - past[1];
         else
@@ -39,11 +41,20 @@ public:
 
 private:
     static constexpr std::size_t place(int j) { return static_cast<std::size_t>(j); }
-    /// Two vectors at a time: the sum as one expression is a type of its own for each of its parts.
-    void extrapolate(Unknown& next) const {
-        auto const& past = *this;
-        next = S(extrapolation(Most, Most - 1)) * past[Most - 1];
-        for (int k = Most - 2; k >= 0; --k) next = S(extrapolation(Most, k)) * past[k] + next;
+    /// Two vectors at a time, from the oldest: the sum as one expression is a type of its own for each of its parts.
+    template <int... I>
+    void extrapolate(Unknown& next, std::integer_sequence<int, I...>) const {
+        auto const add_up = [this](Unknown& sum) HILGER_ALWAYS_INLINE {
+            sum = S(extrapolation(Most, Most - 1)) * (*this)[Most - 1];
+            ((sum = S(extrapolation(Most, Most - 2 - I)) * (*this)[Most - 2 - I] + sum), ...);
+        };
+        if constexpr (shape<Unknown>::size == Eigen::Dynamic)
+            add_up(next);
+        else { // in registers
+            Unknown sum;
+            add_up(sum);
+            next = sum;
+        }
     }
     std::array<Unknown, static_cast<std::size_t>(Most)> past_;
     int newest_ = 0;

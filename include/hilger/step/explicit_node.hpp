@@ -45,7 +45,8 @@ public:
             return true;
         }
         if (parts_.reads_velocity()) return steps_with_friction(what, x, moved, gained);
-        bool const diagonal = parts_.is_diagonal(); // then in one loop: reading as vectors what was just written one by one takes longer
+        // Short vectors in one loop: reading as vectors what was just written one by one takes longer.
+        bool const diagonal = shape<V>::size != Eigen::Dynamic and parts_.is_diagonal();
         parts_.force(what, x.q, [&](int c, S const& f) {
             S const more = w_ * f;
             gained(c) = more;

@@ -125,7 +125,9 @@ public:
         int const d = s::dimension(q);
         std::copy_n(q.data(), d, node_.arguments());
         (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
-        for (int c = 0; c < d; ++c) use(c, node_.by_q(c));
+        S const* const values = node_.values().data();
+        int const* const place = node_.places().by_q.data();
+        for (int c = 0; c < d; ++c) use(c, values[place[c]]);
     }
     template <class Use>
     void force(given_problem<V> const& what, V const& q, V const& v, Use const& use) {

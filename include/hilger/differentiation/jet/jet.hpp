@@ -57,23 +57,32 @@ HILGER_ALWAYS_INLINE constexpr bool is_one_constant(S const& x, S const& y) {
     else
         return false;
 }
+/// Whether to look for numbers that are known is worth the calls.
+template <class S>
+inline constexpr bool knows_numbers = numbers_are_known or not std::is_floating_point_v<S>;
 template <class S>
 HILGER_ALWAYS_INLINE constexpr S times(S const& x, S const& y) {
-    if (is_known_zero(x) or is_known_zero(y)) return S(0);
-    if (is_known_one(x)) return y;
-    if (is_known_one(y)) return x;
+    if constexpr (knows_numbers<S>) {
+        if (is_known_zero(x) or is_known_zero(y)) return S(0);
+        if (is_known_one(x)) return y;
+        if (is_known_one(y)) return x;
+    }
     return x * y;
 }
 template <class S>
 HILGER_ALWAYS_INLINE constexpr S plus(S const& x, S const& y) {
-    if (is_known_zero(x)) return y;
-    if (is_known_zero(y)) return x;
+    if constexpr (knows_numbers<S>) {
+        if (is_known_zero(x)) return y;
+        if (is_known_zero(y)) return x;
+    }
     return x + y;
 }
 template <class S>
 HILGER_ALWAYS_INLINE constexpr S minus(S const& x, S const& y) {
-    if (is_known_zero(y)) return x;
-    if (is_known_zero(x)) return -y;
+    if constexpr (knows_numbers<S>) {
+        if (is_known_zero(y)) return x;
+        if (is_known_zero(x)) return -y;
+    }
     return x - y;
 }
 
