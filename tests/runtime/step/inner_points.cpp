@@ -120,4 +120,16 @@ TEST_CASE("whoever steps it, a Galerkin step is the same") {
     same(chain, galerkin<2, gauss>, q, p);
 }
 
+TEST_CASE("with a constant mass corrections ask for gradients alone, and these have the force") {
+    auto const in_a_plane = [](auto const& x, auto const& v) { return v.dot(v) / 2 - x.dot(x) / 2 - x(0) * x(0) * x(1) * x(1); };
+    auto const drag = [](auto const& x, auto const& v) { return plain_t<decltype(x + v)>(x / 7 - v / 3); };
+    auto const solve_with_drag = [&](auto const& e, int degree) {
+        is_a_solution(
+            embed(with_force(in_a_plane, drag), e).along(uniform(0.0, 0.1, 30), Eigen::Vector2d(0.3, 0.4), Eigen::Vector2d(0.5, -0.2)),
+            degree);
+    };
+    solve_with_drag(galerkin<2, gauss>, 2);
+    solve_with_drag(galerkin<3, lobatto>, 2);
+}
+
 } // namespace inner_points_tests
