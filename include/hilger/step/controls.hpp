@@ -26,7 +26,6 @@ public:
     using vector = Eigen::Matrix<S, rows, 1>;
     using unknown = std::conditional_t<U == 1, V, vector>;
     using derivatives = node_derivatives<V>;
-    using problem_type = given_problem<V>;
     static constexpr bool ends_alone = U == 1; ///< no control values inside the step
 
     explicit step_controls(V const& like)
@@ -112,8 +111,8 @@ protected:
         }
     }
     /// The derivatives at node k. @returns whether their places changed
-    bool compute(problem_type const& problem, state<S, V> const& x, int k, wanted which) {
-        problem_type const& what = t_.part.empty() ? problem : problem.part(t_.part_of(k));
+    bool compute(given_problem<V> const& problem, state<S, V> const& x, int k, wanted which) {
+        given_problem<V> const& what = t_.part.empty() ? problem : problem.part(t_.part_of(k));
         if constexpr (is_traced_state<V>)
             if (auto& e = nodes_[at(k)]; e.has_arguments() and adds_up) {
                 S* const to = e.arguments();

@@ -30,7 +30,7 @@ class step_equation : public step_sizes<S, V, Extra, Controls> {
 public:
     using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved,
         controls::put_sizes, controls::unknowns;
-    using typename controls::problem_type, typename controls::unknown, typename controls::vector;
+    using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;
     using of_state = Eigen::Matrix<S, s::size, 1>;
 
@@ -48,7 +48,7 @@ public:
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
 
     /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new. @returns whether they are
-    bool evaluate(problem_type const& problem, state<S, V> const& x, wanted which) {
+    bool evaluate(given_problem<V> const& problem, state<S, V> const& x, wanted which) {
         bool is_new = not is_prepared;
         for (int k = 0; k < t_.nodes; ++k) {
             bool const no_force = is_prepared and is_constant and which == wanted::first_order and again_[at(k)] and not enters_by_force(k);
@@ -108,7 +108,7 @@ public:
     /// rounding but for what of the second derivatives never changes, by these. As sum_m a_km = 1 and sum_m b_km = 0 the equations add up
     /// to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce constants use the
     /// latter.
-    void gather(problem_type const& problem, state<S, V> const& x, vector const& correction, corrected how) {
+    void gather(given_problem<V> const& problem, state<S, V> const& x, vector const& correction, corrected how) {
         if constexpr (not has_step_force<Extra>)
             if (U == 1 and t_.nodes == 1 and adds_up) {
                 auto& e = nodes_[0];

@@ -6,9 +6,6 @@
 // which is what p_i = -d_1 L_h and p_{i+1} = d_2 L_h are then (step/equation.hpp).
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/step/separable.hpp"
 #include "hilger/step/tableau.hpp"
@@ -63,35 +60,18 @@ private:
     template <class Gained>
     bool steps_with_friction(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (not parts_.has_constant_friction()) return false;
+        if (not resisted_.is_factorized() and not parts_.factorize(resisted_, S(-w_))) return false;
         parts_.force(what, x.q, [&](int c, S const& f) { gained(c) = w_ * f; });
-        if (not resisted_.is_factorized() and not weigh()) return false;
         v_ = x.p + gained - parts_.at_rest();
         resisted_.solve(v_);
         moved = w_ * v_;
         for (auto const& e : parts_.frictions()) gained(e.row) = gained(e.row) + parts_.value(e) * moved(e.column);
         return true;
     }
-    /// M - w df/dv, factorized. False where it is singular.
-    bool weigh() {
-        std::vector<std::pair<int, int>> pattern;
-        for (auto const* entries : {&parts_.masses(), &parts_.frictions()})
-            for (auto const& e : *entries) pattern.emplace_back(e.row, e.column);
-        resisted_.prepare(static_cast<int>(v_.size()), pattern);
-        resisted_.set_zero();
-        auto const add = [&](auto const& entries, S const& c) {
-            for (auto const& e : entries) {
-                S& entry = resisted_[resisted_.place(e.row, e.column)];
-                entry = entry + c * parts_.value(e);
-            }
-        };
-        add(parts_.masses(), S(1));
-        add(parts_.frictions(), S(-w_));
-        return resisted_.factorize();
-    }
     separable_formula<S, V> parts_;
     place place_ = place::inside;
     S w_{0};
-    patterned_matrix<S> resisted_; ///< of steps of this length
+    patterned_matrix<S> resisted_; ///< M - w df/dv
     V v_;                          ///< room
 };
 

@@ -135,12 +135,28 @@ public:
         force(what, q, use);
     }
     [[nodiscard]] V const& at_rest() const { return at_rest_; }
-    /// The masses and what a force changes by with the velocity, at the places of the formula.
-    [[nodiscard]] auto const& masses() const { return node_.places().entries[block_vv]; }
+    /// What a force changes by with the velocity, at the places of the formula.
     [[nodiscard]] auto const& frictions() const { return node_.places().entries[block_qv]; }
     [[nodiscard]] S const& value(derivative_places::second const& e) const { return node_.value(e.place); }
     [[nodiscard]] bool reads_velocity() const { return not frictions().empty(); }
     [[nodiscard]] bool has_constant_friction() const { return node_.places().constant[block_qv]; }
+    /// K = M + c df/dv, factorized. False where it is singular.
+    bool factorize(patterned_matrix<S>& K, S const& c) const {
+        auto const for_each = [&](auto const& use) {
+            for (auto const& e : node_.places().entries[block_vv]) use(e, S(1));
+            if (c == S(0)) return;
+            for (auto const& e : frictions()) use(e, c);
+        };
+        std::vector<std::pair<int, int>> pattern;
+        for_each([&](auto const& e, S const&) { pattern.emplace_back(e.row, e.column); });
+        K.prepare(static_cast<int>(at_rest_.size()), pattern);
+        K.set_zero();
+        for_each([&](auto const& e, S const& by) {
+            S& entry = K[K.place(e.row, e.column)];
+            entry = entry + by * value(e);
+        });
+        return K.factorize();
+    }
     [[nodiscard]] bool is_diagonal() const { return is_diagonal_; }
     /// Component c of M^-1 (p - a), where M is diagonal.
     [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
@@ -174,12 +190,7 @@ private:
             }
             return static_cast<int>(entries.size()) == d;
         }
-        std::vector<std::pair<int, int>> pattern;
-        for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
-        mass_.prepare(d, pattern);
-        mass_.set_zero();
-        for (auto const& e : entries) mass_[mass_.place(e.row, e.column)] = node_.value(e.place);
-        return mass_.factorize();
+        return factorize(mass_, S(0));
     }
     traced_node<V> node_;
     bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;

@@ -56,8 +56,6 @@ constexpr auto embedding_of(S const& s) {
 template <class F, class G, class Force, class V, bool Traces>
 class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final : public given_problem<V> {
     using base = given_problem<V>;
-    using typename base::formula;
-    using typename base::S;
     using what_type = problem<lagrangian_by_node<F, G>, Force>;
     given<problem<F, Force>, V> first_;
     given<problem<G, no_force>, V> second_;
@@ -65,11 +63,6 @@ class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final : public 
 public:
     explicit given(what_type const& what) : base(false, false, false), first_(what.first), second_(what.second) {}
     [[nodiscard]] base const& part(int k) const override { return k < parts_of<F> ? first_.part(k) : second_; }
-    formula traced_at(S const&, V const&, V const&) const override { return {}; }
-    node_table<V> expand(S const&, V const&, V const&) const override { return {}; }
-    dependence gradients(S const&, V const&, V const&, V&, V&) const override { return {}; }
-    dependence gradients_of_lagrangian(S const&, V const&, V const&, V&, V&) const override { return {}; }
-    bool reads_time() const override { return true; }
 };
 
 } // namespace detail

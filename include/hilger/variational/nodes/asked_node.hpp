@@ -30,7 +30,7 @@ public:
         if (is_first) {
             values_.resize(static_cast<std::size_t>(2 * d + blocks * d * d), S(0));
             by_q_ = by_v_ = s::zero(d);
-            on_ = what.gradients_of_lagrangian(t, q, v, by_q_, by_v_);
+            on_ = what.gradients(t, q, v, by_q_, by_v_);
             watch.forget(); // it is no part of the step
             says_all_ = not what.reads_time();
         }

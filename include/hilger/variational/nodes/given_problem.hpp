@@ -32,13 +32,12 @@ public:
     bool const is_of_one_time; ///< a formula holds at the time for which it was traced
     bool const has_force;
 
-    [[nodiscard]] virtual formula traced_at(S const& t, V const& q, V const& v) const = 0;
-    /// As expand_at and gradients_at; the dependence of L alone, without the force.
-    [[nodiscard]] virtual node_table<V> expand(S const& t, V const& q, V const& v) const = 0;
-    virtual dependence gradients(S const& t, V const& q, V const& v, V& by_q, V& by_v) const = 0;
-    virtual dependence gradients_of_lagrangian(S const& t, V const& q, V const& v, V& by_q, V& by_v) const = 0;
+    [[nodiscard]] virtual formula traced_at(S const&, V const&, V const&) const { return {}; }
+    /// As expand_at and gradients_at.
+    [[nodiscard]] virtual node_table<V> expand(S const&, V const&, V const&) const { return {}; }
+    virtual dependence gradients(S const&, V const&, V const&, V& /*by_q*/, V& /*by_v*/) const { return {}; }
     /// Whether L or the force takes the time, unless L says that it does not read it.
-    [[nodiscard]] virtual bool reads_time() const = 0;
+    [[nodiscard]] virtual bool reads_time() const { return true; }
     /// The Lagrangian with this number where there are several (step/sum_of_embeddings.hpp).
     [[nodiscard]] virtual given_problem const& part(int) const { return *this; }
 };
@@ -97,12 +96,6 @@ public:
             return {};
         else
             return gradients_at(what_, t, q, v, by_q, by_v);
-    }
-    dependence gradients_of_lagrangian(S const& t, V const& q, V const& v, V& by_q, V& by_v) const override {
-        if constexpr (forced and not Traces)
-            return gradients_at(problem<F, no_force>{what_.lagrangian, {}}, t, q, v, by_q, by_v);
-        else
-            return gradients(t, q, v, by_q, by_v);
     }
     bool reads_time() const override { return reads_time_in<S, V>(what_.lagrangian) or is_timed<no_force, Force, S, V>; }
 
