@@ -37,6 +37,10 @@ public:
                 found(n.b, adjoint);
                 continue;
             }
+            if (power const p = power_of(k); p.exponent > 1) {
+                if (graph_[p.base].on & by) add(p.base, traced<S>(S(p.exponent)) * adjoint * lowered(k, p.base));
+                continue;
+            }
             auto const [a, b] = n.what->pull_back(operand(n.a), operand(n.b), traced<S>::at(k, S(0)), adjoint);
             if (graph_[n.a].on & by) add(n.a, a);
             if (graph_[n.b].on & by) add(n.b, b);
@@ -46,6 +50,29 @@ public:
 
 private:
     traced<S> operand(int k) const { return graph_.is_number(k) ? traced<S>(graph_.number(k)) : traced<S>::at(k, S(0)); }
+    /// Node k is base^exponent.
+    struct power {
+        int base, exponent;
+    };
+    /// Of products of one node with itself, as x x x: their derivative 3 x x needs no sum, and its factor is a node already.
+    power power_of(int k) {
+        for (int j = static_cast<int>(powers_.size()); j <= k; ++j) {
+            power now{j, 1};
+            if (auto const& n = graph_[j]; n.what == &operation_object<times_traced, S>) {
+                power const a = powers_[static_cast<std::size_t>(n.a)], b = powers_[static_cast<std::size_t>(n.b)];
+                if (a.base == b.base and a.exponent + b.exponent < largest_exponent) now = {a.base, a.exponent + b.exponent};
+            }
+            powers_.push_back(now);
+        }
+        return powers_[static_cast<std::size_t>(k)];
+    }
+    /// base^(n - 1) where k is base^n, n > 1.
+    traced<S> lowered(int k, int base) const {
+        auto const n = graph_[k];
+        if (n.a == base) return operand(n.b);
+        if (n.b == base) return operand(n.a);
+        return lowered(n.a, base) * operand(n.b);
+    }
     void add(int k, traced<S> const& part) {
         auto const at = static_cast<std::size_t>(k);
         if (waiting_.size() <= at) waiting_.resize(adjoints_.size());
@@ -57,7 +84,9 @@ private:
             open_.push(k);
         }
     }
+    static constexpr int largest_exponent = 1 << 20; ///< what any scalar holds exactly
     formula_graph<S>& graph_;
+    std::vector<power> powers_;
     std::vector<traced<S>> adjoints_;
     std::vector<bool> waiting_;
     std::priority_queue<int> open_;

@@ -175,6 +175,48 @@ TEST_CASE("a formula is looked at once, and again where a comparison comes out d
     CHECK(not(left.path() == right));
 }
 
+TEST_CASE("powers have the slopes of powers, however they are multiplied") {
+    using V = Eigen::Matrix<Q, d, 1>;
+    V const q(Q(2, 3), Q(-5, 7), Q(3)), v(Q(1, 2), Q(4), Q(-3, 5));
+    auto const raised = [](auto const& x, int n) {
+        plain_t<decltype(x * x)> y(1);
+        for (int k = 0; k < n; ++k) y = y * x;
+        return y;
+    };
+    for (int n = 2; n <= 9; ++n) {
+        CAPTURE(n);
+        auto const halves = [n](auto const& x) { return plain_t<decltype(x * x)>(pow(x, n / 2) * pow(x, n - n / 2)); };
+        for (bool const in_a_row : {true, false}) {
+            auto const f = [&](auto const& x, auto const& y) {
+                plain_t<decltype(x(0) * y(0))> const u = x(0) - x(1) * y(2); // a base that is no argument
+                return (in_a_row ? raised(u, n) : halves(u)) * y(1) + (in_a_row ? raised(y(1), n) : halves(y(1))) / 3 + u;
+            };
+            CHECK(difference<Q>(f, q, v) == 0);
+        }
+        auto const y = detail::expand_traced([&](auto const& x, auto const&) { return raised(x(2), n); }, q, v,
+                                             detail::on_position | detail::on_velocity);
+        CHECK(y.by_q(2) == n * raised(q(2), n - 1));
+        CHECK(y.qq(2, 2) == n * (n - 1) * raised(q(2), n - 2));
+    }
+}
+
+TEST_CASE("the slope of a spring is no more work than by hand") {
+    // r^2/2 + r^4/4 has the slope r + r^3, whose r^2 and r^3 are there
+    auto const spring = [](auto const& q, auto const& v) { return v(0) * v(0) / 2 + q(0) * q(0) / 2 + q(0) * q(0) * q(0) * q(0) / 4; };
+    Eigen::VectorXd const x = Eigen::VectorXd::Constant(1, 0.5);
+    auto const formula = detail::trace<double>(0.0, x, x, detail::on_position | detail::on_velocity,
+                                               [&](auto const&, auto const& q, auto const& v, auto&) { return spring(q, v); });
+    auto const operations = [&](detail::evaluation<double>::part which) {
+        int sum = 0;
+        formula.how.for_each_round(which, [&](auto const& round) { sum += round.count; });
+        return sum;
+    };
+    CHECK(operations(detail::evaluation<double>::shared) == 0);
+    CHECK(operations(detail::evaluation<double>::momenta) == 0);
+    CHECK(operations(detail::evaluation<double>::forces) == 3);  // r r, r r r, the sum
+    CHECK(operations(detail::evaluation<double>::seconds) == 2); // 3 r r + 1
+}
+
 TEST_CASE("a time that a formula is told is the time that it has") {
     auto const driven = [](double t, auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) * std::cos(t); };
     using V = Eigen::Matrix<double, 5, 1>;
