@@ -4,10 +4,10 @@
 // value, its loop over many operands, its derivative - stands in arithmetic.hpp and functions.hpp; a node only points there.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -89,9 +89,13 @@ public:
     }
     int make(traced_operation<S> const& what, int a, int b) {
         if (what.commutes and b < a) std::swap(a, b);
-        auto const [at, is_new] = known_.try_emplace(key{&what, a, b}, size());
-        if (is_new) nodes_.push_back({&what, a, b, static_cast<std::uint8_t>((*this)[a].on | (*this)[b].on)});
-        return at->second;
+        if (slots_.size() < 2 * (nodes_.size() + 1)) make_room();
+        int& slot = slot_of(what, a, b);
+        if (slot == none) {
+            slot = size();
+            nodes_.push_back({&what, a, b, static_cast<std::uint8_t>((*this)[a].on | (*this)[b].on)});
+        }
+        return slot;
     }
     void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
 
@@ -103,18 +107,22 @@ public:
     }
 
 private:
-    struct key {
-        traced_operation<S> const* what;
-        int a, b;
-        friend bool operator==(key const&, key const&) = default;
-    };
-    struct hash {
-        std::size_t operator()(key const& k) const {
-            auto const operands = static_cast<std::uint64_t>(static_cast<std::uint32_t>(k.a)) << 32U | static_cast<std::uint32_t>(k.b);
-            return static_cast<std::size_t>(
-                (operands * 0x9e3779b97f4a7c15U ^ reinterpret_cast<std::uintptr_t>(k.what)) * 0xbf58476d1ce4e5b9U >> 16U);
+    static constexpr int none = -1;
+    /// Where the operation's number is, or is to be put: from its hash on, the first place that is its own or nobody's.
+    int& slot_of(traced_operation<S> const& what, int a, int b) {
+        auto const operands = static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
+        auto const hash = (operands * 0x9e3779b97f4a7c15U ^ reinterpret_cast<std::uintptr_t>(&what)) * 0xbf58476d1ce4e5b9U;
+        for (auto at = static_cast<std::size_t>(hash >> 32U);; ++at) { // its upper half, which depends on both operands
+            int& slot = slots_[at & (slots_.size() - 1)];
+            if (slot == none) return slot;
+            if (auto const& n = (*this)[slot]; n.what == &what and n.a == a and n.b == b) return slot;
         }
-    };
+    }
+    void make_room() {
+        slots_.assign(std::bit_ceil(4 * (nodes_.size() + 1)), none);
+        for (int k = 0; k < size(); ++k)
+            if (auto const& n = (*this)[k]; n.what != nullptr) slot_of(*n.what, n.a, n.b) = k;
+    }
     int new_number(S const& x) {
         nodes_.push_back({nullptr, static_cast<int>(numbers_.size()), -1, on_nothing});
         numbers_.push_back(x);
@@ -123,7 +131,7 @@ private:
     std::vector<node> nodes_;
     std::vector<S> numbers_;
     std::vector<guard> guards_;
-    std::unordered_map<key, int, hash> known_;
+    std::vector<int> slots_; ///< the numbers of operations by their hash, a power of two of them and at least half of them free
     std::map<std::pair<S, bool>, int> known_numbers_; ///< -0 and 0 are equal, and two
 };
 

@@ -200,6 +200,21 @@ TEST_CASE("powers have the slopes of powers, however they are multiplied") {
     }
 }
 
+TEST_CASE("equal operations are one node, however many there are") {
+    detail::formula_graph<double> g(1);
+    detail::tracing<double> const here(g);
+    auto const size_after = [&](int terms) {
+        auto const q = traced<double>::at(0, 0.5), v = traced<double>::at(1, 2.0);
+        auto sum = q * v;
+        for (int k = 2; k < 2 + terms; ++k) sum = sum + q * k;
+        return g.size();
+    };
+    int const size = size_after(2000);
+    CHECK(size == g.arguments(1) + 1 + 3 * 2000); // the product, and a number, a product and a sum for each term
+    CHECK(size_after(2000) == size);
+    CHECK(size_after(2001) == size + 3);
+}
+
 TEST_CASE("the slope of a spring is no more work than by hand") {
     // r^2/2 + r^4/4 has the slope r + r^3, whose r^2 and r^3 are there
     auto const spring = [](auto const& q, auto const& v) { return v(0) * v(0) / 2 + q(0) * q(0) / 2 + q(0) * q(0) * q(0) * q(0) / 4; };
