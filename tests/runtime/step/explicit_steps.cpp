@@ -123,11 +123,11 @@ TEST_CASE("what has other parts is solved for") {
     solved([](auto const& q, auto const& v) { return separable(q, v) - max(q(0) - q(3), 0.0) * max(q(0) - q(3), 0.0) * 3; },
            order_one_left);
     solved([](auto const& t, auto const& q, auto const& v) { return separable(q, v) * (1 + t); }, order_one);
-    solved([](auto const& q, auto const& v) { return separable(q, v) * (q(0) > 0.34 ? 1 : 2); }, order_one); // masses of a branch
+    solved([](auto const& q, auto const& v) { return separable(q, v) * (q(0) > 0.3 ? 1 : 2); }, order_one); // masses of a branch
     solved(separable, mid_point);
     auto const drag = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(-v.cwiseProduct(v) / 4 - q / 5); };
     solved(with_force(separable, drag), order_one);
-    auto const rougher_there = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(v * (q(0) > 0.34 ? -1 : -2) + 0 * q); };
+    auto const rougher_there = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(v * (q(0) > 0.3 ? -1 : -2) + 0 * q); };
     solved(with_force(separable, rougher_there), order_one);
     auto const on_one_side = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(max(v(0), 0.0) * q); };
     solved(with_force(separable, on_one_side), order_one);
