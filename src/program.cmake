@@ -28,7 +28,7 @@ else()
   if(HILGER_TEST_EVERYTHING)
     set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # they include what they use
   endif()
-  precompile_as(hilger extremes)
+  precompile_as(hilger ${precompiled})
 endif()
 target_sources(hilger PRIVATE ${sources})
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

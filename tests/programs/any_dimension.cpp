@@ -8,7 +8,7 @@
 namespace any_dimension_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

@@ -7,7 +7,7 @@
 namespace dynamic_vector_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

@@ -6,7 +6,7 @@
 namespace fixed_vector_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

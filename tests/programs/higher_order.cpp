@@ -8,7 +8,7 @@
 namespace higher_order_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

@@ -10,7 +10,7 @@
 namespace memory_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

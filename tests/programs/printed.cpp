@@ -8,7 +8,7 @@
 namespace printed_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 

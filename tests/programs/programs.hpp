@@ -8,7 +8,7 @@
 #include "hilger/integrator/residual.hpp"
 #include "hilger/multiprecision.hpp"
 
-namespace hilger::testing {
+namespace hilger::programs {
 
 /// What rounding leaves of an equation in which numbers of the size p / h and m q / h^2 cancel: each of them has a few epsilons of itself.
 /// m is the largest mass d2L/dv2 there is.
@@ -67,4 +67,4 @@ void is_the_same_in_50_digits(Program const& program, double growth = 16, double
     CHECK(worst <= growth * static_cast<double>(path.scale().size()) * epsilon<double>() * size);
 }
 
-} // namespace hilger::testing
+} // namespace hilger::programs

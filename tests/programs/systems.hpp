@@ -9,7 +9,7 @@
 #include "hilger/scalar.hpp"
 #include "hilger/scale/time_scale.hpp"
 
-namespace hilger::testing {
+namespace hilger::programs {
 
 /// Steps that differ by a factor of ten.
 inline time_scale<double> const uneven{0, 0.05, 0.1, 0.2, 0.22, 0.3, 0.5, 0.55, 0.6, 0.8, 0.9, 1.0, 1.2, 1.5};
@@ -63,4 +63,4 @@ V push(int d = V::SizeAtCompileTime) {
     return p;
 }
 
-} // namespace hilger::testing
+} // namespace hilger::programs

@@ -16,7 +16,7 @@
 namespace thread_tests {
 
 using namespace hilger;
-using namespace hilger::testing;
+using namespace hilger::programs;
 
 namespace {
 
