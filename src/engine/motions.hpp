@@ -55,13 +55,14 @@ public:
         });
     }
     [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
-    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last,
-                                                 std::vector<vector<S>> const& guess) const override {
+    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
+                                                 std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
             hilger::boundary_values<vector<S>> const ends{first, last};
             auto const EL = equation_of(flow_, T_);
             auto const& force = flow_.mechanics().force;
-            auto const x = guess.empty() ? solve(EL, T_, ends, force) : solve(EL, T_, ends, force, hilger::function_on(T_, guess));
+            auto const x = guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
+                                         : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
             std::vector<vector<S>> positions;
             hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
             for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);

@@ -2,7 +2,10 @@
 // What runs long says how far it is, and looks for an interrupt.
 #pragma once
 
+#include <chrono>
 #include <ctime>
+#include <future>
+#include <stop_token>
 
 #include "bindings.hpp"
 
@@ -44,5 +47,26 @@ private:
     py::object const& progress_;
     double last_ = coarse_now();
 };
+
+/// What run(std::stop_token) returns, in a thread of its own. Ctrl-C, or what else a signal's handler raises, asks it to stop, and is
+/// thrown.
+template <class Run>
+auto interruptible(Run const& run) {
+    std::stop_source stop;
+    auto running = std::async(std::launch::async, [&] { return run(stop.get_token()); });
+    for (;;) {
+        {
+            py::gil_scoped_release const others_run;
+            if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
+        }
+        if (PyErr_CheckSignals() == 0) continue;
+        stop.request_stop();
+        py::gil_scoped_release const others_run;
+        running.wait();
+        break;
+    }
+    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+    return running.get();
+}
 
 } // namespace bindings

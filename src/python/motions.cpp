@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // Motions, one at a time. A walk lets other threads of Python run, looks for an interrupt every tenth of a second, and keeps what there is.
-#include <chrono>
-#include <future>
-
 #include "crossing.hpp"
 #include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
@@ -84,10 +81,8 @@ void add_motion(py::module_& m, char const* name) {
                  auto const a = with::vector_of(first), b = with::vector_of(last);
                  std::vector<engine::vector<S>> near;
                  for (given const& x : guess) near.push_back(with::vector_of(x));
-                 {
-                     py::gil_scoped_release const others_run;
-                     for (auto const& x : path.between(a, b, near)) q.insert(q.end(), x.data(), x.data() + x.size());
-                 }
+                 for (auto const& x : interruptible([&](std::stop_token const& stop) { return path.between(a, b, near, stop); }))
+                     q.insert(q.end(), x.data(), x.data() + x.size());
                  return with::array(std::move(q), static_cast<int>(a.size()));
              })
         .def("residual",
@@ -176,22 +171,8 @@ void add_motions(py::module_& m) {
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
                                  crossing<double>::given const& v0, double wanted, double longest_step) {
         auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
-        std::stop_source stop;
-        auto running = std::async(std::launch::async,
-                                  [&] { return engine::solve_accurately(what, a, b, x, y, wanted, longest_step, stop.get_token()); });
-        for (;;) {
-            {
-                py::gil_scoped_release const others_run;
-                if (running.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) break;
-            }
-            if (PyErr_CheckSignals() == 0) continue;
-            stop.request_stop();
-            py::gil_scoped_release const others_run;
-            running.wait();
-            break;
-        }
-        if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-        auto made = running.get();
+        auto made = interruptible(
+            [&](std::stop_token const& stop) { return engine::solve_accurately(what, a, b, x, y, wanted, longest_step, stop); });
         std::vector<double> q;
         for (auto const& at : made.q) q.insert(q.end(), at.data(), at.data() + at.size());
         int const d = static_cast<int>(x.size());

@@ -324,6 +324,14 @@ class Endings(unittest.TestCase):
             h.solve(kink, (0, 1000), q0=1.0, v0=0.0, accuracy=1e-12)
         timer.join()
 
+    def test_a_solution_between_two_ends_is_given_up_on_an_interrupt(self):
+        EL = h.variation(pendulum, h.uniform(0, 1e-6, 2_000_000), h.midpoint)  # many seconds
+        timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            h.solve(EL, q0=1.0, qN=0.5)
+        timer.join()
+
     def test_the_start_alone(self):
         wall = h.Lagrangian("v^2/2 + sqrt(1 - q)")
         with self.assertRaises(h.StepFailure) as failed:

@@ -16,6 +16,7 @@ struct boundary_options {
     int most_iterations = 50;    ///< of Newton's method
     int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
     int most_applications = 600; ///< of a derivative, in one linear equation
+    std::stop_token stop = {};   ///< who asks it to stop gets an error::no_convergence
 };
 
 /// What solve(EL, T, ends, options) found. The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications` is
@@ -100,6 +101,7 @@ private:
         if (not at.coupled) return {at.rest, S(0)};
         auto const A = [&](values const& y) {
             ++applications_;
+            detail::stop_on_request(options_.stop, "a boundary value problem");
             return equation_.derivative(at, y);
         };
         if constexpr (exact)

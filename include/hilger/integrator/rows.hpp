@@ -26,7 +26,8 @@ void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what, solvability const& by = by_the_velocity) {
+                index_type end, index_type reach, Force const& force, char const* what, solvability const& by = by_the_velocity,
+                std::stop_token const& stop = {}) {
     using s = shape<V>;
     using S = scalar_of<V>;
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -52,6 +53,7 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
         newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
         made.jacobian.set_zero();
         for (int k = 0; k < n; ++k) {
+            stop_on_request(stop, what);
             auto const slope = equation.residual_slope(now, begin + k, derivatives);
             for (int m = first_near(k); m < end_near(k); ++m) {
                 auto const block = slope.get(begin + m);

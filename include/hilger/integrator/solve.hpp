@@ -83,11 +83,12 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
 /// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
 /// solve(EL, T, ends, no_force{}, guess); of several solutions one near it is found. On given points in O(N).
+/// Who asks `stop` to stop gets an error::no_convergence.
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
 template <class Action, class V, class Force, class Guess>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends, Force const& force,
-           Guess const& guess) {
+           Guess const& guess, std::stop_token const& stop = {}) {
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
@@ -108,7 +109,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
         if (last > 1) {
             detail::put_first_guess(T, x, parts, guess);
-            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends);
+            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends, stop);
         }
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <sstream>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -78,6 +79,11 @@ template <class V>
             << (std::numeric_limits<scalar_of<V>>::is_exact ? "An exact scalar needs an equation that is linear in the unknown"
                                                             : by.advice);
     throw newton_failure<V>(message.str(), iterate, residual);
+}
+
+/// Where somebody asked for it, what is looked for is given up.
+inline void stop_on_request(std::stop_token const& stop, char const* what) {
+    if (stop.stop_requested()) error::raise<error::no_convergence>(what, " was given up on request");
 }
 
 } // namespace detail

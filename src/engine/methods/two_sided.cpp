@@ -24,9 +24,10 @@ public:
     }
     [[nodiscard]] std::vector<double> times() const override { return elements_of<double>(T_); }
     [[nodiscard]] std::vector<vector<double>> between(vector<double> const& first, vector<double> const& last,
-                                                      std::vector<vector<double>> const& guess) const override {
+                                                      std::vector<vector<double>> const& guess,
+                                                      std::stop_token const& stop) const override {
         if (not guess.empty()) refuse("it is solved from the solution for L = v.v / 2 on, and no other first guess is taken");
-        auto const x = solve(derived(), T_, hilger::boundary_values<vector<double>>{first, last});
+        auto const x = solve(derived(), T_, hilger::boundary_values<vector<double>>{first, last}, hilger::boundary_options{.stop = stop}).q;
         std::vector<vector<double>> positions;
         for (hilger::index_type i = x.first(); i <= x.last(); ++i) positions.push_back(x[i]);
         return positions;

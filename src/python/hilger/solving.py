@@ -83,7 +83,7 @@ def solve(
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
-    is is returned with a warning. With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L,
+    is is returned with a warning; between two ends, and to an accuracy, there is nothing to keep, and KeyboardInterrupt is raised. With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L,
     (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
 
     `compiled=True` makes machine code of whole steps, by the system's C compiler and in some tenths of a second the first time, where

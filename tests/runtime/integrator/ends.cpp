@@ -138,6 +138,24 @@ TEST_CASE("of several solutions the one near a first guess") {
                          doctest::Contains("a first guess is a function on T = {0, 0.1"), error::mismatch);
 }
 
+TEST_CASE("what is asked to stop is given up, and what is not asked is the same") {
+    auto const T = uniform(0.0, 0.1, 10);
+    auto const EL = variation(integral(pendulum(q, Delta_plus[q]), T));
+    auto const two_sided = variation(nabla_integral(pendulum(q, Delta_minus_alpha<3, 4>[q]), T));
+    boundary_values<double> const ends{0.25, 1.0};
+    auto const line = function_on(T, [](double t) { return 0.25 + 0.75 * t; });
+    std::stop_source source;
+    auto const stop = source.get_token();
+    auto const x = solve(EL, T, ends, no_force{}, line), y = solve(EL, T, ends, no_force{}, line, stop);
+    for (index_type i = 0; i < T.size(); ++i) CHECK(x[i] == y[i]);
+    CHECK(solve(two_sided, T, ends, boundary_options{.stop = stop}).q[5] == solve(two_sided, T, ends)[5]);
+    source.request_stop();
+    CHECK_THROWS_WITH_AS((void)solve(EL, T, ends, no_force{}, line, stop), "the equation between the ends of T was given up on request",
+                         error::no_convergence);
+    CHECK_THROWS_WITH_AS((void)solve(two_sided, T, ends, boundary_options{.stop = stop}),
+                         "a boundary value problem was given up on request", error::no_convergence);
+}
+
 TEST_CASE("the order between ends is that of the step") {
     // x'' = -x, x(0) = 0, x(1) = sin 1
     auto const error = [](index_type n) {
