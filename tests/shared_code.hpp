@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // What most files of the tests and of the program instantiate alike: none of this runs. clang instantiates it where the precompiled header
-// is made, and compiles it once (see precompiled.cmake): a quarter less of functions in all files together. A line is worth its place
+// is made, and compiles it once (see precompiled.cmake): a fifth less of functions in all. A line is worth its place
 // where it saves more of them than it makes: numbers that count, which few files use, are here for one kind of state only.
 #pragma once
 
@@ -12,8 +12,6 @@
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
 
-#include "hilger/text/lagrangian.hpp"
-#include "hilger/text/stated_embedding.hpp"
 #include "support/orders.hpp"
 #include "support/systems.hpp"
 #include "support/values.hpp"
@@ -79,16 +77,6 @@ void equations(L const& lagrangian) {
     equation_of(integral(lagrangian((q + sigma[q]) / 2, Delta_plus[q]), T));
 }
 
-inline void text_of_users() {
-    auto const L = text::lagrangian_in("v[0]^2/2 - q[0]^2", {});
-    steps<Eigen::VectorXd>(L, order_one);
-    steps<Eigen::VectorXd>(L, mid_point);
-    text::with_embedding<Q>(text::embedding_in(""), true, [&](auto const& how) {
-        using vector = Eigen::Matrix<Q, Eigen::Dynamic, 1>;
-        walk(embed(L, how).along(uniform(Q(0), Q(1), 100), vector{}, vector{}));
-    });
-}
-
 inline void all() {
     auto const in_space = [](auto const& q, auto const& v) { return (v.dot(v) - q.dot(q)) / 2 + q.dot(q) * v.dot(v); };
     schemes<double>(pendulum);
@@ -116,7 +104,6 @@ inline void all() {
     operators(uniform(Q(0), Q(2), 2), Q(1));
     operators(time_scale<double>{0.0, 1.0}, 1.0);
     equations(oscillator);
-    text_of_users();
 
     CHECK(printed(float50(3)) == printed(3.0));
     CHECK(printed(Eigen::Vector2d()) == printed(Eigen::VectorXd()));

@@ -12,13 +12,17 @@ namespace several_velocities_tests {
 using namespace hilger;
 using namespace hilger::testing;
 
+/// Of one type, for what is compiled for each.
+auto polynomial(double a4, double a3, double a2) {
+    return lagrangian{[=](auto const& q, auto const& v) { return v * v * (a2 + v * (a3 + v * a4)) - q * q / 2; }};
+}
 /// p = v^2/2: +v and -v have one momentum.
-lagrangian const cubic{[](auto const& q, auto const& v) { return v * v * v / 6 - q * q / 2; }};
+auto const cubic = polynomial(0, 1.0 / 6, 0);
 /// p = v^3/3 - v: three velocities (Shapere and Wilczek, Classical time crystals, Physical Review Letters 109, 2012).
-lagrangian const crystal{[](auto const& q, auto const& v) { return v * v * v * v / 12 - v * v / 2 - q * q / 2; }};
-lagrangian const quartic{[](auto const& q, auto const& v) { return v * v * v * v / 4 - q * q / 2; }};
+auto const crystal = polynomial(1.0 / 12, 0, -0.5);
+auto const quartic = polynomial(0.25, 0, 0);
+auto const nearly_massless = polynomial(0.25, 0, 0.5e-8);
 lagrangian const with_log{[](auto const& q, auto const& v) { return v * log(v) - q * q / 2; }};
-lagrangian const nearly_massless{[](auto const& q, auto const& v) { return v * v * v * v / 4 + 1e-8 * v * v / 2 - q * q / 2; }};
 /// The same for each component of vectors.
 template <class L>
 auto each_of(lagrangian<L> const& one) {
