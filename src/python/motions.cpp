@@ -10,16 +10,27 @@ namespace bindings {
 
 namespace {
 
-/// (t, q, p, why it stopped, whether it was interrupted)
+template <class S>
+py::tuple tuple_of(S const& t, engine::vector<S> const& q, engine::vector<S> const& p) {
+    using with = crossing<S>;
+    return py::make_tuple(with::word(t), with::array({q.data(), q.data() + q.size()}, 0), with::array({p.data(), p.data() + p.size()}, 0));
+}
+
+/// (t, q, p, why it stopped, whether it was interrupted). `until`(t, q, p) is asked at each point, and true at the last one.
 template <class S>
 py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
-               typename crossing<S>::given const& other, py::object const& progress) {
+               typename crossing<S>::given const& other, py::object const& progress, py::object const& until) {
     auto const from = initial_of<S>(q0, what, other);
     int const d = static_cast<int>(from.q0.size());
     std::vector<S> t, q, p;
     std::string stopped;
     bool interrupted = false;
     std::exception_ptr unexpected;
+    auto const is_end = [&](S const& time, engine::vector<S> const& x, engine::vector<S> const& y) {
+        if (until.is_none()) return false;
+        py::gil_scoped_acquire const here;
+        return until(*tuple_of<S>(time, x, y)).template cast<bool>();
+    };
     {
         py::gil_scoped_release const others_run;
         looking look(progress);
@@ -29,7 +40,7 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
                 q.insert(q.end(), x.data(), x.data() + d);
                 p.insert(p.end(), y.data(), y.data() + d);
                 interrupted = not look(t.size() - 1);
-                return not interrupted;
+                return not interrupted and not is_end(time, x, y);
             });
         } catch (hilger::error::exception const& why) {
             stopped = why.what();
@@ -103,13 +114,12 @@ void add_motion(py::module_& m, char const* name) {
         .def("zero_between",
              [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1, given const& q1,
                         given const& p1, number const& was, number const& now, py::function const& g) {
-                 auto const tuple_of = [](engine::state<S> const& x) {
-                     return py::make_tuple(with::word(x.t), with::array({x.q.data(), x.q.data() + x.q.size()}, 0),
-                                           with::array({x.p.data(), x.p.data() + x.p.size()}, 0));
+                 auto const value = [&](engine::state<S> const& x) {
+                     return with::number(g(*tuple_of<S>(x.t, x.q, x.p)).template cast<number>());
                  };
-                 auto const value = [&](engine::state<S> const& x) { return with::number(g(*tuple_of(x)).template cast<number>()); };
-                 return tuple_of(
-                     zero_between<S>(path, state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(was), with::number(now), value));
+                 auto const at =
+                     zero_between<S>(path, state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(was), with::number(now), value);
+                 return tuple_of<S>(at.t, at.q, at.p);
              })
         .def("between_states", [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1,
                                           given const& q1, given const& p1, number const& t) {

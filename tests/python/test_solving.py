@@ -332,6 +332,35 @@ class Endings(unittest.TestCase):
             h.solve(EL, q0=1.0, qN=0.5)
         timer.join()
 
+    def test_a_walk_ends_where_a_function_passes_zero(self):
+        EL = h.variation(h.Lagrangian(v**2 / 2 - q, q, v), h.uniform(0, 0.125, 100), h.midpoint)
+        height = lambda t, q, p: q
+        x, whole = (h.solve(EL, q0=1.0, v0=0.0, until=g) for g in (height, None))
+        self.assertEqual(x.t[-1], 1.5)  # the first point behind sqrt 2
+        self.assertEqual(list(x.q), list(whole.q[: len(x)]))
+        self.assertIn("passed zero by t = 1.5", x.stopped)
+        found = x.events(height)
+        self.assertEqual(len(found.t), 1)
+        self.assertAlmostEqual(found.t[0], 2**0.5, delta=4 * epsilon)
+        self.assertIsNone(h.solve(EL, q0=1.0, v0=0.0, until=lambda t, q, p: q + 1000).stopped)
+        self.assertEqual(h.solve(EL, q0=0.0, v0=1.0, until=height).t[-1], 2.0)  # and not at the start, nor behind the end of its flight
+        self.assertEqual(h.solve(EL, q0=1.0, v0=0.0, until=lambda t, q, p: q > 0).t[-1], 1.5)
+
+        exact = h.variation(h.Lagrangian(v**2 / 2 - q, q, v), h.uniform(0, Fraction(1, 8), 100), h.midpoint)
+        self.assertEqual(h.solve(exact, q0=Fraction(1), v0=Fraction(0), until=height).t[-1], Fraction(3, 2))
+        with_memory = h.solve(EL + h.damping(1.0, alpha=0.5), q0=1.0, v0=0.0, until=height)
+        self.assertGreater(with_memory.t[-1], 1.5)
+        self.assertLessEqual(with_memory.q[-1], 0)
+        plane = h.variation(h.Lagrangian("dot(v, v)/2 - q[1]", "q[2]", "v[2]"), h.uniform(0, 0.125, 100), h.midpoint)
+        self.assertEqual(h.solve(plane, q0=[0.0, 1.0], v0=[1.0, 0.0], until=lambda t, q, p: q[1]).q[-1][0], 1.5)
+
+        def breaks(t, q, p):
+            raise ValueError("of its own")
+
+        self.assertRaisesRegex(ValueError, "of its own", h.solve, EL, q0=1.0, v0=0.0, until=breaks)
+        for wrong in ({"v0": 0.0, "until": 3}, {"qN": 0.0, "until": height}, {"v0": 0.0, "until": height, "compiled": True}):
+            self.assertRaisesRegex(h.InvalidParameter, "until", h.solve, EL, q0=1.0, **wrong)
+
     def test_the_start_alone(self):
         wall = h.Lagrangian("v^2/2 + sqrt(1 - q)")
         with self.assertRaises(h.StepFailure) as failed:

@@ -62,6 +62,35 @@ class Events(NamedTuple):
     p: np.ndarray
 
 
+class Zeros:
+    """The values of a function g(t, q, p) along a walk in scalars of a kind, and whether it passed zero between two of them."""
+
+    def __init__(self, g: Callable, kind: str, scalar: bool) -> None:
+        self.g, self.kind, self.scalar = g, kind, scalar
+
+    def value(self, t, q, p, inside: bool = False):
+        with digits_of(self.kind):
+            y = self.g(t, q, p)
+            if isinstance(y, (bool, np.bool_)):
+                return 1 if y else -1
+            if y is None or np.ndim(y) > 0 or np.iscomplexobj(y):
+                raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
+        if inside and abs(y) == float("inf"):
+            return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
+        if not y - y == 0:
+            raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
+        return y
+
+    def state(self, t, q, p):
+        """From what the engine says of it."""
+        t, q, p = number_from(self.kind, t), numbers_from(self.kind, q), numbers_from(self.kind, p)
+        return (t, q[0], p[0]) if self.scalar else (t, q, p)
+
+    @staticmethod
+    def passed(was, now, crossing: str = "any") -> bool:
+        return (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising")
+
+
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
@@ -140,33 +169,19 @@ class Solution:
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
-        p, kind, row, scalar = self._momenta(), self.equation.scale.kind(), self._row, self.q.ndim == 1
+        p, row, zeros = self._momenta(), self._row, Zeros(g, self.equation.scale.kind(), self.q.ndim == 1)
+        value, state = zeros.value, zeros.state
 
-        def value(t, q, p, inside=False):
-            with digits_of(kind):
-                y = g(t, q, p)
-                if isinstance(y, (bool, np.bool_)):
-                    return 1 if y else -1
-                if y is None or np.ndim(y) > 0 or np.iscomplexobj(y):
-                    raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
-            if inside and abs(y) == float("inf"):
-                return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
-            if not y - y == 0:
-                raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
-            return y
-
-        def state(made):
-            t, q, p = made
-            q, p = numbers_from(kind, q), numbers_from(kind, p)
-            return (number_from(kind, t), q[0], p[0]) if scalar else (number_from(kind, t), q, p)
+        def between(*made):
+            return self._time(value(*state(*made), inside=True))
 
         found = []
         was = value(self.t[0], self.q[0], p[0])
         for i in range(1, len(self)):
             now = value(self.t[i], self.q[i], p[i])
-            if (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising"):
+            if zeros.passed(was, now, crossing):
                 ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
-                at = state(self._motion.zero_between(*ends, self._time(was), self._time(now), lambda *made: self._time(value(*state(made), inside=True))))
+                at = state(*self._motion.zero_between(*ends, self._time(was), self._time(now), between))
                 if abs(value(*at, inside=True)) <= max(abs(was), abs(now)):
                     found.append(at)
             was = now

@@ -13,7 +13,7 @@ from . import _core
 from .equations import Equation
 from .lagrangians import Lagrangian
 from .scales import digits, real, require_real
-from .solutions import AccurateSolution, Solution, StepFailure, numbers_from
+from .solutions import AccurateSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
 LONG = 10_000_000  # steps, from which on to make machine code of them takes less than it wins
@@ -71,6 +71,7 @@ def solve(
     q1: "Optional[State]" = None,
     qN: "Optional[State]" = None,
     guess: "Optional[np.ndarray]" = None,
+    until: "Optional[Callable]" = None,
     history: str = "exponentials",
     progress: "bool | Callable[[int], None]" = False,
     accuracy: "Optional[float]" = None,
@@ -80,6 +81,9 @@ def solve(
     """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
     start from q1, where nothing is damped. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a
     number) for each point of T: of several solutions one near it is found.
+
+    `until=g` ends a walk at the first point of T behind a zero of g(t, q, p), as of the height of what falls: x.stopped says so, and
+    x.events(g) where it was. A g that is true or false passes zero where it changes; g = 0 at the start is no zero.
 
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
@@ -96,7 +100,7 @@ def solve(
     if isinstance(equation, Lagrangian):
         if interval is None or accuracy is None or v0 is None:
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
-        if any(x is not None for x in (p0, q1, qN, guess, compiled)) or progress or history != "exponentials":
+        if any(x is not None for x in (p0, q1, qN, guess, until, compiled)) or progress or history != "exponentials":
             raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
         if np.ndim(interval) != 1 or len(interval) != 2:
             raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
@@ -121,8 +125,10 @@ def solve(
     kind, L = equation.scale.kind(), equation.lagrangian
     scalar = L.is_scalar
     start = _state(kind, q0, L, "q0"), name, _state(kind, other, L, name)
+    if until is not None and (compiled or name == "qN"):
+        raise _core.InvalidParameter("until=g ends a walk from initial values, which is asked at each step: not between two ends, and not with compiled=True")
     if compiled is None:
-        compiled = equation.scale.steps >= LONG
+        compiled = until is None and equation.scale.steps >= LONG
     motion = equation._motion(history)
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
     if guess is not None and name != "qN":
@@ -135,10 +141,11 @@ def solve(
         return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, None, None)
     bar = _bar(progress, equation)
     made = None
+    is_end = _end_of_walk(until, kind, scalar)
     try:
         if compiled and kind == "double":
             made = _core.walk_in_whole_steps(motion, equation._stated(history), equation.method.name, equation._points(), *start, bar)
-        t, q, p, stopped, interrupted = made or motion.walk(*start, bar)
+        t, q, p, stopped, interrupted = made or motion.walk(*start, bar, is_end)
     except _core.Error as why:
         if str(why).startswith("the step from"):
             raise StepFailure(str(why), None) from why
@@ -153,7 +160,28 @@ def solve(
         warnings.warn(x.stopped + "; what there is was kept", RuntimeWarning, stacklevel=2)
     elif stopped:
         raise StepFailure(stopped, x)
+    elif is_end is not None and is_end.reached:
+        x.stopped = f"`until` passed zero by t = {x.t[-1]}"
     return x
+
+
+class _EndOfWalk:
+    """Asked at each state of a walk in turn: whether g has passed zero since the one before."""
+
+    def __init__(self, zeros: Zeros) -> None:
+        self.zeros, self.was, self.reached = zeros, None, False
+
+    def __call__(self, *made) -> bool:
+        now = self.zeros.value(*self.zeros.state(*made))
+        self.reached = self.was is not None and self.zeros.passed(self.was, now)
+        self.was = now
+        return self.reached
+
+
+def _end_of_walk(until: "Optional[Callable]", kind: str, scalar: bool) -> "Optional[_EndOfWalk]":
+    if until is not None and not callable(until):
+        raise _core.InvalidParameter(f"`until` is a function of t, q and p, and here is {until!r}")
+    return None if until is None else _EndOfWalk(Zeros(until, kind, scalar))
 
 
 class _Bar:
