@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What most files of the tests and of the program instantiate alike: none of this runs. clang instantiates it where the precompiled header
-// is made, and compiles it once (see precompiled.cmake): a fifth less of functions in all. A line is worth its place
-// where it saves more of them than it makes: numbers that count, which few files use, are here for one kind of state only.
+// is made, and compiles it once (see precompiled.cmake). A line is worth its place where it saves more functions than it makes: numbers
+// that count, which few files use, are here for one kind of state only.
 #pragma once
 
 #include "../src/compiled_once.hpp"

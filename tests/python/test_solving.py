@@ -345,6 +345,7 @@ class Endings(unittest.TestCase):
         self.assertIsNone(h.solve(EL, q0=1.0, v0=0.0, until=lambda t, q, p: q + 1000).stopped)
         self.assertEqual(h.solve(EL, q0=0.0, v0=1.0, until=height).t[-1], 2.0)  # and not at the start, nor behind the end of its flight
         self.assertEqual(h.solve(EL, q0=1.0, v0=0.0, until=lambda t, q, p: q > 0).t[-1], 1.5)
+        self.assertEqual(h.solve(EL, q0=1.0, v0=0.0, until=lambda t, q, p: -q).t[-1], 1.5)  # rising
 
         exact = h.variation(h.Lagrangian(v**2 / 2 - q, q, v), h.uniform(0, Fraction(1, 8), 100), h.midpoint)
         self.assertEqual(h.solve(exact, q0=Fraction(1), v0=Fraction(0), until=height).t[-1], Fraction(3, 2))
