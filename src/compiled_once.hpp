@@ -18,6 +18,7 @@
 
 extern template class Eigen::PartialPivLU<Eigen::MatrixXd>;
 extern template class Eigen::PartialPivLU<Eigen::Matrix<hilger::float50, -1, -1>>;
+extern template class Eigen::PartialPivLU<Eigen::Matrix<hilger::Q, -1, -1>>;
 namespace hilger::detail {
 HILGER_ENGINES_WITH_ROOTS(extern, double)
 HILGER_ENGINES_WITH_ROOTS(extern, float50)

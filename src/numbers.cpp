@@ -37,3 +37,4 @@ INSTANTIATE_DIGITS(hilger::float100)
 
 template class Eigen::PartialPivLU<Eigen::MatrixXd>;
 template class Eigen::PartialPivLU<Eigen::Matrix<hilger::float50, -1, -1>>;
+template class Eigen::PartialPivLU<Eigen::Matrix<hilger::Q, -1, -1>>;

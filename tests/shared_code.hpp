@@ -63,6 +63,39 @@ void operators(Scale const& T, V const& a) {
     CHECK(points(half(T)) == "");
 }
 
+/// What expressions of vectors tests and engines form.
+template <class V, class S = hilger::scalar_of<V>>
+void vectors(S const& h) {
+    V a{}, b{};
+    V x = a + b, y = a - b;
+    x = h * a + b;
+    x += h * a;
+    x = a + h * b;
+    x -= a;
+    x = (a + b) / h;
+    x = (a - b) / h;
+    x = a * h;
+    x = -a;
+    x *= h;
+    x = a / h;
+    S s = x.dot(y) + x.squaredNorm() + x(0) + x[0] + x.sum();
+    s += x.cwiseAbs().maxCoeff();
+    CHECK(a == b);
+    CHECK(s < h);
+    std::vector<V> many{a, b};
+    many.push_back(x);
+    many.emplace_back(std::move(y));
+    std::vector<V> const others = many;
+    CHECK(others == many);
+    std::optional<V> maybe = a;
+    maybe = b;
+    if constexpr (std::same_as<S, double>) {
+        CHECK((a - b).norm() < h * a.norm());
+        CHECK((a - b).cwiseAbs().maxCoeff() < h);
+        std::cout << a;
+    }
+}
+
 template <class L>
 void equations(L const& lagrangian) {
     constexpr unknown q;
@@ -95,9 +128,18 @@ inline void all() {
     steps<Eigen::Matrix<float50, 2, 1>>(kepler, order_one);
     steps<Eigen::Matrix<float50, 2, 1>>(in_space, mid_point);
     walk(stoermer_verlet(pendulum).along(uniform(0.0, 1.0, 100), 1.0, 1.0));
-    auto const with_memory = [](auto const& damped) { walk(embed(damped, mid_point).along(uniform(0.0, 1.0, 100), 1.0, 1.0)); };
-    with_memory(with_fractional_damping(pendulum, 0.1, fraction<1, 2>{}));
-    with_memory(with_fractional_damping(pendulum, 0.1, 0.5, exponentials{1e-10, 1000}));
+    auto const with_memory = [](auto const& damped, auto const& x) { walk(embed(damped, mid_point).along(uniform(0.0, 1.0, 100), x, x)); };
+    with_memory(with_fractional_damping(pendulum, 0.1, fraction<1, 2>{}), 1.0);
+    with_memory(with_fractional_damping(pendulum, 0.1, 0.5, exponentials{1e-10, 1000}), 1.0);
+    with_memory(with_fractional_damping(kepler, Eigen::Vector2d(), fraction<1, 2>{}), Eigen::Vector2d());
+    with_memory(with_fractional_damping(kepler, Eigen::VectorXd(), fraction<1, 2>{}), Eigen::VectorXd());
+
+    vectors<Eigen::VectorXd>(1.0);
+    vectors<Eigen::Vector2d>(1.0);
+    vectors<Eigen::Vector3d>(1.0);
+    vectors<Eigen::Matrix<double, 6, 1>>(1.0);
+    vectors<Eigen::Matrix<Q, -1, 1>>(Q(1));
+    vectors<Eigen::Matrix<Q, 2, 1>>(Q(1));
 
     operators(steps_1_2_4(), Q(3));
     operators(uniform(0.0, 0.5, 2), 1.0);
