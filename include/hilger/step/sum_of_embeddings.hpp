@@ -52,17 +52,17 @@ constexpr auto embedding_of(S const& s) {
         return make_embedding<typename S::weight>(s.position, s.velocity, "the embedding of an action");
 }
 
-/// Several Lagrangians; the nodes ask each for one of them.
+/// Several Lagrangians; the nodes ask each for one of them, and who asks for the whole for their sum.
 template <class F, class G, class Force, class V, bool Traces>
-class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final : public given_problem<V> {
-    using base = given_problem<V>;
+class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final
+    : public given_whole<problem<lagrangian_by_node<F, G>, Force>, V, Traces> {
     using what_type = problem<lagrangian_by_node<F, G>, Force>;
     given<problem<F, Force>, V> first_;
     given<problem<G, no_force>, V> second_;
 
 public:
-    explicit given(what_type const& what) : base(false, false, false), first_(what.first), second_(what.second) {}
-    [[nodiscard]] base const& part(int k) const override { return k < parts_of<F> ? first_.part(k) : second_; }
+    explicit given(what_type const& what) : given_whole<what_type, V, Traces>(what), first_(what.first), second_(what.second) {}
+    [[nodiscard]] given_problem<V> const& part(int k) const override { return k < parts_of<F> ? first_.part(k) : second_; }
 };
 
 } // namespace detail

@@ -178,6 +178,32 @@ TEST_CASE("with points inside the steps, where all parts read the same ones") {
         "Π₂*[∂L₁/∂q(⋆₁)] + Π₂′*[∂L₁/∂v(⋆₁)] + Π₂*[∂L₂/∂q(⋆₂)] + Π₂′*[∂L₂/∂v(⋆₂)] = 0   on T∘±,   ⋆₁ = (Π₂[q], Π₂′[q])"));
 }
 
+TEST_CASE_TEMPLATE("between the points, in states of every kind", V, double, Eigen::Vector2d, Eigen::VectorXd) {
+    auto const T = uniform(0.0, 0.0625, 48);
+    auto const path = flow_of(variation(implicit_explicit(stiff, gentle, T))).along(T, some_state<V>(0.5), some_state<V>(-1));
+    auto const dense = dense_output(path);
+    auto const mechanics = path.method().mechanics();
+    double const h = T.h();
+    double largest = 0;
+    state<double, V> before = *path.begin();
+    for (auto const& x : path) {
+        if (x.t > 0) { // Hermite's cubic in the middle of a step, by slopes of the sum: dL/dv = v, and dL/dq is that of both
+            auto const slope = [&](auto const& y) { return slopes_at(mechanics, y).q; };
+            V const expected = (before.q + x.q) / 2 + (slope(before) - slope(x)) * (h / 8);
+            largest = std::max(largest, magnitude(V(dense(x.t - h / 2).q - expected)));
+            CHECK(magnitude(V(slope(x) - x.p)) <= 8 * epsilon<double>() * magnitude(x.p));
+        }
+        before = x;
+    }
+    CHECK(largest <= 16 * epsilon<double>());
+    index_type crossings = 0;
+    for (auto const& x : events(path, [](auto const& y) { return first_of(y.q); })) {
+        CHECK(std::abs(first_of(x.q)) <= 8 * epsilon<double>());
+        ++crossings;
+    }
+    CHECK(crossings == 4); // of a frequency between 4 and 5, over 3, from a phase of 0.46
+}
+
 TEST_CASE("what is written down") {
     auto const T = uniform(0.0, 0.1, 4);
     std::ostringstream out;

@@ -57,10 +57,10 @@ traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V con
     });
 }
 
-template <class Problem, class V, bool Traces = is_traced_at<Problem, V>>
-class given;
+template <class Problem, class V, bool Traces>
+class given_whole;
 template <class F, class Force, class V, bool Traces>
-class given<problem<F, Force>, V, Traces> final : public given_problem<V> {
+class given_whole<problem<F, Force>, V, Traces> : public given_problem<V> {
     using base = given_problem<V>;
     using typename base::formula;
     using typename base::S;
@@ -73,7 +73,8 @@ class given<problem<F, Force>, V, Traces> final : public given_problem<V> {
     }();
 
 public:
-    explicit given(Problem const& what) : base(Traces, Traces and (told_time<F> or (forced and told_time<Force>)), forced), what_(what) {}
+    explicit given_whole(Problem const& what)
+        : base(Traces, Traces and (told_time<F> or (forced and told_time<Force>)), forced), what_(what) {}
 
     formula traced_at(S const& t, V const& q, V const& v) const override {
         if constexpr (Traces) {
@@ -99,8 +100,16 @@ public:
     }
     bool reads_time() const override { return reads_time_in<S, V>(what_.lagrangian) or is_timed<no_force, Force, S, V>; }
 
+protected:
+    ~given_whole() = default;
+
 private:
     Problem const& what_;
+};
+template <class Problem, class V, bool Traces = is_traced_at<Problem, V>>
+class given final : public given_whole<Problem, V, Traces> {
+public:
+    using given_whole<Problem, V, Traces>::given_whole;
 };
 
 } // namespace hilger::detail
