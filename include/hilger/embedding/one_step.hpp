@@ -93,16 +93,16 @@ struct on_one_step {
 
 enum class consistency { holds, weights, position_of_one, velocity_of_one, velocity_of_time, values_inside };
 
-/// Whether the velocities at the nodes determine the values inside the step, over a finite field.
-template <class W, linear_map A, linear_map B>
-constexpr bool determines_values_inside(A const& a, B const& b) {
-    using F = prime_field;
+/// Whether the velocities at the nodes determine the values inside the step.
+template <class W, class F, linear_map A, linear_map B, class Near>
+constexpr bool determines_values_inside(A const& a, B const& b, F const& h, Near const& near) {
     using step = on_one_step<A, B, W, F>;
     constexpr int n = step::controls - 2;
     if constexpr (n <= 0)
         return true;
     else {
-        F const h(7919), zero(0);
+        F const zero(0);
+        F largest(1);
         std::array<std::array<F, static_cast<std::size_t>(n)>, static_cast<std::size_t>(n)> K{};
         auto const at = [&K](int j, int m) -> F& { return K[static_cast<std::size_t>(j)][static_cast<std::size_t>(m)]; };
         for (int k = 0; k < step::nodes_; ++k) {
@@ -112,9 +112,16 @@ constexpr bool determines_values_inside(A const& a, B const& b) {
             for (int j = 0; j < n; ++j)
                 for (int m = 0; m < n; ++m) at(j, m) = at(j, m) + w * v[static_cast<std::size_t>(j)] * v[static_cast<std::size_t>(m)];
         }
+        if constexpr (not std::same_as<F, prime_field>) {
+            largest = zero;
+            for (int j = 0; j < n; ++j)
+                for (int m = 0; m < n; ++m)
+                    if (F const size(magnitude(at(j, m))); largest < size) largest = size;
+            if (largest == zero) return false;
+        }
         for (int c = 0; c < n; ++c) {
             int pivot = c;
-            while (pivot < n and at(pivot, c) == zero) ++pivot;
+            while (pivot < n and near(F(at(pivot, c) / largest), zero)) ++pivot;
             if (pivot == n) return false;
             std::swap(K[static_cast<std::size_t>(pivot)], K[static_cast<std::size_t>(c)]);
             for (int j = c + 1; j < n; ++j) {
@@ -141,7 +148,7 @@ constexpr consistency examine(A const& a, B const& b, S const& h, Near const& ne
         if (not near(S(step::value(b, h, ones, k) * h), zero)) return consistency::velocity_of_one;
         if (not near(step::value(b, h, time, k), one)) return consistency::velocity_of_time;
     }
-    return consistency::holds;
+    return determines_values_inside<W>(a, b, h, near) ? consistency::holds : consistency::values_inside;
 }
 
 /// Known by the type: over a finite field, where equal means equal. What has no step is refused elsewhere, and numbers that are known at
@@ -155,10 +162,9 @@ template <linear_map A, linear_map B, class W>
 consteval consistency consistency_by_type() {
     if constexpr (is_consistent_by_construction<A, B, W>)
         return consistency::holds;
-    else if constexpr (not has_numbers<A, B> and reads_one_step<A, B> and std::same_as<typename A::to, typename B::to>) {
-        auto const found = examine<W>(A{}, B{}, prime_field(7919), [](prime_field x, prime_field y) { return x == y; });
-        return found == consistency::holds and not determines_values_inside<W>(A{}, B{}) ? consistency::values_inside : found;
-    } else
+    else if constexpr (not has_numbers<A, B> and reads_one_step<A, B> and std::same_as<typename A::to, typename B::to>)
+        return examine<W>(A{}, B{}, prime_field(7919), [](prime_field x, prime_field y) { return x == y; });
+    else
         return consistency::holds;
 }
 

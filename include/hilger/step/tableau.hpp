@@ -105,6 +105,9 @@ void require_consistent(A const& a, B const& b, S const& h, char const* name) {
     case consistency::velocity_of_time:
         refuse("velocity operator of an embedding makes 1 of the function t");
         break;
+    case consistency::values_inside:
+        refuse("velocities at the nodes of an embedding determine the values inside the step");
+        break;
     }
 }
 } // namespace detail

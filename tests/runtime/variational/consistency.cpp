@@ -3,6 +3,7 @@
 // tests/fail; here are those on numbers known at run time only.
 #include <doctest/doctest.h>
 
+#include "hilger/embedding/galerkin.hpp"
 #include "hilger/integrator/solve.hpp"
 #include "hilger/multiprecision.hpp"
 
@@ -46,6 +47,10 @@ TEST_CASE("numbers known at run time only are looked at when a step is made") {
     auto const weights = says("weights of an embedding add up to the step h");
     CHECK_THROWS_WITH_AS(walk<double>(make_embedding<nabla_weight>(identity_T, 1.0 * Delta_plus, "mine")), weights.c_str(),
                          error::invalid_parameter);
+    auto const inside = says("velocities at the nodes of an embedding determine the values inside the step");
+    CHECK_THROWS_WITH_AS(
+        walk<double>(make_embedding<step_weight>(1.0 * polynomial_value<2, gauss, 1>{}, polynomial_slope<2, gauss, 1>{}, "mine")),
+        inside.c_str(), error::invalid_parameter);
     // exactly, where numbers are exact
     CHECK_THROWS_AS(walk<Q>(make_embedding<delta_weight>(identity_T, Q(1'000'000'001, 1'000'000'000) * Delta_plus, "mine")),
                     error::invalid_parameter);
