@@ -5,7 +5,7 @@
 //   force = "-0.1*v"                                 one, or a list with one for each coordinate
 //   parameters = { m = 1, g = 9.81, l = "1/3" }      numbers, lists of numbers, digits
 //   coordinates = "q[2]"                             names with lengths; so are velocities; q and v where nothing is said
-//   interval = [0, 100]
+//   interval = [0, 100]                              or "2*pi"
 //   steps = 1000
 //   initial = { q = 1, v = 0 }                       numbers or lists under the names of the coordinates, 0 for all that
 //                                                    stands under one, or formulas of the parameters and of i, which component it is
@@ -48,11 +48,7 @@ public:
         if (auto const* f = file_.get("force")) what.of.force = force(*f, words);
         if (auto const* d = file_.get("damping")) what.of.damping = damping(*d);
         if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
-        auto const ends = file_.digits_of_list(file_.required("interval"), "two numbers, as interval = [0, 100]");
-        if (ends.size() != 2 or not(file_.number(ends[0]) < file_.number(ends[1])))
-            file_.refuse(&file_.required("interval"), "an interval is two numbers, the smaller one first");
-        what.start = ends[0];
-        what.end = ends[1];
+        interval(what);
         if (file_.get("first") != nullptr or file_.get("last") != nullptr)
             both_ends(what, words);
         else
@@ -192,6 +188,18 @@ private:
             return 0;
         });
         return *one.material;
+    }
+    void interval(stated_problem& what) const {
+        auto const& n = file_.required("interval");
+        auto const* list = n.as_array();
+        if (list == nullptr) file_.refuse(&n, "a list was expected, of two numbers, as interval = [0, 100]");
+        values_in_file const values(file_, text::no_words());
+        std::vector<std::string> ends;
+        for (auto const& end : *list) ends.push_back(values.end_of_interval(end));
+        if (ends.size() != 2 or not(file_.number(ends[0]) < file_.number(ends[1])))
+            file_.refuse(&n, "an interval is two numbers, the smaller one first");
+        what.start = ends[0];
+        what.end = ends[1];
     }
     /// What digits in a file spell.
     [[nodiscard]] hilger::float100 exactly(toml::node const& n) const { return *text::number_in<hilger::float100>(file_.digits_of(n)); }

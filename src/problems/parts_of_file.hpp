@@ -46,7 +46,7 @@ public:
                     auto const& one = list != nullptr ? *list->get(k) : *values;
                     if (is_formula(one)) {
                         formulas.push_back({to.size(), k, file_.formula(one, words_for_component(*words_, k), "an initial value")});
-                        to.push_back(value(one, formulas.back().of));
+                        to.push_back(value(one, formulas.back().of, "an initial value"));
                     } else
                         to.push_back(file_.digits_of(one));
                 }
@@ -55,6 +55,15 @@ public:
         if (used != given.size())
             file_.refuse(&n, "there are " + key + " values of what is no coordinate" + (wanted.size() > 1 ? " and no velocity" : ""));
     }
+    /// A number, or a formula of numbers, as "2*pi".
+    [[nodiscard]] std::string end_of_interval(toml::node const& n) const {
+        if (not is_formula(n)) return file_.digits_of(n);
+        try {
+            return value(n, file_.formula(n, hilger::text::no_words(), "interval"), "an end of the interval");
+        } catch (hilger::error::unreadable const&) {
+            file_.refuse(&n, "an end of the interval is a number, as 1, \"1/3\" or \"2*pi\"");
+        }
+    }
 
 private:
     [[nodiscard]] static bool is_formula(toml::node const& n) {
@@ -62,12 +71,11 @@ private:
         return s and not hilger::text::number_in<double>(*s);
     }
     /// What a formula of the parameters and of i is in a hundred digits.
-    [[nodiscard]] std::string value(toml::node const& n, hilger::text::stated const& f) const {
+    [[nodiscard]] std::string value(toml::node const& n, hilger::text::stated const& f, std::string const& what) const {
         using R = hilger::float100;
-        if (f.reads_state())
-            file_.refuse(&n, "an initial value is a number, or a formula of the parameters and of i, which component it is");
+        if (f.reads_state()) file_.refuse(&n, what + " is a number, or a formula of the parameters and of i, which component it is");
         R const x = f.number<R>();
-        if (not(abs(x) <= R(std::numeric_limits<double>::max()))) file_.refuse(&n, "this initial value is not a finite number");
+        if (not(abs(x) <= R(std::numeric_limits<double>::max()))) file_.refuse(&n, what + " is a finite number, and this one is not");
         return x.str(std::numeric_limits<R>::max_digits10, std::ios::scientific);
     }
     toml_file const& file_;

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "hilger/error.hpp"
+#include "hilger/formula/print.hpp"
 #include "hilger/version.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
@@ -106,8 +107,8 @@ std::string write_summary(scene const& what, run_options const& options, configu
     std::ofstream out = create(options.out, name);
     out << std::setprecision(6) << "{\n  \"scene\": \"" << what.name << "\",\n  \"hilger\": \"" << HILGER_VERSION_MAJOR << '.'
         << HILGER_VERSION_MINOR << '.' << HILGER_VERSION_PATCH << "\",\n  \"embedding\": \"" << c.embedding << "\",\n  \"scalar\": \""
-        << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << what.t0 << ", " << what.t1
-        << "],\n  \"steps\": " << c.steps << ",\n  \"seconds\": " << seconds << ",\n  \"largest error\": {";
+        << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << hilger::round_trip(what.t0) << ", "
+        << hilger::round_trip(what.t1) << "],\n  \"steps\": " << c.steps << ",\n  \"seconds\": " << seconds << ",\n  \"largest error\": {";
     auto const drift = w.drift();
     for (std::size_t k = 0; k < what.invariants.size(); ++k) {
         out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": ";

@@ -183,7 +183,7 @@ private:
     static std::partial_ordering compared(symbol const& x, symbol const& y) {
         if (not x.is_number() or not y.is_number())
             error::raise<error::no_formula>(
-                "a callable that compares its arguments is not one formula, nor is one that iterates, as the "
+                "what compares its arguments, by if or otherwise, is not one formula, nor is what iterates, as the "
                 "Legendre transform of a Hamiltonian does: constants can be compared, and min, max and abs are formulas");
         return x.value() <=> y.value();
     }

@@ -148,7 +148,7 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
         bool const is_first = exact or iteration == 0; // later ones may have been led astray
         if (not all_finite(at.residual)) {
             if (not is_first) break;
-            error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration");
+            error::raise<error::not_finite>(what, " meets NaN or infinity in its Newton iteration", by.around);
         }
         residual = at.residual;
         // A guess that happens to solve a singular system is one of many solutions.

@@ -114,7 +114,8 @@ template <class V>
 [[noreturn, gnu::noinline, gnu::cold]] void give_up_on_branches(std::string const& what, branch_search how, V const& iterate,
                                                                 V const& residual, solvability const& by = by_the_velocity) {
     if (how == branch_search::singular) refuse_singular(what, by);
-    if (how == branch_search::not_finite or not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
+    if (how == branch_search::not_finite or not all_finite(residual))
+        error::raise<error::not_finite>(what, " meets NaN or infinity", by.around);
     if (how == branch_search::between)
         throw newton_failure<V, error::no_branch>(
             what +

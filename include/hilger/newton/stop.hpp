@@ -53,16 +53,18 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
         return S(sqrt(epsilon<S>()));
 }
 
-/// Why the derivative of an equation is regular, and what helps where its root is not found.
+/// Why the derivative of an equation is regular, what helps where its root is not found, and what where there are no numbers on the way.
 struct solvability {
     char const *regular, *advice;
+    char const* around = "";
 };
 inline constexpr solvability by_the_velocity{"the second derivative of L by the velocity must be invertible, and those by q finite",
                                              "A smaller step h brings the guess closer"};
 inline constexpr solvability by_the_ends{
     "the two ends must determine what lies between them, as they do not where they are half a period of an oscillator apart; nor does an L "
     "without kinetic energy",
-    "There may be no solution, or none near the first guess: that is the straight line between the ends where no other one is given"};
+    "There may be no solution, or none near the first guess: that is the straight line between the ends where no other one is given",
+    ": a first guess nearer to the solution may lead around that"};
 
 [[noreturn]] inline void refuse_singular(std::string const& what, solvability const& by = by_the_velocity) {
     error::raise<error::singular>(what, " has a singular derivative here: ", by.regular);
@@ -72,7 +74,7 @@ inline constexpr solvability by_the_ends{
 template <class V>
 [[noreturn]] void give_up(std::string const& what, bool singular, V const& iterate, V const& residual, scalar_of<V> const& correction,
                           int most = most_iterations<scalar_of<V>>, solvability const& by = by_the_velocity) {
-    if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity");
+    if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity", by.around);
     if (singular) refuse_singular(what, by);
     std::ostringstream message;
     message << what << " did not converge in " << most << " Newton iterations; the last correction was " << correction << ". "

@@ -242,7 +242,7 @@ private:
 
     long long whole(node const& n) {
         auto const x = whole_constant(n, words_, indices_);
-        if (not x) refuse(n, "indices are whole numbers made of numbers, parameters and indices of sums, and here is none");
+        if (not x) refuse(n, "indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
         return *x;
     }
     [[noreturn]] void refuse_name(node const& n) { refuse(n, "'" + n.name + "' has no meaning: there are " + words_.known()); }

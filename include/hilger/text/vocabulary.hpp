@@ -3,6 +3,7 @@
 // were written, and become exact in rationals.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <map>
@@ -103,9 +104,10 @@ public:
         if (not time.empty()) add(time, {meaning::role::time, 0, 0});
     }
     /// A parameter that is a number, and one that is a list of numbers. @throws error::invalid_parameter when the name is taken or none,
-    /// or a value is no number
+    /// a list is empty, or a value is no number
     void set(std::string const& name, std::string const& digits) { add_parameter(name, {digits}, 0); }
     void set(std::string const& name, std::vector<std::string> const& digits) {
+        if (digits.empty()) error::raise<error::invalid_parameter>("the parameter '", name, "' is a list of numbers, and of none here");
         add_parameter(name, digits, static_cast<int>(digits.size()));
     }
 
@@ -120,12 +122,17 @@ public:
     }
     /// How many numbers that is.
     [[nodiscard]] int brought() const { return brought_; }
-    /// The same words with these numbers in the place of those.
+    /// The same words with these numbers in the place of those. @throws error::not_finite
     [[nodiscard]] vocabulary with(std::vector<double> const& numbers) const {
         vocabulary fixed = *this;
         for (auto& [name, means] : fixed.meanings_)
-            if (means.is == meaning::role::position and dimension_ <= means.first)
-                means = {meaning::role::parameter, static_cast<int>(digits_.size()) + means.first - dimension_, means.size};
+            if (means.is == meaning::role::position and dimension_ <= means.first) {
+                int const first = means.first - dimension_;
+                for (int k = first; k < first + std::max(means.size, 1); ++k)
+                    if (double const x = numbers[static_cast<std::size_t>(k)]; not(x - x == 0))
+                        error::raise<error::not_finite>("the parameter '", name, "' is a number, and is ", x, " here");
+                means = {meaning::role::parameter, static_cast<int>(digits_.size()) + first, means.size};
+            }
         for (double const x : numbers) {
             char text[32];
             fixed.digits_.emplace_back(text, std::to_chars(text, text + sizeof text, x).ptr);
@@ -158,6 +165,7 @@ private:
     }
     void add(std::string const& name, meaning is) {
         if (not is_name(name)) error::raise<error::invalid_parameter>("a name is letters, digits and _, and '", name, "' is none");
+        if (name == "pi") error::raise<error::invalid_parameter>("pi is the number 3.14159..., and the name of nothing else");
         if (not meanings_.emplace(name, is).second)
             error::raise<error::invalid_parameter>("each name has one meaning, and '", name, "' was given two");
     }

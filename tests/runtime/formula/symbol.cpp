@@ -160,11 +160,12 @@ TEST_CASE("constants are folded, zeros and ones disappear, equal parts are one n
 TEST_CASE("what is no formula is refused") {
     auto const q = variables<double>("q");
     auto const by_cases = [](auto const& x) { return x < 0 ? -x : x * x; };
-    CHECK_THROWS_WITH_AS((void)by_cases(q),
-                         "a callable that compares its arguments is not one formula, nor is one that iterates, as the Legendre transform "
-                         "of a Hamiltonian does: "
-                         "constants can be compared, and min, max and abs are formulas",
-                         error::no_formula);
+    CHECK_THROWS_WITH_AS(
+        (void)by_cases(q),
+        "what compares its arguments, by if or otherwise, is not one formula, nor is what iterates, as the Legendre transform "
+        "of a Hamiltonian does: "
+        "constants can be compared, and min, max and abs are formulas",
+        error::no_formula);
     CHECK_THROWS_AS((void)(q == 0), error::no_formula);
     CHECK_THROWS_WITH_AS((void)(q * std::numeric_limits<double>::infinity()),
                          "the constants of a formula are finite doubles, and this one is inf", error::no_formula);

@@ -116,8 +116,10 @@ TEST_CASE("what means nothing is said, and where") {
     says("q[3]", "f, line 1, column 1: 'q' has the components 0 to 2, and here is asked for number 3");
     says("if(x < 3, 1, q[0 - 1])", "f, line 1, column 14: 'q' has the components 0 to 2, and here is asked for number -1");
     says("if(x < 3 or q[9] < 1, 1, 2)", "f, line 1, column 13: 'q' has the components 0 to 2, and here is asked for number 9");
-    says("q[x]", "f, line 1, column 3: indices are whole numbers made of numbers, parameters and indices of sums, and here is none");
-    says("q[1/2]", "f, line 1, column 3: indices are whole numbers made of numbers, parameters and indices of sums, and here is none");
+    says("q[x]",
+         "f, line 1, column 3: indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
+    says("q[1/2]",
+         "f, line 1, column 3: indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
     says("x[0]", "f, line 1, column 1: 'x' is a number, and has no components");
     says("x(2)", "f, line 1, column 1: 'x' is no function: a product is written with *, as 2*q, and a component with q[0]");
     says("cos(x, u)", "f, line 1, column 1: cos takes 1 argument, and here are 2");
@@ -164,6 +166,8 @@ TEST_CASE("parameters that states bring with them") {
     auto const fixed = made.with({0.5, 7, 9});
     CHECK(fixed.brought() == 0);
     CHECK(value(fixed) == 9'000 + 50 + 70 + 5 + 12);
+    CHECK_THROWS_WITH_AS((void)made.with({0.5, std::nan(""), 9}), "the parameter 'k' is a number, and is nan here", error::not_finite);
+    CHECK_THROWS_WITH_AS((void)made.with({0.5, 7, HUGE_VAL}), "the parameter 'm' is a number, and is inf here", error::not_finite);
     CHECK_THROWS_WITH_AS(made.bring_with_states("q"), "there is no parameter 'q': there are g, k[], m, q, t, u[], v, x[]",
                          error::invalid_parameter);
 }
@@ -175,6 +179,13 @@ TEST_CASE("a name has one meaning") {
     CHECK_THROWS_AS(made.set("2m", "1"), error::invalid_parameter);
     CHECK_THROWS_WITH_AS(made.set("m", "heavy"), "the parameter 'm' is a number, as 0.1, 1e-3 or 1/3, and was given as 'heavy'",
                          error::invalid_parameter);
+    CHECK_THROWS_WITH_AS(made.set("pi", "3"), "pi is the number 3.14159..., and the name of nothing else", error::invalid_parameter);
+    CHECK_THROWS_AS(text::vocabulary({{"pi", "v", 0}}), error::invalid_parameter);
+    CHECK_THROWS_WITH_AS(made.set("k", std::vector<std::string>{}), "the parameter 'k' is a list of numbers, and of none here",
+                         error::invalid_parameter);
+    CHECK(text::stated(text::read("q + v"), std::make_shared<text::vocabulary>(made), "f")
+              .value(
+                  Q(1), [](int) { return Q(2); }, [](int) { return Q(3); }) == 5);
 }
 
 } // namespace text_read_tests
