@@ -8,6 +8,9 @@ namespace engine {
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
+    if (not what.besides.empty())
+        hilger::error::raise<hilger::error::invalid_parameter>("C code is of one Lagrangian, and this is a sum of ",
+                                                               what.besides.size() + 1);
     auto const lambda = lambda_of<double>(what, method);
     int const d = what.lagrangian.formula().words().dimension();
     return with_mechanics(what, [&](auto const& mechanics) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/machine_code/machine_code.hpp"
+#include "engine/methods/summed.hpp"
 #include "engine/motions.hpp"
 
 namespace engine {
@@ -24,6 +25,7 @@ std::vector<std::string> method_names<double>() {
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
     prepare_machine_code();
+    if (not what.besides.empty()) return summed(what, method, T);
     if (auto made = by_newmark(what, method, T)) return made;
     if (what.has_memory()) {
         if (what.material)

@@ -31,6 +31,12 @@ struct problem {
         hilger::float100 relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha;
     };
     std::optional<zener_material> material{};
+    /// Other Lagrangians of the same action, each read by a method of its own. A force is beside the first one.
+    struct summand {
+        hilger::text::stated_lagrangian lagrangian;
+        std::string method;
+    };
+    std::vector<summand> besides{};
     [[nodiscard]] bool has_memory() const { return not damping.empty() or material; }
 };
 

@@ -3,7 +3,7 @@
 // of each kind, so that there are few kinds: all embeddings are made of operators in text, and rationals have one kind of scale.
 #pragma once
 
-#include "engine/methods/own.hpp"
+#include "engine/methods/summed.hpp"
 
 namespace engine {
 
@@ -24,21 +24,9 @@ private:
     bool uniform_;
 };
 
-/// A method that has a name, as what is summed. @throws hilger::error::invalid_parameter where theta has another number
-template <class S>
-std::string in_operators(problem const& what, std::string const& method) {
-    if (method == "order-one") return "integral(L(q, Delta_plus[q]))";
-    if (method == "order-one-left") return "nabla_integral(L(q, Delta_minus[q]))";
-    if (method == "mid-point") return "integral(L((q + sigma[q])/2, Delta_plus[q]))";
-    if (method.starts_with("theta:") and lambda_of<S>(what, method)) {
-        std::string const lambda = '(' + method.substr(6) + ')';
-        return "integral(L((1 - " + lambda + ")*q + " + lambda + "*sigma[q], Delta_plus[q]))";
-    }
-    return method;
-}
-
 template <class S>
 std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& method, points<S> const& T, char const* scalar) {
+    if (not what.besides.empty()) return summed(what, method, T);
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for numbers of the processor, and not for ", scalar);
     std::string const operators = in_operators<S>(what, method);

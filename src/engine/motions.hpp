@@ -128,27 +128,28 @@ private:
             refuse(has_memory<Flow> ? "starts from q0 and v0 or p0 where there is fractional damping, and not from two positions"
                                     : "starts from q0 and v0 or p0, and not from two positions");
     }
-    [[nodiscard]] auto const& lagrangian() const {
+    static auto const& lagrangian_of(Flow const& flow) {
         if constexpr (has_memory<Flow>)
-            return flow_.undamped().mechanics().lagrangian;
+            return flow.undamped().mechanics().lagrangian;
         else
-            return flow_.mechanics().lagrangian;
+            return flow.mechanics().lagrangian;
     }
-    void require_coordinates(vector<S> const& x) const {
-        if (int const d = lagrangian().formula().words().dimension(); x.size() != d)
-            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
-    }
+    [[nodiscard]] auto const& lagrangian() const { return lagrangian_of(flow_); }
     [[noreturn]] void refuse(char const* why) const {
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }
 
 protected:
+    void require_coordinates(vector<S> const& x) const {
+        if (int const d = lagrangian().formula().words().dimension(); x.size() != d)
+            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
+    }
     Flow flow_;
 
 private:
     // Their formulas are traced once.
     decltype(hilger::detail::derivatives_of(std::declval<Flow const&>())) derivatives_;
-    decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
+    decltype(hilger::energy(lagrangian_of(std::declval<Flow const&>()))) energy_;
 
 protected:
     Scale T_;

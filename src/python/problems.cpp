@@ -61,6 +61,10 @@ void add_problems(py::module_& m) {
              [](engine::problem& p, double relaxed_modulus, double unrelaxed_modulus, double relaxation_time, double alpha) {
                  p.material = {relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha};
              })
+        .def("add",
+             [](engine::problem& p, engine::problem const& other, std::string const& method) {
+                 p.besides.push_back({other.lagrangian, method});
+             })
         // The same with parameters that the members of an ensemble bring with them, in this order.
         .def("brought_by_members",
              [](engine::problem const& p, std::vector<std::string> const& names) {

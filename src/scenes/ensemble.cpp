@@ -218,8 +218,7 @@ int run_ensemble(run_options const& options) {
     auto const T = points_of(*what.stated, c.steps);
     auto const problem = engine::with_words(what.stated->of, table.words());
     engine::prepare_machine_code();
-    bool const lanes = c.embedding != "kahan-li-8"; // here of Verlet, in lanes of mid-point
-    auto const all = engine::make_cast(problem, c.embedding, T, lanes,
+    auto const all = engine::make_cast(problem, c.embedding, T, true,
                                        [&](engine::problem const& one) { return walker_of_member(*what.stated, one, c); });
 
     index_type const points = engine::points_kept(c.steps, stride);

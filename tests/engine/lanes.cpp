@@ -74,7 +74,7 @@ void check_lanes(engine::problem const& what, std::string const& method, engine:
         CHECK(i == static_cast<std::size_t>(steps) + 1);
         CHECK(worst <= bound * largest);
         CHECK(largest > size / 4);
-        double const parts = method == "kahan-li-8" ? 16 : 2; // of a step
+        double const parts = method == "kahan-li-8" ? 34 : 2; // of a step
         CHECK(alone->residual(start, together[m].q, together[m].p) <=
               32 * parts * epsilon<double>() * (momentum + largest / 0.046) / 0.046);
     }

@@ -75,6 +75,21 @@ class Kept(unittest.TestCase):
                 self.assertEqual(np.asarray(h.solve(EL2, **start).p).tolist(), np.asarray(x.p).tolist())
                 self.assertEqual(repr(x2), repr(x))
 
+    def test_equality(self):
+        def made(of, **changed):
+            L = h.Lagrangian(of, **{"m": "3/2", "k": [1], **changed})
+            return h.variation(L, h.TimeScale(["0", "1/3", "1"]), h.order_one) + h.force("-v")
+
+        of_list = "m*v^2/2 - k[0]*q^2/2"
+        EL = made(of_list)
+        self.assertEqual((self.again(EL), hash(self.again(EL))), (EL, hash(EL)))
+        self.assertEqual(made(of_list), EL)
+        for other in (made(of_list, m=2), made(of_list, k=[2]), made(of_list + " + q*t"), EL + h.force("-v"), EL.lagrangian, None):
+            self.assertNotEqual(other, EL)
+        self.assertNotEqual(h.TimeScale([0, 1]), h.TimeScale([0, 2]))
+        long = h.TimeScale(range(10_000))
+        self.assertEqual(repr(long), "<TimeScale of 10000 points, 0, 1, 2 ... 9999>")
+
     def test_going_on(self):
         whole = h.solve(h.variation(pendulum, h.uniform(0.0, 0.125, 40)), q0=1.0, v0=0.0)
         first = self.again(h.solve(h.variation(pendulum, h.uniform(0.0, 0.125, 16)), q0=1.0, v0=0.0))

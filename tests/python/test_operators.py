@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Operators composed in Python, and embeddings made of them: the same equations, steps and bits as those that have names."""
 
+import functools
 import pickle
 import unittest
 from fractions import Fraction
@@ -24,6 +25,9 @@ class Operators(unittest.TestCase):
         self.assertEqual(2 - h.rho - 1, h.identity - h.rho)
         self.assertEqual(h.sigma * 0.1, h.sigma / 10)
         self.assertNotEqual(h.sigma, 1)
+        A = (h.Delta_plus + h.sigma) / 2
+        for n in range(6):
+            self.assertEqual(A**n, functools.reduce(lambda B, _: A * B, range(n), h.identity))
         for nonsense in (lambda: h.sigma + "x", lambda: 2 / h.sigma, lambda: h.sigma * h.variables("q"), lambda: h.sigma / h.rho, lambda: h.sigma[2]):
             with self.assertRaises((TypeError, h.Error)):
                 nonsense()

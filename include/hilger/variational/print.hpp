@@ -175,10 +175,12 @@ struct sum_writer {
         }
     }
     [[nodiscard]] std::string between() const { return style == print_style::latex ? ", \\quad " : ",   "; }
-    [[nodiscard]] std::string conclusion() const {
-        std::string text = arguments;
-        for (auto const& note : notes) text += between() + note;
-        return text;
+    [[nodiscard]] std::string written() const {
+        std::string conclusion = arguments;
+        for (auto const& note : notes) conclusion += between() + note;
+        if (style == print_style::latex)
+            return "\\begin{aligned}\n  " + sum.in(style) + " &= 0, && t \\in " + where + conclusion + "\n\\end{aligned}\n";
+        return sum.in(style) + " = 0   on " + where + conclusion + '\n';
     }
 };
 
@@ -196,13 +198,13 @@ template <class First, class Second>
 std::ostream& operator<<(std::ostream& out, euler_lagrange<action_sum<First, Second>> const& equation) {
     detail::sum_writer w{print_style::terminal};
     w.add(equation);
-    return out << w.sum.in(w.style) << " = 0   on " << w.where << w.conclusion() << '\n';
+    return out << w.written();
 }
 template <class First, class Second>
 std::string latex(euler_lagrange<action_sum<First, Second>> const& equation) {
     detail::sum_writer w{print_style::latex};
     w.add(equation);
-    return "\\begin{aligned}\n  " + w.sum.in(w.style) + " &= 0, && t \\in " + w.where + w.conclusion() + "\n\\end{aligned}\n";
+    return w.written();
 }
 /// Both equations, a line each.
 template <class Action>

@@ -84,15 +84,14 @@ std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string c
     if (method == "order-one") return one_node_parts{{one(embed(mechanics, hilger::order_one))}, {{0, 1}}};
     if (method == "order-one-left") return one_node_parts{{one(embed(mechanics, hilger::order_one_left))}, {{0, 1}}};
     if (method == "mid-point") return one_node_parts{{one(embed(mechanics, hilger::mid_point))}, {{0, 1}}};
-    if (method == "verlet") {
+    auto const verlet = [&](auto const& shares) {
         auto const first = embed(mechanics, hilger::order_one);
-        return one_node_parts{{one(first), one(adjoint(first))}, {{0, 0.5}, {1, 0.5}}};
-    }
-    if (method == "kahan-li-8") {
-        one_node_parts made{{one(embed(mechanics, hilger::mid_point))}, {}};
-        for (double const share : hilger::kahan_li<8>.template values<double>()) made.parts.push_back({0, share});
+        one_node_parts made{{one(first), one(adjoint(first))}, {}};
+        for (double const share : shares) made.parts.insert(made.parts.end(), {{0, share / 2}, {1, share / 2}});
         return made;
-    }
+    };
+    if (method == "verlet") return verlet(std::array{1.0});
+    if (method == "kahan-li-8") return verlet(hilger::kahan_li<8>.template values<double>());
     return {};
 }
 
@@ -123,7 +122,7 @@ std::vector<double> times_of(points<double> const& T) {
 
 std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, bool one) {
     int const d = what.lagrangian.formula().words().dimension();
-    if (what.has_memory() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
+    if (what.has_memory() or not what.besides.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
     auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();

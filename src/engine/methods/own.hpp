@@ -13,4 +13,17 @@ template <class S, class Use>
 auto with_own_embedding(problem const& what, std::string const& method, bool uniform, Use const& use) {
     return hilger::text::with_embedding<S>(own_embedding(what, method), uniform, use);
 }
+/// A method that has a name, as what is summed. @throws hilger::error::invalid_parameter where theta has another number
+template <class S>
+std::string in_operators(problem const& what, std::string const& method) {
+    if (method == "order-one") return "integral(L(q, Delta_plus[q]))";
+    if (method == "order-one-left") return "nabla_integral(L(q, Delta_minus[q]))";
+    if (method == "mid-point") return "integral(L((q + sigma[q])/2, Delta_plus[q]))";
+    if (method.starts_with("theta:") and lambda_of<S>(what, method)) {
+        std::string const lambda = '(' + method.substr(6) + ')';
+        return "integral(L((1 - " + lambda + ")*q + " + lambda + "*sigma[q], Delta_plus[q]))";
+    }
+    return method;
+}
+
 } // namespace engine

@@ -100,6 +100,8 @@ def solve_many(
     start, more = rows(q0, "q0"), rows(other, name)
     brought = {}
     own = equation.lagrangian._parameters
+    if parameters and equation.besides:
+        raise _core.InvalidParameter("members differ in parameters of one Lagrangian, and this is the equation of several: each can be solved alone")
     for parameter, x in (parameters or {}).items():
         if parameter not in own:
             raise _core.InvalidParameter(f"there is no parameter '{parameter}': there are {', '.join(sorted(own)) or 'none'}")

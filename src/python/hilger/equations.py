@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pickle
 from dataclasses import dataclass, replace
 from typing import Optional
 
@@ -34,6 +35,7 @@ midpoint = Method("mid-point")
 verlet = Method("verlet")
 lobatto_3 = Method("lobatto-3")
 kahan_li_8 = Method("kahan-li-8")
+"""Seventeen steps of verlet, of order 8 together (Kahan, Li 1997)."""
 g_alpha_newmark = Method("g-alpha-newmark")
 """The G^α-Newmark scheme, of linear structures - L of second degree and a force of the time alone - with one fractional term or a material:
 of order two, by the weights of bdf2."""
@@ -48,6 +50,8 @@ def gauss(nodes: int) -> Method:
 
 def theta(lam: float) -> Method:
     """Position and force at (1 - λ) t_i + λ t_{i+1}, 0 < λ < 1: of order one, but for the mid-point."""
+    if not 0 < real(lam, "λ") < 1:
+        raise _core.InvalidParameter(f"λ of theta lies between 0 and 1, and here is {lam}; at 0 and 1 it is order_one and order_one_left")
     return Method(f"theta:{digits(lam)}")
 
 
@@ -61,6 +65,12 @@ class Force:
     """A force beside dL/dq, a formula for each coordinate."""
 
     components: tuple
+
+    def __eq__(self, other: object) -> bool:
+        return pickle.dumps(self) == pickle.dumps(other) if isinstance(other, Force) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(pickle.dumps(self))
 
     def _latex(self, L: Lagrangian) -> str:
         made = []
@@ -83,7 +93,8 @@ class Damping:
 
 @dataclass(frozen=True)
 class Zener:
-    """The fractional Zener material of a linear structure, whose Lagrangian has the stiffness of the relaxed modulus."""
+    """The fractional Zener material of a linear structure, whose Lagrangian has the stiffness of the relaxed modulus. It has no strain before
+    the first point: where q0 is not 0 it is strained there at once, and begins with the stress of the unrelaxed modulus."""
 
     relaxed_modulus: float
     unrelaxed_modulus: float
@@ -100,19 +111,26 @@ def force(*components: "Formula | str") -> Force:
 
 def damping(rho: float, alpha: float) -> Damping:
     """Fractional damping with Caputo's derivative, of q - q0 and for alpha > 1 of q - q0 - v0 t; alpha = 1 is friction."""
-    return Damping(real(rho, "rho"), real(alpha, "the order alpha"))
+    made = Damping(real(rho, "rho"), real(alpha, "the order alpha"))
+    if not 0 < made.alpha < 2:
+        raise _core.InvalidParameter(f"the order alpha lies between 0 and 2, and here is {alpha}")
+    return made
 
 
 def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: float, alpha: float) -> Zener:
     """σ + τ^α D^α σ = E₀ ε + E∞ τ^α D^α ε, 0 < α <= 1 and E∞ >= E₀, for g_alpha_newmark and gl_newmark: the Lagrangian of the structure is
-    that of the relaxed modulus E₀."""
+    that of the relaxed modulus E₀. A q0 that is not 0 is a strain that comes at once, and σ begins with E∞: relaxed bodies begin at q0 = 0."""
     names = ("the relaxed modulus", "the unrelaxed modulus", "the relaxation time", "the order alpha")
     return Zener(*map(real, (relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha), names))
 
 
 @dataclass(frozen=True)
 class Equation:
-    """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces, damping and a material are added with +."""
+    """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces, damping and a material are added with +.
+
+    So are equations of other Lagrangians of the same coordinates on the same scale: that of the sum of both actions, each Lagrangian read by
+    a method of its own in one step (order_one, order_one_left, midpoint, theta, embeddings of operators). Forces are read as the first one.
+    """
 
     lagrangian: Lagrangian
     scale: "Uniform | TimeScale"
@@ -120,8 +138,13 @@ class Equation:
     forces: "tuple[Force, ...]" = ()
     dampings: "tuple[Damping, ...]" = ()
     material: "Optional[Zener]" = None
+    besides: "tuple[tuple[Lagrangian, Method], ...]" = ()
 
-    def __add__(self, other: "Force | Damping | Zener") -> "Equation":
+    def __add__(self, other: "Equation | Force | Damping | Zener") -> "Equation":
+        if isinstance(other, Equation):
+            return self._with(other)
+        if self.besides and isinstance(other, (Damping, Zener)):
+            raise _core.InvalidParameter("fractional damping is beside one Lagrangian, and this is the equation of several")
         if isinstance(other, Force):
             if len(other.components) != self.lagrangian.dimension:
                 raise _core.Mismatch(
@@ -138,8 +161,25 @@ class Equation:
             return replace(self, material=other)
         return NotImplemented
 
+    def _with(self, other: "Equation") -> "Equation":
+        L, M = self.lagrangian, other.lagrangian
+        if (L.coordinates, L.time) != (M.coordinates, M.time):
+            raise _core.Mismatch(f"equations add up of the same coordinates, and here are {L.coordinates} and {M.coordinates}")
+        if self.scale != other.scale:
+            raise _core.Mismatch(f"equations add up on one scale, and here are {self.scale!r} and {other.scale!r}")
+        if other.forces or other.dampings or other.material is not None or self.dampings or self.material is not None:
+            raise _core.InvalidParameter("equations add up without damping, and forces are beside the first one, or added to the sum")
+        made = replace(self, besides=(*self.besides, (M, other.method), *other.besides))
+        made._motion()  # every method is of one step
+        return made
+
+    def _methods(self) -> str:
+        return " + ".join((self.method.name, *(method.name for _, method in self.besides)))
+
     def _stated(self, history: str = "direct") -> "_core.Problem":
         problem = self.lagrangian._problem.copy()
+        for L, method in self.besides:
+            problem.add(L._problem, method.name)
         if self.forces:
             total = list(self.forces[0].components)
             for f in self.forces[1:]:
@@ -182,11 +222,18 @@ class Equation:
         if self.material is not None:
             m = self.material
             more += f"material: E₀ = {m.relaxed_modulus}, E∞ = {m.unrelaxed_modulus}, τ = {m.relaxation_time}, α = {m.alpha}\n"
-        return f"{self.lagrangian!r}\n{self._written(False)}{more}"
+        return f"{self._lagrangians(False)}\n{self._written(False)}{more}"
+
+    def _lagrangians(self, latex: bool) -> str:
+        if not self.besides:
+            return f"L = {self.lagrangian._written(latex)}"
+        name = (lambda k: f"L_{{{k}}}") if latex else (lambda k: "L" + "".join("₀₁₂₃₄₅₆₇₈₉"[int(digit)] for digit in str(k)))
+        all_of_them = (self.lagrangian, *(L for L, _ in self.besides))
+        return (",\\quad " if latex else ",   ").join(f"{name(k)} = {L._written(latex)}" for k, L in enumerate(all_of_them, 1))
 
     def _repr_latex_(self) -> str:
         made = self._written(True)
-        lines = [f"L = {self.lagrangian._written(True)}", made if "\\" in made else f"\\text{{{made.strip()}}}"]
+        lines = [self._lagrangians(True), made if "\\" in made else f"\\text{{{made.strip()}}}"]
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ {', '.join(f._latex(self.lagrangian) for f in self.forces)}"] if self.forces else []
         lines += [f"\\text{{beside }} \\partial L/\\partial q:\\ -{d.rho} \\, D^{{{d.alpha}}} q" for d in self.dampings]
         if self.material is not None:

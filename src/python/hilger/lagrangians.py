@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import pickle
 import re
 from collections.abc import Mapping
 from typing import Callable, Optional, Sequence, Union
@@ -107,6 +108,15 @@ class Lagrangian:
             if "has no components" not in str(why):
                 raise
             raise _core.Unreadable(f'{why}; a vector says how many, as in Lagrangian(L, "q[3]", "v[3]")') from None
+
+    def _said(self) -> tuple:
+        return pickle.dumps(self._formula), tuple(self.coordinates), self.time, repr(sorted(self._parameters.items()))
+
+    def __eq__(self, other: object) -> bool:
+        return self._said() == other._said() if isinstance(other, Lagrangian) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._said())
 
     def __getstate__(self) -> dict:
         return {name: x for name, x in self.__dict__.items() if name != "_problem"}

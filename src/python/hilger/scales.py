@@ -142,7 +142,16 @@ class TimeScale:
         return len(self.points) - 1
 
     def __repr__(self) -> str:
-        return f"TimeScale({[str(x) for x in self.points]})"
+        points = [str(x) for x in self.points]
+        if len(points) > 12:
+            return f"<TimeScale of {len(points)} points, {', '.join(points[:3])} ... {points[-1]}>"
+        return f"TimeScale({points})"
+
+    def __eq__(self, other: object) -> bool:
+        return self.points == other.points if isinstance(other, TimeScale) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.points)
 
 
 def uniform(start: object, step: object, steps: int) -> Uniform:

@@ -65,7 +65,9 @@ class Events(NamedTuple):
 class Zeros:
     """The values of a function g(t, q, p) along a walk in scalars of a kind, and whether it passed zero between two of them."""
 
-    def __init__(self, g: Callable, kind: str, scalar: bool) -> None:
+    def __init__(self, g: Callable, kind: str, scalar: bool, name: str) -> None:
+        if not callable(g):
+            raise _core.InvalidParameter(f"{name} is a function of t, q and p, and here is {g!r}")
         self.g, self.kind, self.scalar = g, kind, scalar
 
     def value(self, t, q, p, inside: bool = False):
@@ -121,7 +123,7 @@ class Solution:
 
     def __repr__(self) -> str:
         end = f", stopped: {self.stopped}" if self.stopped else ""
-        return f"<{self.equation.method.name}, {len(self)} points from t = {self.t[0]} to {self.t[-1]}{end}>"
+        return f"<{self.equation._methods()}, {len(self)} points from t = {self.t[0]} to {self.t[-1]}{end}>"
 
     def _momenta(self):
         if self.p is None:
@@ -169,7 +171,7 @@ class Solution:
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
-        p, row, zeros = self._momenta(), self._row, Zeros(g, self.equation.scale.kind(), self.q.ndim == 1)
+        p, row, zeros = self._momenta(), self._row, Zeros(g, self.equation.scale.kind(), self.q.ndim == 1, "what passes zero")
         value, state = zeros.value, zeros.state
 
         def between(*made):
@@ -239,7 +241,8 @@ class Solution:
 
 
 class AccurateSolution:
-    """A solution to a wanted accuracy: t, q, the method that was chosen, and `error`, its distance from the run with half as many steps.
+    """A solution to a wanted accuracy: t, q, the momentum at the end, the method that was chosen, and `error`, its distance from the run with
+    half as many steps.
 
     That is more than its own error where L is smooth; where L has branches it is twice the largest distance from three other runs.
     """

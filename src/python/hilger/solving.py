@@ -48,11 +48,11 @@ def require_history(history: object) -> None:
 
 
 def _state(kind: str, x: object, L: Lagrangian, name: str):
-    flat = [x] if np.ndim(x) == 0 else list(x)
+    flat = list(x) if isinstance(x, (list, tuple)) or np.ndim(x) > 0 else [x]
     require_real(x, name)
     if L.is_scalar and len(flat) != 1:
         raise _core.Mismatch(f"{name} is one number, and here are {len(flat)}")
-    if len(flat) != L.dimension or any(np.ndim(y) > 0 for y in flat):
+    if len(flat) != L.dimension or any(isinstance(y, (list, tuple)) or np.ndim(y) > 0 for y in flat):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
         return np.array([real(y, f"each component of {name}" if len(flat) > 1 else name) for y in flat])
@@ -110,7 +110,7 @@ def solve(
             equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy), float(longest_step)
         )
         t, q, p, method, error = made
-        return AccurateSolution(t, q[:, 0] if scalar else q, p, method, error)
+        return AccurateSolution(t, q[:, 0] if scalar else q, p[0] if scalar else p, method, error)
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
     require_history(history)
@@ -134,6 +134,8 @@ def solve(
     if guess is not None and name != "qN":
         raise _core.InvalidParameter("a guess is for what joins two ends, q0 and qN")
     if name == "qN":
+        if guess is not None and not np.iterable(guess):
+            raise _core.InvalidParameter(f"a guess has a row, or a number, for each point of T, and here is {guess!r}")
         near = [] if guess is None else [_state(kind, x, L, "each row of the guess") for x in guess]
         if guess is not None and len(near) != equation.scale.steps + 1:
             raise _core.Mismatch(f"a guess has a row for each of the {equation.scale.steps + 1} points of T, and here are {len(near)}")
@@ -179,9 +181,7 @@ class _EndOfWalk:
 
 
 def _end_of_walk(until: "Optional[Callable]", kind: str, scalar: bool) -> "Optional[_EndOfWalk]":
-    if until is not None and not callable(until):
-        raise _core.InvalidParameter(f"`until` is a function of t, q and p, and here is {until!r}")
-    return None if until is None else _EndOfWalk(Zeros(until, kind, scalar))
+    return None if until is None else _EndOfWalk(Zeros(until, kind, scalar, "`until`"))
 
 
 class _Bar:
