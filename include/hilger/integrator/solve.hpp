@@ -37,10 +37,22 @@ auto given_ends(boundary_values<V> const& ends) {
 }
 /// The first guess where no other one is given.
 struct straight_line {};
-/// The interior values of `x`, `parts` of them for a step. @throws error::mismatch
+/// Between the values at points of T, those inside the steps, `parts` of all for a step.
 template <class Root, class V>
-void put_first_guess(Root const&, std::vector<V>& x, index_type, straight_line) {
-    put_straight_line(x, 1, static_cast<index_type>(x.size()) - 1);
+void put_first_guess_inside(Root const& T, std::vector<V>& x, index_type parts) {
+    for (index_type i = 0; parts > 1 and i < T.steps(); ++i) put_straight_line(x, parts * i + 1, parts * (i + 1));
+}
+/// The interior values of `x`. @throws error::mismatch
+template <class Root, class V>
+void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, straight_line) {
+    using S = scalar_of<V>;
+    V const first = x.front(), way = x.back() - first;
+    S const start(T.point(0)), length(T.point(T.steps()) - T.point(0));
+    for (index_type i = 1; i < T.steps(); ++i) {
+        S const share = Root::is_uniform ? S(S(i) / S(T.steps())) : S(S(T.point(i) - start) / length);
+        x[static_cast<std::size_t>(parts * i)] = first + way * share;
+    }
+    put_first_guess_inside(T, x, parts);
 }
 template <class Root, class V, discrete_function Guess>
 void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess const& guess) {
@@ -53,7 +65,7 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
         at(i) = as_state<V>(guess.get(i));
         require_same_dimension(at(i), x[0], "a first guess and the boundary values");
     }
-    for (index_type i = 0; parts > 1 and i < T.steps(); ++i) put_straight_line(x, parts * i + 1, parts * (i + 1));
+    put_first_guess_inside(T, x, parts);
 }
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;

@@ -102,6 +102,24 @@ TEST_CASE("a straight line that whole corrections lead away from") {
     }
 }
 
+TEST_CASE("the straight line is one in time, on points that are not equally far apart too") {
+    // slower than light it is the solution; between points by their numbers it would be faster in the steps of 1/100
+    constexpr lagrangian relativistic{[](auto const&, auto const& v) { return -sqrt(1 - v * v); }};
+    time_scale<double> const T{0.0, 0.05, 0.13, 0.2, 0.21, 0.3, 0.45, 0.5, 0.51, 0.7};
+    auto const check = [&](auto const& EL, auto const& times) {
+        auto const x = solve(EL, T, {.q0 = 0.25, .qN = 0.75});
+        for (index_type i = 0; i < x.size(); ++i) CHECK(std::abs(x[i] - (0.25 + times[i] / 1.4)) <= 8 * epsilon<double>());
+        CHECK(largest_residual(EL, x) <= 64 * epsilon<double>() / 0.01);
+    };
+    check(variation(integral(relativistic(q, Delta_plus[q]), T)), std::vector<double>(T.begin(), T.end()));
+    std::vector<double> with_middles;
+    for (index_type i = 0; i < T.steps(); ++i) with_middles.insert(with_middles.end(), {T.point(i), T.point(i) + T.step(i) / 2});
+    with_middles.push_back(0.7);
+    check(variation(
+              integral(relativistic(polynomial_value<2, lobatto, 3>{}[y], polynomial_slope<2, lobatto, 3>{}[y]), at_nodes<lobatto, 3>(T))),
+          with_middles);
+}
+
 TEST_CASE("of several solutions the one near a first guess") {
     auto const T = uniform(interval{0.0, 10.0}, 100);
     auto const EL = variation(integral(pendulum(extend[q], Delta_o_plus[extend[q]]), half(T)));
