@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 #include "hilger/error.hpp"
@@ -74,7 +75,16 @@ public:
         for (std::size_t k = 0; k < columns.size(); ++k) out_ << (k > 0 ? "," : "") << columns[k];
         out_ << '\n';
     }
-    void write(std::string const& row) { out_ << row << '\n'; }
+    void write(std::string const& row) {
+        out_ << row << '\n';
+        if (row.find_first_of("nN") == std::string::npos) return; // NaN or infinity
+        std::istringstream numbers(row);
+        std::string number;
+        for (std::size_t k = 0; std::getline(numbers, number, ','); ++k)
+            if (number.find_first_of("nN") != std::string::npos) not_finite_.insert(k);
+    }
+    /// The columns that were, in rows that were written here.
+    [[nodiscard]] std::set<std::size_t> const& not_finite() const { return not_finite_; }
     /// Never half a checkpoint: it is moved to its place when it is whole.
     void keep(walk const& w) {
         out_.flush();
@@ -100,6 +110,7 @@ private:
     std::string fingerprint_, head_;
     files::path rows_, checkpoint_;
     std::ofstream out_;
+    std::set<std::size_t> not_finite_;
 };
 
 std::string write_summary(scene const& what, run_options const& options, configuration const& c, walk const& w, double seconds) {
@@ -181,6 +192,7 @@ int run_scene(run_options const& options) {
     }
     double const seconds = std::chrono::duration<double>(clock::now() - begin).count();
     say(what, c, *w, seconds);
+    for (std::size_t const k : record.not_finite()) std::cout << "  " << what.columns[k] << " is NaN or infinite in some rows\n";
     auto const summary = write_summary(what, options, c, *w, seconds);
     std::string commands = what.picture;
     std::size_t const first_plot = commands.find('\n', commands.find(rows_of_picture)) + 1;
