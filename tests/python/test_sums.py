@@ -58,7 +58,10 @@ class Sums(unittest.TestCase):
                 self.assertLess(x.residual(), bound)
                 x.q[7] += 1e-6
                 self.assertGreater(x.residual(), 1e-5)
-                x.q[7] -= 1e-6
+                x.q[7] = np.nan
+                with self.assertRaises(h.NotFinite):
+                    x.residual()
+                x.q[7] = h.solve(EL, q0=q0, v0=v0).q[7]
                 again = h.solve(EL, q0=q0, q1=x.q[1])
                 self.assertLess(np.abs(again.q - x.q).max(), 1e-12)
 
@@ -99,7 +102,7 @@ class Sums(unittest.TestCase):
 
     def test_printing(self):
         T = h.uniform(0, 0.1, 4)
-        EL = h.variation(fast, T, h.midpoint) + h.variation(slow, T, h.order_one) + h.force("-v")
+        EL = sum([h.variation(fast, T, h.midpoint), h.variation(slow, T, h.order_one), h.force("-v")])
         self.assertEqual(
             repr(EL),
             f"L₁ = {fast._written(False)},   L₂ = {slow._written(False)}\n"
@@ -120,6 +123,7 @@ class Sums(unittest.TestCase):
                 work()
             self.assertIn(sentence, str(refused.exception))
 
+        says(TypeError, "unsupported operand", lambda: 1 + EL)
         says(h.InvalidParameter, "what adds up is read in one step, by order-one", lambda: EL + h.variation(slow, T, h.verlet))
         says(h.InvalidParameter, "and not by 'gauss-4'", lambda: h.variation(slow, T, h.gauss(4)) + EL)
         says(h.Mismatch, "equations add up on one scale", lambda: EL + h.variation(slow, h.uniform(0, 0.1, 5)))

@@ -116,6 +116,7 @@ public:
 
     void walk(initial<S> const& from, seen const& keep) const override {
         if (from.is != second_datum::next_position) return base::walk(from, keep);
+        for (vector<S> const* x : {&from.q0, &from.other}) this->require_coordinates(*x);
         S const h = this->T_.domain().base.step(this->T_.root(), this->T_.first());
         vector<S> momentum;
         for_each_part([&](auto const& flow) {
@@ -133,7 +134,7 @@ public:
             for (hilger::index_type i = rest.first(); i <= rest.last(); ++i) left[static_cast<std::size_t>(i)] += rest[i];
         });
         S largest(0);
-        for (auto const& x : left) largest = std::max(largest, S(hilger::magnitude(x)));
+        for (auto const& x : left) largest = hilger::detail::larger(largest, S(hilger::magnitude(x)));
         return largest;
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override;

@@ -161,6 +161,9 @@ class Equation:
             return replace(self, material=other)
         return NotImplemented
 
+    def __radd__(self, nothing: object) -> "Equation":
+        return self if isinstance(nothing, int) and nothing == 0 else NotImplemented  # what sum() begins with
+
     def _with(self, other: "Equation") -> "Equation":
         L, M = self.lagrangian, other.lagrangian
         if (L.coordinates, L.time) != (M.coordinates, M.time):
