@@ -94,7 +94,9 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
 /// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
-/// solve(EL, T, ends, no_force{}, guess); of several solutions one near it is found. On given points in O(N).
+/// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions it is the one that Newton's method comes to, which
+/// may be far from the guess, from a straight line above all: who wants a certain one looks at the result, and guesses a solution of a
+/// problem that differs little.
 /// Who asks `stop` to stop gets an error::no_convergence.
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
