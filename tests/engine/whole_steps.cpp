@@ -67,11 +67,12 @@ void agrees(engine::problem const& what, std::string const& method, engine::poin
 
 TEST_CASE("kahan-li-8 is made of Verlet, as in files") {
     auto const stated_bead = stated("v[0]^2*(1 + q[0]^2)/2 - q[0]^2/2", 1);
-    auto const motion = alone(stated_bead, "kahan-li-8", equal);
+    engine::points<double> const long_steps{0.25, 0.4, 50, {}}; // in short ones the mid-point leads to the same digits
+    auto const motion = alone(stated_bead, "kahan-li-8", long_steps);
     auto const expected = hilger::compose(hilger::kahan_li<8>, hilger::stoermer_verlet(hilger::testing::bead))
-                              .along(hilger::uniform(equal.start, equal.step, equal.steps), 0.5, 0.25);
+                              .along(hilger::uniform(long_steps.start, long_steps.step, long_steps.steps), 0.5, 0.25);
     auto at = expected.begin();
-    double const rounding = 17 * 64 * epsilon<double>() * static_cast<double>(equal.steps);
+    double const rounding = 17 * 64 * epsilon<double>() * static_cast<double>(long_steps.steps);
     double worst = 0;
     motion->walk({vector::Constant(1, 0.5), second_datum::momentum, vector::Constant(1, 0.25)},
                  [&](double, vector const& q, vector const& p) {
