@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What scalars of many digits have: the embeddings in one step. Their time goes into loops over digits, and that of a compiler into loops
-// of each kind, so that there are few kinds: all embeddings are made of operators in text, and rationals have one kind of scale.
+// of each kind, so that there are few kinds: all embeddings are made of operators in text, and rationals have one kind of scale
+// (with_scale).
 #pragma once
 
 #include "engine/methods/summed.hpp"
@@ -14,8 +15,7 @@ public:
     motion_in_digits(Flow flow, Scale T, std::string const& method, problem const& what, bool uniform)
         : motion_of<S, Flow, Scale>(std::move(flow), std::move(T), method), what_(what), method_(method), uniform_(uniform) {}
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
-        points<double> const like = uniform_ ? points<double>{0, 1, 2, {}} : points<double>{0, 0, 2, {0, 1, 3}};
-        return make_motion<double>(what_, method_, like)->equation(latex_wanted);
+        return equation_in_double(what_, method_, uniform_, latex_wanted);
     }
 
 private:
@@ -42,12 +42,7 @@ std::unique_ptr<motion<S>> made_in(problem const& what, std::string const& metho
     return with_own_embedding<S>(what, operators, T.is_uniform(), [&](auto const& how) {
         return with_mechanics(what, [&](auto const& mechanics) {
             auto const flow = hilger::embed(mechanics, how);
-            if (not T.is_uniform()) return on(flow, hilger::time_scale<S>(T.given));
-            auto const equal = hilger::uniform(T.start, T.step, T.steps);
-            if constexpr (std::numeric_limits<S>::is_exact)
-                return on(flow, hilger::time_scale<S>(elements_of<S>(equal)));
-            else
-                return on(flow, equal);
+            return with_scale(T, [&](auto const& scale) { return on(flow, scale); });
         });
     });
 }

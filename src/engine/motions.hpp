@@ -172,6 +172,17 @@ std::unique_ptr<motion<S>> on_scale(Flow const& flow, points<S> const& T, std::s
     }
 }
 
+/// Calls use(scale) with the scale of these points; in rationals all scales are of one kind.
+template <class S, class Use>
+auto with_scale(points<S> const& T, Use const& use) {
+    if (not T.is_uniform()) return use(hilger::time_scale<S>(T.given));
+    auto const equal = hilger::uniform(T.start, T.step, T.steps);
+    if constexpr (std::numeric_limits<S>::is_exact)
+        return use(hilger::time_scale<S>(elements_of<S>(equal)));
+    else
+        return use(equal);
+}
+
 /// Calls use(mechanics) with the Lagrangian, or with it and the force.
 template <class Use>
 auto with_mechanics(problem const& what, Use const& use) {

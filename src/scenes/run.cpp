@@ -28,6 +28,9 @@ using clock = std::chrono::steady_clock;
 std::sig_atomic_t volatile stop_asked = 0;
 extern "C" void ask_to_stop(int) { stop_asked = 1; }
 
+/// Whether digits are those of NaN or of an infinity.
+bool is_not_finite(std::string const& digits) { return digits.find_first_of("nN") != std::string::npos; }
+
 /// The rows of a run and the checkpoint that belongs to them.
 class record_of_run {
 public:
@@ -77,11 +80,11 @@ public:
     }
     void write(std::string const& row) {
         out_ << row << '\n';
-        if (row.find_first_of("nN") == std::string::npos) return; // NaN or infinity
+        if (not is_not_finite(row)) return;
         std::istringstream numbers(row);
         std::string number;
         for (std::size_t k = 0; std::getline(numbers, number, ','); ++k)
-            if (number.find_first_of("nN") != std::string::npos) not_finite_.insert(k);
+            if (is_not_finite(number)) not_finite_.insert(k);
     }
     /// The columns that were, in rows that were written here.
     [[nodiscard]] std::set<std::size_t> const& not_finite() const { return not_finite_; }
@@ -131,8 +134,7 @@ std::string write_summary(scene const& what, run_options const& options, configu
     out << "},\n  \"last\": [";
     std::istringstream last(w.row());
     for (std::string number; std::getline(last, number, ',');) { // there is no NaN in JSON, nor infinity
-        bool const finite = number.find_first_of("nN") == std::string::npos;
-        out << (finite ? number : "null") << (last.eof() ? "" : ", ");
+        out << (is_not_finite(number) ? "null" : number) << (last.eof() ? "" : ", ");
     }
     out << "]\n}\n";
     return (files::path(options.out) / name).string();

@@ -18,11 +18,10 @@ struct embedding_sum {
 template <class First, class Second>
 inline constexpr int controls_of<embedding_sum<First, Second>> = controls_of<First>;
 
-/// The nodes of both.
-template <class S, class First, class Second>
-tableau<S> tableau_of(embedding_sum<First, Second> const& e, S const& h) {
-    tableau<S> t = tableau_of(e.first, h);
-    tableau<S> const u = tableau_of(e.second, h);
+namespace detail {
+/// The nodes of u behind those of t, as of Lagrangians with the next numbers.
+template <class S>
+void append_nodes(tableau<S>& t, tableau<S> const& u) {
     auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(t.position, u.position);
     append(t.velocity, u.velocity);
@@ -32,6 +31,13 @@ tableau<S> tableau_of(embedding_sum<First, Second> const& e, S const& h) {
     int const next = t.part.back() + 1;
     for (int k = 0; k < u.nodes; ++k) t.part.push_back(next + u.part_of(k));
     t.nodes += u.nodes;
+}
+} // namespace detail
+/// The nodes of both.
+template <class S, class First, class Second>
+tableau<S> tableau_of(embedding_sum<First, Second> const& e, S const& h) {
+    tableau<S> t = tableau_of(e.first, h);
+    detail::append_nodes(t, tableau_of(e.second, h));
     return t;
 }
 

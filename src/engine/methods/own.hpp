@@ -13,6 +13,12 @@ template <class S, class Use>
 auto with_own_embedding(problem const& what, std::string const& method, bool uniform, Use const& use) {
     return hilger::text::with_embedding<S>(own_embedding(what, method), uniform, use);
 }
+/// What the motion in double prints, on scales of the same kind.
+inline std::string equation_in_double(problem const& what, std::string const& method, bool uniform, bool latex_wanted) {
+    points<double> const like = uniform ? points<double>{0, 1, 2, {}} : points<double>{0, 0, 2, {0, 1, 3}};
+    return make_motion<double>(what, method, like)->equation(latex_wanted);
+}
+
 /// A method that has a name, as what is summed. @throws hilger::error::invalid_parameter where theta has another number
 template <class S>
 std::string in_operators(problem const& what, std::string const& method) {

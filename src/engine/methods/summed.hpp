@@ -42,17 +42,8 @@ struct embedding_list {
 /// The nodes of all.
 template <class S>
 hilger::tableau<S> tableau_of(embedding_list<S> const& how, S const& h) {
-    hilger::tableau<S> all;
-    all.nodes = 0;
-    for (auto const& part : how.parts) {
-        auto const one = hilger::tableau_of(part, h);
-        auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
-        append(all.position, one.position);
-        append(all.velocity, one.velocity);
-        append(all.weight, one.weight);
-        all.part.push_back(all.nodes);
-        all.nodes += one.nodes;
-    }
+    auto all = hilger::tableau_of(how.parts.front(), h);
+    for (std::size_t k = 1; k < how.parts.size(); ++k) hilger::detail::append_nodes(all, hilger::tableau_of(how.parts[k], h));
     return all;
 }
 
@@ -118,11 +109,8 @@ public:
         if (from.is != second_datum::next_position) return base::walk(from, keep);
         for (vector<S> const* x : {&from.q0, &from.other}) this->require_coordinates(*x);
         S const h = this->T_.domain().base.step(this->T_.root(), this->T_.first());
-        vector<S> momentum;
-        for_each_part([&](auto const& flow) {
-            vector<S> const p = flow.momentum_between(this->T_.min(), from.q0, from.other, h);
-            momentum = momentum.size() == 0 ? p : vector<S>(momentum + p);
-        });
+        vector<S> momentum = vector<S>::Zero(from.q0.size());
+        for_each_part([&](auto const& flow) { momentum += flow.momentum_between(this->T_.min(), from.q0, from.other, h); });
         base::walk({from.q0, second_datum::momentum, momentum}, keep);
     }
     [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&) const override {
@@ -183,10 +171,8 @@ std::string summed_motion<S, Force, Scale>::equation(bool latex_wanted) const {
         add(what_, method_);
         for (auto const& part : what_.besides) add(alone(part), part.method);
         return all.written();
-    } else {
-        points<double> const like = uniform_ ? points<double>{0, 1, 2, {}} : points<double>{0, 0, 2, {0, 1, 3}};
-        return make_motion<double>(what_, method_, like)->equation(latex_wanted);
-    }
+    } else
+        return equation_in_double(what_, method_, uniform_, latex_wanted);
 }
 
 /// The motion of a sum of actions, each in one step. @throws hilger::error::invalid_parameter, hilger::error::mismatch
@@ -211,12 +197,7 @@ std::unique_ptr<motion<S>> summed(problem const& what, std::string const& method
     auto const made = [&](auto const& force) -> std::unique_ptr<motion<S>> {
         using flow_type = summed_flow<S, std::remove_cvref_t<decltype(force)>>;
         flow_type const flow(sum, force, how);
-        if (not T.is_uniform()) return on(flow, hilger::time_scale<S>(T.given));
-        auto const equal = hilger::uniform(T.start, T.step, T.steps);
-        if constexpr (std::numeric_limits<S>::is_exact)
-            return on(flow, hilger::time_scale<S>(elements_of<S>(equal))); // one kind of scale, as other motions in rationals
-        else
-            return on(flow, equal);
+        return with_scale(T, [&](auto const& scale) { return on(flow, scale); });
     };
     if (what.force) return made(*what.force);
     return made(hilger::no_force{});

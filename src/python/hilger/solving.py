@@ -47,12 +47,16 @@ def require_history(history: object) -> None:
         raise wrong(f"a history is direct(), blocks(), exponentials(), exponentials(1e-8) or window(1000), and not {history!r}")
 
 
+def _is_list(x: object) -> bool:
+    return isinstance(x, (list, tuple)) or np.ndim(x) > 0
+
+
 def _state(kind: str, x: object, L: Lagrangian, name: str):
-    flat = list(x) if isinstance(x, (list, tuple)) or np.ndim(x) > 0 else [x]
+    flat = list(x) if _is_list(x) else [x]
     require_real(x, name)
     if L.is_scalar and len(flat) != 1:
         raise _core.Mismatch(f"{name} is one number, and here are {len(flat)}")
-    if len(flat) != L.dimension or any(isinstance(y, (list, tuple)) or np.ndim(y) > 0 for y in flat):
+    if len(flat) != L.dimension or any(_is_list(y) for y in flat):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
         return np.array([real(y, f"each component of {name}" if len(flat) > 1 else name) for y in flat])
