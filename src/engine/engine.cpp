@@ -51,8 +51,11 @@ accurate solve_accurately(problem const& what, double a, double b, vector<double
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},
                                      hilger::accuracy{wanted, longest_step, stop});
-        accurate made{elements_of<double>(x.q.root()), {}, {x.end.t, x.end.q, x.end.p}, x.method, x.error};
-        for (hilger::index_type i = x.q.first(); i <= x.q.last(); ++i) made.q.push_back(x.q[i]);
+        accurate made{elements_of<double>(x.q.root()), {}, {}, x.method, x.error};
+        for (hilger::index_type i = x.q.first(); i <= x.q.last(); ++i) {
+            made.q.push_back(x.q[i]);
+            made.p.push_back(x.p[i]);
+        }
         return made;
     });
 }

@@ -123,8 +123,7 @@ std::vector<std::string> method_names();
 /// A motion over [a, b] to a wanted accuracy.
 struct accurate {
     std::vector<double> t;
-    std::vector<vector<double>> q;
-    state<double> end;
+    std::vector<vector<double>> q, p;
     std::string method;
     double error;
 };

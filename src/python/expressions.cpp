@@ -204,7 +204,7 @@ void add_expressions(py::module_& m) {
         type.def(std::string(name).c_str(), [f = std::string(name)](expression const& x) { return expression::call(f, {x}); });
     }
     m.attr("functions_of_one") = functions;
-    for (std::string const name : {"sin", "cos", "tan"}) // as numpy calls their inverses
+    for (std::string const name : {"sin", "cos", "tan", "sinh", "cosh", "tanh"}) // as numpy calls their inverses
         type.def(("arc" + name).c_str(), [f = "a" + name](expression const& x) { return expression::call(f, {x}); });
 }
 

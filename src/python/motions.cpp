@@ -183,11 +183,12 @@ void add_motions(py::module_& m) {
         auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
         auto made = interruptible(
             [&](std::stop_token const& stop) { return engine::solve_accurately(what, a, b, x, y, wanted, longest_step, stop); });
-        std::vector<double> q;
-        for (auto const& at : made.q) q.insert(q.end(), at.data(), at.data() + at.size());
-        int const d = static_cast<int>(x.size());
-        return py::make_tuple(crossing<double>::array(std::move(made.t), 0), crossing<double>::array(std::move(q), d),
-                              crossing<double>::array({made.end.p.data(), made.end.p.data() + d}, 0), made.method, made.error);
+        auto const rows = [&](auto const& states) {
+            std::vector<double> numbers;
+            for (auto const& at : states) numbers.insert(numbers.end(), at.data(), at.data() + at.size());
+            return crossing<double>::array(std::move(numbers), static_cast<int>(x.size()));
+        };
+        return py::make_tuple(crossing<double>::array(std::move(made.t), 0), rows(made.q), rows(made.p), made.method, made.error);
     });
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all
         check_lanes(stated("dot(v, v)/2 - dot(q, q)/2", 2, {"-v[0]/8 - v[1]^3/16", "-v[1]*(1 + q[0]^2)/8 + cos(t)/4"}), method, equal, 0.5);
         check_lanes(
             stated("v[0]^2/2 - q[0]^2 - sqrt(1 + q[0]^2) - tanh(q[0])/8 - cosh(q[0])/16 + sinh(q[0])/32 - atan(q[0])/8 - tan(q[0]/4) - "
-                   "(2 + q[0])^2.5/64 - expm1(q[0]/8) - cbrt(2 + q[0])/16 - erf(q[0])/64",
+                   "(2 + q[0])^2.5/64 - expm1(q[0]/8) - cbrt(2 + q[0])/16 - erf(q[0])/64 - asinh(q[0])/64",
                    1),
             method, equal, 0.5);
         check_lanes(stated("v[0]^2/2 - 9.81*q[0]", 1), method, equal, 0.5);

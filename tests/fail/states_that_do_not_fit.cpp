@@ -5,6 +5,8 @@
 // expect 4: the two parts of a state are two numbers or two vectors of one length, and these are not
 // expect 5: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
 // expect 6: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
+// expect 8: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
+// expect 9: a walk starts from a position and a momentum, along(T, q0, p0), or from {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}
 // expect 7: a state is given in real numbers with no more digits than those of T
 // A number that would lose digits is rounded by whoever means it.
 #include "hilger/boundary/solve.hpp"
@@ -30,6 +32,8 @@ int main() {
     for (auto const& x : flow.along(T, {.q0 = two, .v0 = {1, 0}})) (void)x;
     for (auto const& x : flow.along(T, {.q0 = three.transpose(), .q1 = three.cast<float>()})) (void)x;
     for (auto const& x : flow.along(T, static_cast<double>(1.0L), 0)) (void)x;
+    auto const not_const = [](auto& q, auto& v) { return v * v / 2 - q * q / 2; };
+    for (auto const& x : embed(not_const, mid_point).along(T, 1.0, 0.0)) (void)x;
 #elif MUST_NOT_COMPILE == 1
     for (auto const& x : flow.along(T, 1.0L, 0.0)) (void)x;
 #elif MUST_NOT_COMPILE == 2
@@ -42,6 +46,11 @@ int main() {
     for (auto const& x : flow.along(T, {.q0 = two, .v0 = three})) (void)x;
 #elif MUST_NOT_COMPILE == 6
     for (auto const& x : flow.along(T, {1.0, 0.0})) (void)x;
+#elif MUST_NOT_COMPILE == 8
+    constexpr unknown q;
+    (void)solve(variation(nabla_integral(lagrangian{kinetic{}}(q, Delta_minus[q]), T)), T, {.q0 = 1.0});
+#elif MUST_NOT_COMPILE == 9
+    for (auto const& x : flow.along(T, 1.0)) (void)x;
 #else
     constexpr unknown q;
     (void)solve(variation(nabla_integral(lagrangian{kinetic{}}(q, Delta_minus_alpha<3, 4>[q]), T)), T, boundary_values{0.0, 1.0L});

@@ -228,6 +228,7 @@ class Taken(unittest.TestCase):
             (np.arctan2(one, q), "atan2(0.5, q)"),
             (np.hypot(q, v), "hypot(q, v)"),
             (np.arcsin(q) + np.arctan(v), "asin(q) + atan(v)"),
+            (np.arcsinh(q) + h.acosh(q) * np.arctanh(v), "asinh(q) + acosh(q)*atanh(v)"),
             (np.minimum(q, 1.0), "min(q, 1.0)"),
             (np.arctan2(x, np.array([1.0, 2.0]))[1], "atan2(x[1], 2.0)"),
             ((np.array([1.0, 2.0]) * q)[1], "2.0*q"),

@@ -183,6 +183,14 @@ constexpr auto compose(Parts const&, First const& f, Flows const&...) {
                                       "on: they are not composed of parts of a step");
     return f;
 }
+/// Refused: numbers that are known at run time.
+template <class S, std::size_t N, class First, class... Flows>
+auto compose(std::array<S, N> const&, First const& f, Flows const&...) {
+    static_assert(sizeof(First) == 0,
+                  "the parts of a step are those of its type: compose(shares<fraction<1, 3>, fraction<2, 3>>{}, f, g), or "
+                  "those of a method as suzuki<4>");
+    return f;
+}
 
 namespace detail {
 

@@ -89,9 +89,11 @@ qv_jet<S, static_cast<int>(Size), Order> plain_jets_of(F const& f, std::array<S,
                                                        std::integer_sequence<int, K...>, Time const&... t) {
     constexpr int N = static_cast<int>(Size);
     using J = qv_jet<S, N, Order>;
-    if constexpr (Scalar)
-        return as_jet<J>(f(t..., q_jet<S, N, Order>::variable(q[0], 0, {1, 0}), v_jet<S, N, Order>::variable(v[0], N, {0, 1})));
-    else {
+    if constexpr (Scalar) {
+        auto const x = q_jet<S, N, Order>::variable(q[0], 0, {1, 0});
+        auto const y = v_jet<S, N, Order>::variable(v[0], N, {0, 1});
+        return as_jet<J>(f(t..., x, y));
+    } else {
         jet_vector<q_jet<S, N, Order>, N> x;
         jet_vector<v_jet<S, N, Order>, N> y;
         ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);

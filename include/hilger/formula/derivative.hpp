@@ -88,6 +88,12 @@ private:
             return -1 / sqrt(1 - a * a);
         case operation::atan:
             return 1 / (1 + a * a);
+        case operation::asinh:
+            return 1 / sqrt(a * a + 1);
+        case operation::acosh:
+            return 1 / sqrt((a - 1) * (a + 1));
+        case operation::atanh:
+            return 1 / ((1 - a) * (1 + a));
         case operation::cbrt:
             return 1 / (3 * f * f);
         case operation::expm1:

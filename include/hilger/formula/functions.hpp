@@ -20,6 +20,9 @@ inline symbol tanh(symbol const& x) { return symbol::call(operation::tanh, x); }
 inline symbol asin(symbol const& x) { return symbol::call(operation::asin, x); }
 inline symbol acos(symbol const& x) { return symbol::call(operation::acos, x); }
 inline symbol atan(symbol const& x) { return symbol::call(operation::atan, x); }
+inline symbol asinh(symbol const& x) { return symbol::call(operation::asinh, x); }
+inline symbol acosh(symbol const& x) { return symbol::call(operation::acosh, x); }
+inline symbol atanh(symbol const& x) { return symbol::call(operation::atanh, x); }
 inline symbol abs(symbol const& x) { return symbol::call(operation::abs, x); }
 inline symbol fabs(symbol const& x) { return abs(x); }
 inline symbol cbrt(symbol const& x) { return symbol::call(operation::cbrt, x); }

@@ -39,6 +39,9 @@ enum class operation : unsigned char {
     asin,
     acos,
     atan,
+    asinh,
+    acosh,
+    atanh,
     cbrt,
     expm1,
     log1p,
@@ -87,6 +90,12 @@ inline double call(operation op, double x) {
         return std::acos(x);
     case operation::atan:
         return std::atan(x);
+    case operation::asinh:
+        return std::asinh(x);
+    case operation::acosh:
+        return std::acosh(x);
+    case operation::atanh:
+        return std::atanh(x);
     case operation::cbrt:
         return std::cbrt(x);
     case operation::expm1:

@@ -43,6 +43,12 @@ inline char const* name_of(operation op) {
         return "acos";
     case operation::atan:
         return "atan";
+    case operation::asinh:
+        return "asinh";
+    case operation::acosh:
+        return "acosh";
+    case operation::atanh:
+        return "atanh";
     case operation::maximum:
         return "max";
     case operation::minimum:

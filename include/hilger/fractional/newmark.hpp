@@ -12,7 +12,7 @@
 
 #include "hilger/fractional/structure.hpp"
 #include "hilger/step/summation.hpp"
-#include "hilger/trajectory/trajectory.hpp"
+#include "hilger/trajectory/stepping.hpp"
 
 namespace hilger {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // A solution to a wanted accuracy instead of a number of steps:
-//   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.steps, x.method, x.error
+//   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.p, x.steps, x.method, x.error
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
@@ -30,6 +30,7 @@ struct accuracy {
 template <class S, class V, class Function>
 struct accurate_solution {
     Function q;                 ///< positions, a function on T
+    Function p;                 ///< momenta there; their error is another one
     state<S, V> end;            ///< at the end of the interval
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
@@ -86,7 +87,7 @@ public:
         S ended = I_.a;
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
-            std::vector<V> fine = run(steps, goal);
+            std::vector<V> momenta, fine = run(steps, goal, &momenta);
             if (goal.stop.stop_requested())
                 error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " was given up on request, after ", walked_,
                                                     " steps of ", method_);
@@ -114,7 +115,8 @@ public:
                 }
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
-                    return result{function_on(uniform(I_, steps), std::move(fine)), end, steps, method_, told, walked_};
+                    auto const T = uniform(I_, steps);
+                    return result{function_on(T, std::move(fine)), function_on(T, std::move(momenta)), end, steps, method_, told, walked_};
                 }
                 bool const is_near = error < largest(fine) / S(64);
                 slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
@@ -142,8 +144,9 @@ public:
     [[nodiscard]] index_type walked() const { return walked_; }
 
 private:
-    /// The positions, nothing where the steps are too long: they have no solution, or lead to where L is not defined.
-    std::vector<V> run(index_type steps, accuracy const& goal) {
+    /// The positions, and the momenta for who wants them; nothing where the steps are too long: they have no solution, or lead to where L
+    /// is not defined.
+    std::vector<V> run(index_type steps, accuracy const& goal, std::vector<V>* momenta = nullptr) {
         std::vector<V> q;
         q.reserve(static_cast<std::size_t>(steps) + 1);
         walked_ += steps;
@@ -153,6 +156,7 @@ private:
             auto const path = flow_.along(uniform(I_, steps), start_);
             for (auto const& x : path) {
                 q.push_back(x.q);
+                if (momenta != nullptr) momenta->push_back(x.p);
                 end_ = x;
                 if (q.size() % 1024 == 0 and goal.stop.stop_requested()) return {};
             }

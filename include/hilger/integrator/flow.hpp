@@ -12,7 +12,7 @@
 #include "hilger/step/small/one_node.hpp"
 #include "hilger/step/structured.hpp"
 #include "hilger/step/sum_of_embeddings.hpp"
-#include "hilger/trajectory/trajectory.hpp"
+#include "hilger/trajectory/stepping.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/variation.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hilger/integrator/march.hpp"
-#include "hilger/newton/newton.hpp"
+#include "hilger/newton/near.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger::detail {
@@ -20,19 +20,34 @@ void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
     V const first = at(begin - 1), way = at(end) - first;
     for (index_type j = begin; j < end; ++j) at(j) = first + way * (S(j - begin + 1) / S(end - begin + 1));
 }
+/// T with its steps in proportion, so that it ends after a part of the time. @throws error::invalid_scale where no step is left
+template <class S, index_type Steps>
+uniform_scale<S, Steps> shortened(uniform_scale<S, Steps> const& T, S const& part) {
+    S const a = T.element(0);
+    return {a, S(T.h() * part), S(a + (T.element(T.steps()) - a) * part), T.steps()};
+}
+template <class S>
+time_scale<S> shortened(time_scale<S> const& T, S const& part) {
+    S const a = T.element(0);
+    std::vector<S> points;
+    for (S const& t : T) points.push_back(S(a + (t - a) * part));
+    return time_scale<S>(std::move(points));
+}
 /// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold, near those
-/// that there are. `x` has the values at all points that the equation reads, in their order, and there are some before and behind the
-/// unknown ones; a row reads values that are at most `reach` numbers from its own. `what` names the rows in messages.
-/// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
+/// that there are, of which `from` says what they are. `x` has the values at all points that the equation reads, in their order, and there
+/// are some before and behind the unknown ones; a row reads values that are at most `reach` numbers from its own. `what` names the rows in
+/// messages. @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what, solvability const& by = by_the_velocity,
-                std::stop_token const& stop = {}) {
+                index_type end, index_type reach, Force const& force, char const* what, first_guess from = first_guess::next_to_it,
+                solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
     using s = shape<V>;
     using S = scalar_of<V>;
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
     auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
-    values_so_far<V, typename Action::root_type, typename Action::position_type::from> const now{{}, &T, &x};
+    auto on = T; // shorter, on the way
+    S length(1);
+    values_so_far<V, typename Action::root_type, typename Action::position_type::from> const now{{}, &on, &x};
     int const n = static_cast<int>(end - begin), d = s::dimension(x[0]), near = static_cast<int>(reach);
     auto const first_near = [&](int m) { return std::max(0, m - near); };
     auto const end_near = [&](int m) { return std::min(n, m + near + 1); };
@@ -46,10 +61,11 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
         for (int m = 0; m < n; ++m)
             for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
     };
-    auto const residual = equation.residual(now, force);
     auto const derivatives = equation.derivatives(force);
-    auto const system = [&](vector const& y) {
+    auto const system = [&](vector const& y, S const& part) {
         put(y);
+        if (not(part == length)) on = part == S(1) ? T : shortened(T, part);
+        length = part;
         newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
         made.jacobian.set_zero();
         for (int k = 0; k < n; ++k) {
@@ -61,6 +77,7 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
                     for (int e = 0; e < d; ++e) made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
             }
         }
+        auto const residual = equation.residual(now, force); // of the T that there is now
         for (int m = 0; m < n; ++m) {
             V const row = residual.get(begin + m);
             for (int c = 0; c < d; ++c) made.residual(m * d + c) = s::component(row, c);
@@ -72,8 +89,8 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     for (int m = 0; m < n; ++m)
         for (int c = 0; c < d; ++c) guess(m * d + c) = s::component(at(begin + m), c);
     // A row is a difference of terms of this size.
-    rounding.setConstant(S(system(guess).jacobian.largest()) * most);
-    put(newton(system, guess, rounding, what, by));
+    rounding.setConstant(S(system(guess, S(1)).jacobian.largest()) * most);
+    put(newton_near<vector, patterned_matrix<S>>(system, guess, rounding, from, what, by, stop));
 }
 
 } // namespace hilger::detail

@@ -94,10 +94,9 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
 /// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
-/// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions it is the one that Newton's method comes to, which
-/// may be far from the guess, from a straight line above all: who wants a certain one looks at the result, and guesses a solution of a
-/// problem that differs little.
-/// Who asks `stop` to stop gets an error::no_convergence.
+/// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions one near the guess is looked for
+/// (hilger/newton/near.hpp), and mostly found: who wants a certain one looks at the result, and guesses a solution of a problem that
+/// differs little. Who asks `stop` to stop gets an error::no_convergence.
 /// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
 ///         oscillator; error::mismatch, error::not_finite
 template <class Action, class V, class Force, class Guess>
@@ -122,8 +121,10 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
         if (last > 1) {
+            constexpr bool is_line = std::same_as<Guess, detail::straight_line>;
             detail::put_first_guess(T, x, parts, guess);
-            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", detail::by_the_ends, stop);
+            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T",
+                               is_line ? detail::first_guess::straight_line : detail::first_guess::given, detail::by_the_ends, stop);
         }
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
@@ -165,6 +166,10 @@ HILGER_SOLVE_DATA_IN_BRACES(Eigen::Dynamic)
 
 template <class Action, class Derived>
 auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::anything_in_braces const&, auto const&...) {
+    return detail::not_initial_data<Derived>();
+}
+template <class Action, class Derived>
+auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::one_thing_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 template <class Action, class Derived>

@@ -3,8 +3,8 @@
 // that the equation is solved; across branches nothing does but the equation itself. So an iterate is returned where Newton's last
 // correction did not leave the branch, or where r is rounding at the iterate itself. Full steps first; they can go round between branches,
 // and are then shortened until r shrinks (the method is then Newton's for semismooth equations, Qi and Sun 1993, with a line search). Where
-// r jumps over zero there is no solution, and no step, however short, makes it smaller. Equations of one branch that Newton's method alone
-// does not solve, from where it was made to start, are searched in the same way.
+// r jumps over zero there is no solution, and no step, however short, makes it smaller. An equation of one branch that whole
+// corrections do not solve, from where they were made to start, has the root that Newton's path leads to from somewhere near, or none.
 #pragma once
 
 #include <algorithm>
@@ -106,6 +106,38 @@ branch_search search_branches_twice(X& x, X const& nearer, X& residual, equation
     if (how == branch_search::found) return how;
     x = nearer;
     return search_branches(x, residual, evaluate, correct, small);
+}
+
+/// x in r(x) = 0 of one branch, by corrections so short that each is nearly what the one before it left to do: as long as they are, the
+/// derivative is regular on the way, and the root is none of those behind a place where it is not. The arguments are those of
+/// search_branches. (Newton's path; Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.1.4.)
+template <class X>
+branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& evaluate, correction_on_branches<X> const& correct,
+                            scalar_of<X> const& small) {
+    using S = scalar_of<X>;
+    constexpr int rounds = 80, halvings = 12;
+    X d = x, left = x, y = x;
+    S size = evaluate(x, residual), part(1);
+    if (not all_finite(residual)) return branch_search::not_finite;
+    if (not correct(residual, d)) return branch_search::singular;
+    for (int round = 0; round < rounds; ++round, part = std::min(S(1), S(2) * part)) {
+        if (magnitude(residual) <= S(4) * epsilon<S>() * size or magnitude(d) <= small * magnitude(x)) {
+            x = x + d;
+            (void)evaluate(x, residual);
+            return branch_search::found;
+        }
+        bool good = false;
+        for (int cut = 0; cut < halvings and not good; ++cut) {
+            y = x + d * part;
+            size = evaluate(y, residual);
+            good = all_finite(residual) and correct(residual, left) and magnitude(X(left - d * S(S(1) - part))) <= magnitude(d) / S(4);
+            if (not good) part = part / S(2);
+        }
+        if (not good) break;
+        x = y;
+        d = left;
+    }
+    return branch_search::lost_on_one;
 }
 
 /// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;

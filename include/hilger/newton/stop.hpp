@@ -35,6 +35,13 @@ namespace detail {
 template <class S>
 inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
 
+/// Of a step, whose guess is near. Corrections that take longer have been elsewhere, and may end at another root: a motion that runs away
+/// was found again on the other side. What Newton's path leads to is looked for then (newton/on_branches.hpp).
+template <class S>
+inline constexpr int most_iterations_of_a_step = std::numeric_limits<S>::is_exact      ? 4
+                                                 : std::numeric_limits<S>::digits > 64 ? 10
+                                                                                       : 8;
+
 /// The polynomial through n equidistant values, the latest number 0, is sum_i extrapolation(n, i) value_i one step further.
 constexpr int extrapolation(int n, int i) {
     int binomial = 1; // n over i + 1

@@ -106,10 +106,14 @@ public:
                 steps_ = 0;
                 newton(problem, x, watch);
             }
-        } catch (error::not_finite const&) {
-            if (made < 2 or was_constant) throw;
-            e_.moved = past_[0]; // an extrapolated guess may lie where L is not defined
-            search(problem, x);
+        } catch (error::exception const&) {
+            if (was_constant or std::numeric_limits<S>::is_exact) throw;
+            // an extrapolated guess may lie where L is not defined, or too far away
+            if (made > 0)
+                e_.moved = past_[0];
+            else
+                e_.move_with(velocity_);
+            search(problem, x, watch.saw_any());
         }
         e_.gather(problem, x, correction_, corrected_);
         if (not e_.is_constant) past_.keep(e_.moved);
@@ -191,7 +195,7 @@ private:
         bool singular = false;
         S size(0), previous(-1);
         S const small = small_correction();
-        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+        for (int iteration = 0; iteration < most_iterations_of_a_step<S>; ++iteration) {
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             if (watch.saw_any()) return search(problem, x);
             e_.put_residual(x);
@@ -235,8 +239,8 @@ private:
         for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c * (Controls - 1));
         give_up(name, singular, V(x.q + e_.end()), rest, size);
     }
-    /// The same for an L with branches: e_.moved and the derivatives there.
-    void search(given_problem<V> const& problem, state<S, V> const& x) {
+    /// The same for an L with branches, or without them where Newton's path leads: e_.moved and the derivatives there.
+    void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches = true) {
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y;
             (void)e_.evaluate(problem, x, wanted::with_seconds);
@@ -255,7 +259,8 @@ private:
             return true;
         };
         unknown rest = e_.moved, y = e_.moved;
-        branch_search const how = search_branches(y, rest, evaluate_at, correct, small_correction());
+        branch_search const how = has_branches ? search_branches(y, rest, evaluate_at, correct, small_correction())
+                                               : follow_newton(y, rest, evaluate_at, correct, small_correction());
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());

@@ -199,8 +199,8 @@ private:
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
         S const scale = f_ * c_;
         S size(0);
-        bool leads_nowhere = false; // an extrapolated guess
-        for (int round = 0; round < most_iterations<S>; ++round) {
+        constexpr bool follows = not std::numeric_limits<S>::is_exact;
+        for (int round = 0; round < most_iterations_of_a_step<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(U, A_);
             kernel_.set_zero();
@@ -211,8 +211,7 @@ private:
             residual(l, x);
             next_ = r_;
             bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
-            leads_nowhere = known_ > 1 and not is_number;
-            if (leads_nowhere or (has_branches() and not(regular and is_number))) break;
+            if ((follows or has_branches()) and not(regular and is_number)) break;
             if (not regular) give_up(name, true, v_, r_, size);
             v_ += next_;
             size = largest_of(next_);
@@ -224,12 +223,11 @@ private:
                 if (on_one_branch()) return;
             }
         }
-        if (not leads_nowhere and not has_branches()) give_up(name, false, v_, r_, size);
+        if (not follows and not has_branches()) give_up(name, false, v_, r_, size);
         first_guess(x);
         search(l, x);
     }
-    /// For a U with branches, where full steps of Newton's method go round between them, and where an extrapolated guess lies where U is
-    /// not defined: then from the last velocity.
+    /// For a U with branches, where full steps of Newton's method go round between them, and where an extrapolated guess leads nowhere.
     [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
         auto const& U = l.potential();
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
@@ -255,8 +253,11 @@ private:
             return kernel_.solve(d);
         };
         V y = v_, rest = v_;
+        S const small_correction = square_root_of_epsilon<S>() * small();
+        if (not has_branches() and known_ > 0) y = past_[0];
         branch_search const how =
-            search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+            has_branches() ? search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, evaluate_at, correct, small_correction)
+                           : follow_newton(y, rest, evaluate_at, correct, small_correction);
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {

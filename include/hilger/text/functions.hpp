@@ -28,8 +28,9 @@ struct number_of<symbol> {
     using type = double;
 };
 
-inline constexpr std::array<std::string_view, 17> functions_of_one{"sin",  "cos",  "tan",  "exp",  "log",   "sqrt",  "sinh", "cosh", "tanh",
-                                                                   "asin", "acos", "atan", "cbrt", "expm1", "log1p", "erf",  "abs"};
+inline constexpr std::array<std::string_view, 20> functions_of_one{"sin",   "cos",  "tan",   "exp",   "log",  "sqrt",  "sinh",
+                                                                   "cosh",  "tanh", "asin",  "acos",  "atan", "asinh", "acosh",
+                                                                   "atanh", "cbrt", "expm1", "log1p", "erf",  "abs"};
 inline bool is_function_of_one(std::string_view name) {
     return std::find(functions_of_one.begin(), functions_of_one.end(), name) != functions_of_one.end();
 }
@@ -42,8 +43,8 @@ inline std::string names_of_functions() {
 
 template <class T>
 T elementary(std::string_view name, T const& x) {
-    using std::acos, std::asin, std::atan, std::cbrt, std::cos, std::cosh, std::erf, std::exp, std::expm1, std::log, std::log1p, std::sin,
-        std::sinh, std::sqrt, std::tan, std::tanh;
+    using std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atanh, std::cbrt, std::cos, std::cosh, std::erf, std::exp,
+        std::expm1, std::log, std::log1p, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
     if (name == "sin") return T(sin(x));
     if (name == "cos") return T(cos(x));
     if (name == "tan") return T(tan(x));
@@ -56,6 +57,9 @@ T elementary(std::string_view name, T const& x) {
     if (name == "asin") return T(asin(x));
     if (name == "acos") return T(acos(x));
     if (name == "atan") return T(atan(x));
+    if (name == "asinh") return T(asinh(x));
+    if (name == "acosh") return T(acosh(x));
+    if (name == "atanh") return T(atanh(x));
     if (name == "cbrt") return T(cbrt(x));
     if (name == "expm1") return T(expm1(x));
     if (name == "log1p") return T(log1p(x));

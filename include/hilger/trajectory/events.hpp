@@ -95,6 +95,11 @@ private:
     S now_, was_{0};
 };
 
+template <class Path, class G>
+constexpr void require_function_of_a_state() {
+    static_assert(std::invocable<G const&, typename crossing_search<Path, G>::state_type const&>,
+                  "events are where a function of a state passes zero, as [](auto const& x) { return x.q; } does");
+}
 /// The states at the events (Until: the states up to the first event, which is the last of them).
 template <class Path, class G, bool Until>
 class event_range {
@@ -161,11 +166,13 @@ private:
 /// The states at which g(state) passes zero, found as the range is walked. @throws error::not_finite when g is, and as the trajectory does
 template <class Path, class G>
 auto events(Path path, G g, crossing which = crossing::any) {
+    detail::require_function_of_a_state<Path, G>();
     return detail::event_range<Path, G, false>(std::move(path), std::move(g), which);
 }
 /// The states of the trajectory up to the first event, with the state at that event as the last one; all of them when there is none.
 template <class Path, class G>
 auto until(Path path, G g, crossing which = crossing::any) {
+    detail::require_function_of_a_state<Path, G>();
     return detail::event_range<Path, G, true>(std::move(path), std::move(g), which);
 }
 

@@ -108,7 +108,11 @@ struct ends_in_braces {
 /// the last choice.
 struct anything {
     template <class... X>
+        requires(sizeof...(X) > 0)
     constexpr explicit(false) anything(X const&...) {}
+};
+struct one_thing_in_braces {
+    anything q0;
 };
 struct anything_in_braces {
     anything q0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A trajectory as a range of states, one at each point of a time scale, computed as it is walked. Everything that steps (a flow, a
-// composition of flows) derives from `stepping` and offers memory<S, V>, which advances a state in place.
+// A trajectory as a range of states, one at each point of a time scale, computed as it is walked by what a method remembers, its
+// memory<S, V>, which advances a state in place.
 #pragma once
 
 #include <iterator>
@@ -10,9 +10,7 @@
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 #include "hilger/step/state.hpp"
-#include "hilger/trajectory/initial_data.hpp"
 #include "hilger/trajectory/resuming.hpp"
-#include "hilger/variational/check.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {
@@ -186,99 +184,6 @@ private:
     Scale T_;
     state<S, V> start_;
     std::optional<V> velocity_;
-};
-
-template <class Method>
-class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
-    template <class Scale>
-    using scalar_on = typename Scale::root_type::scalar_type;
-    /// What a walk that was refused looks like: a range of nothing, so that the loop over it says no more.
-    template <class S, class V>
-    static constexpr std::array<state<S, V>, 0> no_states{};
-
-public:
-    /// Also from initial data in braces: along(T, {.q0 = 1.0, .v0 = 0.0}).
-    using detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic>::along;
-
-    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked. Two numbers or two
-    /// vectors, or what becomes such without losing a digit (hilger/variational/given_state.hpp); states are of the kind that q0 is.
-    /// @throws error::not_finite at once when q0 or p0 is not finite, error::mismatch when they have different lengths; while walking, a
-    /// step_failure with the last good state.
-    template <time_scale_like Scale, class X, class Y>
-    auto along(Scale const& T, X const& q0, Y const& p0) const {
-        return walked<X, Y>(T, [&]<class V>(std::type_identity<V>) { return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)}; });
-    }
-    template <time_scale_like Scale, class W>
-    auto along(Scale const& T, initial_velocity<W> const& from) const {
-        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
-            V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
-            detail::require_same_dimension(q0, v0, "the initial position and velocity");
-            V p0 = self().momentum(T.min(), q0, v0);
-            return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
-        });
-    }
-    template <time_scale_like Scale, class W>
-    auto along(Scale const& T, initial_positions<W> const& from) const {
-        using root_scalar = scalar_on<Scale>;
-        constexpr bool says_momentum = requires(Method const& m, root_scalar const& t) { m.momentum_between(t, t, t, t); };
-        static_assert(says_momentum, "two positions say which momentum a step of an embedding begins with; with fractional damping, and of "
-                                     "structures, a trajectory begins at {.q0 = ..., .v0 = ...}");
-        if constexpr (says_momentum)
-            return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
-                scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
-                V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
-                detail::require_same_dimension(q0, q1, "the first two positions");
-                V p0 = self().momentum_between(T.min(), q0, q1, h), v0 = (q1 - q0) / h;
-                return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
-            });
-        else
-            return no_states<root_scalar, root_scalar>;
-    }
-    template <class Derived>
-    auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {
-        using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), no_states<S, S>;
-    }
-    template <class Derived>
-    auto along(scale_interface<Derived> const&, detail::any_positions_in_braces const&) const {
-        using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), no_states<S, S>;
-    }
-    /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
-    template <class S, class V>
-    state<S, V> step(state<S, V> from, std::type_identity_t<S> const& h) const {
-        typename Method::template memory<S, V> memory(self(), h, from.q);
-        memory.advance(self(), from, h);
-        return from;
-    }
-
-    /// The trajectory from a state. Methods that ask more of T or of a state have a function of this name.
-    template <time_scale_like Scale, class V>
-    auto start(Scale const& T, V q0, V p0) const {
-        return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
-    }
-
-private:
-    /// The trajectory from the position and momentum, and perhaps velocity, that begin(type) makes of what was given, an X and a Y; or
-    /// nothing, after a sentence that says why.
-    template <class X, class Y, class Scale, class Begin>
-    auto walked(Scale const& T, Begin const& begin) const {
-        using S = scalar_on<Scale>;
-        using V = detail::given_state_t<S, X>;
-        using F = typename detail::mechanics_of<Method>::lagrangian;
-        using Force = typename detail::mechanics_of<Method>::force;
-        if constexpr (not detail::are_given_states<S, X, Y>())
-            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
-        else if constexpr (not detail::is_lagrangian<F, S, V>() or not detail::is_force<Force, S, V>())
-            return detail::refuse_mechanics<F, Force, S, V>(), no_states<S, V>;
-        else {
-            auto from = begin(std::type_identity<V>{});
-            auto path = self().start(T, std::move(std::get<0>(from)), std::move(std::get<1>(from)));
-            if constexpr (std::tuple_size_v<decltype(from)> == 3) path.starts_with(std::move(std::get<2>(from)));
-            return path;
-        }
-    }
-    [[nodiscard]] Method const& self() const { return static_cast<Method const&>(*this); }
 };
 
 } // namespace hilger

@@ -201,7 +201,8 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
                              {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
                              {"$r", rest},
                              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
-                             {"$most", std::to_string(hilger::detail::most_iterations<double>)}});
+                             {"$most", std::to_string(is_inside() ? hilger::detail::most_iterations_of_a_step<double>
+                                                                  : hilger::detail::most_iterations<double>)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/step/small/one_node.hpp).
@@ -223,6 +224,8 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
         }
         return text + in + "each |= " + each + ";\n";
     }
+    /// The node is not at an end of the step, so that the guess of a velocity is near (hilger/newton/stop.hpp).
+    [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
     [[nodiscard]] bool has_constant_mass() const {
         auto const is_number = [](symbol const& f) { return f.op() == hilger::operation::number; };
         return std::all_of(node_.pv.begin(), node_.pv.end(), is_number) and std::all_of(node_.gv.begin(), node_.gv.end(), is_number) and

@@ -20,6 +20,8 @@ bool is_everywhere_smooth(symbol_list const& formulas) {
         case log1p:
         case asin:
         case acos:
+        case acosh:
+        case atanh:
         case atan2:
         case maximum:
         case minimum:
@@ -58,6 +60,7 @@ EACH(sinh)
 EACH(cosh)
 EACH(tanh)
 EACH(atan)
+EACH(asinh)
 EACH(cbrt)
 EACH(expm1)
 EACH(erf)
@@ -68,6 +71,7 @@ $others
 #define cosh lanes_cosh
 #define tanh lanes_tanh
 #define atan lanes_atan
+#define asinh lanes_asinh
 #define cbrt lanes_cbrt
 #define expm1 lanes_expm1
 #define erf lanes_erf

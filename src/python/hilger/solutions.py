@@ -241,14 +241,14 @@ class Solution:
 
 
 class AccurateSolution:
-    """A solution to a wanted accuracy: t, q, the momentum at the end, the method that was chosen, and `error`, its distance from the run with
-    half as many steps.
+    """A solution to a wanted accuracy: t, q, the momenta p, the method that was chosen, and `error`, the distance of q from the run with half
+    as many steps.
 
-    That is more than its own error where L is smooth; where L has branches it is twice the largest distance from three other runs.
+    That is more than its own error where L is smooth; where L has branches it is four times the largest distance from five other runs.
     """
 
-    def __init__(self, t, q, end_momentum, method: str, error: float) -> None:
-        self.t, self.q, self.end_momentum, self.method, self.error = t, q, end_momentum, method, error
+    def __init__(self, t, q, p, method: str, error: float) -> None:
+        self.t, self.q, self.p, self.method, self.error = t, q, p, method, error
 
     def __repr__(self) -> str:
         return f"<{self.method}, {len(self.t) - 1} steps, {self.error:.1e} from half as many>"

@@ -115,7 +115,7 @@ def solve(
             equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy), float(longest_step)
         )
         t, q, p, method, error = made
-        return AccurateSolution(t, q[:, 0] if scalar else q, p[0] if scalar else p, method, error)
+        return AccurateSolution(t, q[:, 0] if scalar else q, p[:, 0] if scalar else p, method, error)
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
     require_history(history)

@@ -62,9 +62,9 @@ constexpr auto double_pendulum = [](auto const& q, auto const& v) {
 constexpr auto all_functions = [](auto const& x, auto const& v) {
     auto const z = x * v / 4; // in ]0, 1[ for x and v between 1/2 and 3/2
     return sin(z) + 2 * cos(3 * z) - tan(z) * exp(z) + log(z) / sqrt(1 + z) + pow(z, 3) - pow(z, -2) / 50 + pow(x, 2.5) * pow(v, 4) +
-           sinh(z) * cosh(v) + tanh(x - v) + asin(z) - 3 * acos(z) + atan(x / v) + abs(x - 2 * v) + abs(z) + atan2(x, v - 1) + atan2(v, x) +
-           cbrt(z + 1) * expm1(z) + log1p(z) * erf(x) + max(x, 2 * v) * min(z, v) + copysign(z, x - 2) + pow(2.0, z) + pow(x, v) +
-           hypot(x, v) * x - (x - v) * (x + v) / (2 + x * x * v);
+           sinh(z) * cosh(v) + tanh(x - v) + asin(z) - 3 * acos(z) + atan(x / v) + asinh(x - v) + acosh(2 + z) * atanh(z) + abs(x - 2 * v) +
+           abs(z) + atan2(x, v - 1) + atan2(v, x) + cbrt(z + 1) * expm1(z) + log1p(z) * erf(x) + max(x, 2 * v) * min(z, v) +
+           copysign(z, x - 2) + pow(2.0, z) + pow(x, v) + hypot(x, v) * x - (x - v) * (x + v) / (2 + x * x * v);
 };
 
 /// The largest difference between the derivatives of the formula and those of the jets, in epsilons of 1 + their size.

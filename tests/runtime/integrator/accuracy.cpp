@@ -39,6 +39,13 @@ void meets(double wanted) {
     CHECK(x.error <= S(wanted));
     CHECK(worst <= S(2) * x.error + S(64) * epsilon<S>()); // the error that is told is no smaller than the true one
     CHECK(x.end.q == x.q[x.steps]);
+    CHECK(x.end.p == x.p[x.steps]);
+    // Energy -1/2 and momentum 4/5 at every point: no change of q changes either by more than a few times itself.
+    for (hilger::index_type i = 0; i <= x.steps; ++i) {
+        auto const q = x.q[i], p = x.p[i];
+        CHECK(magnitude(S(p.squaredNorm() / S(2) - S(1) / q.norm() + S(1) / S(2))) <= S(16) * S(wanted));
+        CHECK(magnitude(S(q(0) * p(1) - q(1) * p(0) - S(4) / S(5))) <= S(16) * S(wanted));
+    }
     CHECK(x.evaluated_steps >= x.steps + x.steps / 2);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A step is guessed from the steps before it. Where such a guess lies beyond what L is defined for, and the step does not, the step is
-// made.
+// A step is guessed from the steps before it. Where such a guess lies beyond what L is defined for, or leads nowhere, and the step does
+// not, the step is made.
 #include <doctest/doctest.h>
 
 #include "hilger/hilger.hpp"
@@ -34,6 +34,30 @@ struct at_a_wall {
     }
 };
 
+/// The same, and a spring that begins at 3: its force has a branch, and no jump.
+struct at_a_wall_and_a_spring {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        auto const stretched = [](auto const& x) { return x < 3 ? 0 * x : (x - 3) * (x - 3) / 64; };
+        if constexpr (requires { q.size(); }) {
+            auto sum = v.squaredNorm() / 2 + (log(q(0)) - q(0) - stretched(q(0)));
+            for (int k = 1; k < q.size(); ++k) sum = sum + (log(q(k)) - q(k) - stretched(q(k)));
+            return sum;
+        } else
+            return v * v / 2 + log(q) - q - stretched(q);
+    }
+};
+/// A mid-point step has one solution up to h = 2.
+struct pendula {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        if constexpr (requires { q.size(); })
+            return v.squaredNorm() / 2 + q.array().cos().sum();
+        else
+            return v * v / 2 + cos(q);
+    }
+};
+
 template <class V>
 V all(int d, double x) {
     if constexpr (std::same_as<V, double>)
@@ -43,23 +67,25 @@ V all(int d, double x) {
 }
 
 /// All of the walk, and that it solves its equation: what rounding a position does to a difference of momenta over h is
-/// epsilon |q| d2L/dv2 / h^2, `mass` the largest d2L/dv2 there is.
+/// epsilon |q| d2L/dv2 / h^2, `mass` the largest d2L/dv2 there is, what rounding a momentum does is epsilon |p| / h, and a position
+/// to a force epsilon |q| d2L/dq2, `bend` at most where it counts; and at a point two steps meet.
 template <class V, class L, class E>
-void goes_all_the_way(L const& l, E const& how, int d, double q0, double p0, double h, double mass) {
+void goes_all_the_way(L const& l, E const& how, int d, double q0, double p0, double h, double mass, double bend = 0, int steps = 400) {
     CAPTURE(how.name);
     CAPTURE(d);
-    int const steps = 400;
+    CAPTURE(h);
     auto const walk = embed(l, how).along(uniform(0.0, h, steps), all<V>(d, q0), all<V>(d, p0));
     int points = 0;
-    double size = 0;
+    double size = 0, momentum = 0;
     CHECK_NOTHROW([&] {
         for (auto const& x : walk) {
             ++points;
             size = std::max(size, magnitude(x.q));
+            momentum = std::max(momentum, magnitude(x.p));
         }
     }());
     CHECK(points == steps + 1);
-    if (points == steps + 1) CHECK(largest_residual(walk) <= 8 * epsilon<double>() * size * mass / (h * h));
+    if (points == steps + 1) CHECK(largest_residual(walk) <= 16 * epsilon<double>() * (size * (mass / (h * h) + bend) + momentum / h));
 }
 
 } // namespace
@@ -77,9 +103,50 @@ TEST_CASE("a body that turns before a wall is not guessed to be behind it") {
     goes_all_the_way<double>(at_a_wall{}, mid_point, 1, 6, 0, 0.05, 1);
     goes_all_the_way<Eigen::Vector3d>(at_a_wall{}, mid_point, 3, 6, 0, 0.05, 1);
     goes_all_the_way<Eigen::VectorXd>(at_a_wall{}, mid_point, 6, 6, 0, 0.05, 1);
+    goes_all_the_way<double>(at_a_wall_and_a_spring{}, mid_point, 1, 6, 0, 0.05, 1);
+    goes_all_the_way<Eigen::Vector3d>(at_a_wall_and_a_spring{}, mid_point, 3, 6, 0, 0.05, 1);
+    goes_all_the_way<Eigen::VectorXd>(at_a_wall_and_a_spring{}, mid_point, 6, 6, 0, 0.05, 1);
     // with a Hessian of its own, and no force but that of the wall
     auto const wall_of_the_first = [](index_type k, auto const& r) { return k == 0 ? r - log(r) : 0 * r; };
     goes_all_the_way<Eigen::VectorXd>(mechanical(1.0, chain{wall_of_the_first}), mid_point, 2, 6, 0, 0.05, 1);
+}
+
+TEST_CASE("steps that are nearly too long are made where the guess of them leads nowhere") {
+    for (auto const& [h, q0] : {std::pair{1.5, 3.0}, {1.7, 1.0}, {1.9, 1.0}}) {
+        goes_all_the_way<double>(pendula{}, mid_point, 1, q0, 0, h, 1, 1, 3000);
+        goes_all_the_way<Eigen::Vector2d>(pendula{}, mid_point, 2, q0, 0, h, 1, 1, 3000);
+        goes_all_the_way<Eigen::VectorXd>(pendula{}, mid_point, 3, q0, 0, h, 1, 1, 3000);
+        auto const first_alone = [](index_type k, auto const& r) { return k == 0 ? -cos(r) : 0 * r; };
+        goes_all_the_way<Eigen::VectorXd>(mechanical(1.0, chain{first_alone}), mid_point, 2, q0, 0, h, 1, 1, 3000);
+    }
+}
+
+TEST_CASE("a motion that runs away is not found again on the other side") {
+    auto const ends_in_time = [](auto const& l, auto const& q0) {
+        auto const p0 = q0; // of this type
+        double farthest = 0, least = 1;
+        CHECK_THROWS_AS(
+            [&] {
+                for (auto const& x : embed(l, mid_point).along(uniform(0.0, 0.01, 1000), q0, p0)) {
+                    farthest = std::max(farthest, magnitude(x.q));
+                    least = std::min(least, detail::shape<std::remove_cvref_t<decltype(q0)>>::component(x.q, 0));
+                }
+            }(),
+            error::no_convergence);
+        CHECK(farthest > 10);
+        CHECK(least == 1); // the cubic equation of a step has a root there too
+    };
+    auto const runs_away = [](auto const& q, auto const& v) {
+        if constexpr (requires { q.size(); })
+            return v.squaredNorm() / 2 + q(0) * q(0) * q(0) * q(0) - q(1) * q(1);
+        else
+            return v * v / 2 + q * q * q * q;
+    };
+    ends_in_time(runs_away, 1.0);
+    ends_in_time(runs_away, Eigen::Vector2d(1, 1));
+    ends_in_time(runs_away, Eigen::VectorXd(Eigen::Vector2d(1, 1)));
+    auto const quartic = [](index_type k, auto const& r) { return k == 0 ? -(r * r * r * r) : 0 * r; };
+    ends_in_time(mechanical(1.0, chain{quartic}), Eigen::VectorXd(Eigen::Vector2d(1, 1)));
 }
 
 } // namespace guesses_tests

@@ -106,6 +106,24 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atan(jet<S, F, C, O> const& x) {
     return chain_rule(x, S(atan(x.value)), slope, S(-(x.value + x.value) * slope * slope));
 }
 template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> asinh(jet<S, F, C, O> const& x) {
+    using std::asinh, std::sqrt;
+    S const slope = S(1) / S(sqrt(S(x.value * x.value + S(1))));
+    return chain_rule(x, S(asinh(x.value)), slope, S(-x.value * slope * slope * slope));
+}
+template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> acosh(jet<S, F, C, O> const& x) {
+    using std::acosh, std::sqrt;
+    S const slope = S(1) / S(sqrt(S((x.value - S(1)) * (x.value + S(1)))));
+    return chain_rule(x, S(acosh(x.value)), slope, S(-x.value * slope * slope * slope));
+}
+template <class S, int F, int C, int O>
+HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atanh(jet<S, F, C, O> const& x) {
+    using std::atanh;
+    S const slope = S(1) / S((S(1) - x.value) * (S(1) + x.value));
+    return chain_rule(x, S(atanh(x.value)), slope, S((x.value + x.value) * slope * slope));
+}
+template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> cbrt(jet<S, F, C, O> const& x) {
     using std::cbrt;
     S const root = cbrt(x.value);

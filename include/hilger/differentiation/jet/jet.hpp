@@ -134,6 +134,18 @@ struct keeps_its_derivatives<S> {
                       "auto const& instead of double: derivatives pass through its numbers");
         return T();
     }
+#define HILGER_NO_SUCH_FUNCTION(name, instead)                                                                                             \
+    friend S name(keeps_its_derivatives const&, auto const&...) {                                                                          \
+        static_assert(not std::same_as<S, S>, #name " is none of the functions of numbers with derivatives: write " instead);              \
+        return S();                                                                                                                        \
+    }
+    HILGER_NO_SUCH_FUNCTION(log2, "log(q) / std::log(2.0)")
+    HILGER_NO_SUCH_FUNCTION(log10, "log(q) / std::log(10.0)")
+    HILGER_NO_SUCH_FUNCTION(exp2, "pow(2.0, q)")
+    HILGER_NO_SUCH_FUNCTION(erfc, "1 - erf(q)")
+    HILGER_NO_SUCH_FUNCTION(fma, "x * y + z")
+    HILGER_NO_SUCH_FUNCTION(fmod, "sin(q) or cos(q) of an angle as it is, from which whole turns need not be taken off")
+#undef HILGER_NO_SUCH_FUNCTION
 };
 } // namespace detail
 

@@ -32,6 +32,9 @@ class one_node {
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.
     static constexpr int history = exact or at_start or at_end ? 1 : 7;
+    /// At an end of the step the position is known, and any velocity may be the one that its equation has.
+    static constexpr bool follows = not(exact or at_start or at_end);
+    static constexpr int most = follows ? most_iterations_of_a_step<S> : most_iterations<S>;
 
 public:
     /// `like` has the dimension of the states to come.
@@ -72,8 +75,9 @@ public:
 private:
     template <bool SayWhere>
     HILGER_ALWAYS_INLINE void chosen_advance(Problem const& problem, state<S, V>& x) {
+        std::uint64_t const compared_before = comparisons_made();
         if (not flat_or_not<SayWhere>(problem, x)) [[unlikely]]
-            advance_on_branches<SayWhere>(problem, x, all{});
+            search_step<SayWhere>(problem, x, comparisons_made() != compared_before, all{});
     }
     template <bool SayWhere>
     HILGER_ALWAYS_INLINE bool flat_or_not(Problem const& problem, state<S, V>& x) {
@@ -87,9 +91,8 @@ private:
         return advance<SayWhere>(problem, x, all{}, every{});
     }
 
-    /// False, and nothing has happened, where Newton's rounds do not do. Of an L with branches they prove a root on the branch of the last
-    /// round, and that may not be the branch of the root; and an extrapolated guess may lie where L is not defined. (Where they do not
-    /// converge the step is too long: roots that a search finds then are far from the last velocity.)
+    /// False, and x is as it was, where Newton's rounds do not do. Of an L with branches they prove a root on the branch of the last round,
+    /// and that may not be the branch of the root; and an extrapolated guess may lie where L is not defined, or too far away in long steps.
     template <bool SayWhere, int... K, int... M>
     HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
@@ -106,7 +109,7 @@ private:
         bool singular = false;
         int settled = 0; // how often all components together were at their floor, and one of them not
         std::uint64_t const compared_before = comparisons_made();
-        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
+        for (int iteration = 0; iteration < most; ++iteration) {
             std::uint64_t const compared = comparisons_made();
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
@@ -171,8 +174,7 @@ private:
             take<K...>(x, w, v, g);
             return true;
         }
-        bool const leads_nowhere = known_ > 1 and not is_finite(S((v[K] + ...) + (r[K] + ...)));
-        if (leads_nowhere or comparisons_made() != compared_before) [[unlikely]]
+        if (follows or comparisons_made() != compared_before) [[unlikely]]
             return false;
         if constexpr (SayWhere)
             failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
@@ -181,12 +183,13 @@ private:
     }
     /// The same from the beginning, by a search.
     template <bool SayWhere, int... K>
-    HILGER_ALWAYS_INLINE void advance_on_branches(Problem const& problem, state<S, V>& x,
-                                                  std::integer_sequence<int, K...> every_component) {
+    HILGER_ALWAYS_INLINE void search_step(Problem const& problem, state<S, V>& x, bool has_branches,
+                                          std::integer_sequence<int, K...> every_component) {
         S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
         components_ const v = first_guess(every_component);
-        auto const found = search::template root<SayWhere>(problem, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
-                                                           start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
+        auto const found =
+            search::template root<SayWhere>(problem, has_branches, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
+                                            start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
         take<K...>(x, w_, found.v, found.g);
     }
     template <int... K>

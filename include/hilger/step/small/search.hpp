@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a step of up to four degrees of freedom seldom comes to: how it fails, and the search for the step of a Lagrangian with branches, or
-// from a nearer guess. The numbers are handed over one by one and by value: as arrays, or caught where the step is made, they would have to
-// be in memory for this in every step that succeeds.
+// of another one from a nearer guess. The numbers are handed over one by one and by value: as arrays, or caught where the step is made,
+// they would have to be in memory for this in every step that succeeds.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,8 @@ struct small_table {
     std::array<S, N * N> qq, qv, vq, vv;
 };
 
-/// The step by a search: from the iterate v on, or else from the last velocity, until the equation holds at what is returned.
+/// The step by a search: with branches from the iterate v on, or else from the last velocity, until the equation holds at what is returned;
+/// without them where Newton's path leads from the last velocity.
 template <bool Compensated, class S, class V, class Components>
 class small_search;
 template <bool Compensated, class S, class V, int... K>
@@ -67,8 +68,9 @@ class small_search<Compensated, S, V, std::integer_sequence<int, K...>> {
 
 public:
     template <bool SayWhere, class Problem>
-    [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, S t, S h, S node, S w, S c, S f, number<K>... q,
-                                                         number<K>... p, number<K>... v, number<K>... last, number<K>... resistance) {
+    [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, bool has_branches, S t, S h, S node, S w, S c, S f,
+                                                         number<K>... q, number<K>... p, number<K>... v, number<K>... last,
+                                                         number<K>... resistance) {
         auto const derivatives = [&](components_ const& A, components_ const& B, table_& to) {
             auto const e = evaluate<s::is_scalar, false>(problem, node, A, B, std::integer_sequence<int, K...>{});
             [&]<int... M>(std::integer_sequence<int, M...>) {
@@ -79,7 +81,9 @@ public:
             (std::make_integer_sequence<int, static_cast<int>(N * N)>{});
         };
         node_values found{};
-        auto const search = [&] { found = searched(derivatives, w, c, f, {q...}, {p...}, vector(v...), vector(last...), {resistance...}); };
+        auto const search = [&] {
+            found = searched(derivatives, has_branches, w, c, f, {q...}, {p...}, vector(v...), vector(last...), {resistance...});
+        };
         if constexpr (SayWhere)
             saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
         else
@@ -88,8 +92,8 @@ public:
     }
 
 private:
-    static node_values searched(derivatives_ const& derivatives, S const& w, S const& c, S const& f, components_ const& q,
-                                components_ const& p, V v, V const& last, components_ const& resistance) {
+    static node_values searched(derivatives_ const& derivatives, bool has_branches, S const& w, S const& c, S const& f,
+                                components_ const& q, components_ const& p, V v, V const& last, components_ const& resistance) {
         table_ e{};
         matrix_ J{};
         components_ A{}, B{};
@@ -119,8 +123,10 @@ private:
             return true;
         };
         V residual = v;
-        branch_search const how = search_branches_twice(v, last, residual, evaluate_at, correct,
-                                                        S(square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>()));
+        S const small = square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>();
+        if (not has_branches) v = last;
+        branch_search const how = has_branches ? search_branches_twice(v, last, residual, evaluate_at, correct, small)
+                                               : follow_newton(v, residual, evaluate_at, correct, small);
         if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
         node_values const found{{s::component(v, K)...}, e.by_q};
         if (S const nan = std::numeric_limits<S>::is_exact

@@ -15,8 +15,8 @@ using namespace hilger;
 
 namespace {
 
-using std::atan2, std::cbrt, std::copysign, std::erf, std::expm1, std::fmax, std::fmin, std::hypot, std::log1p, std::max, std::min,
-    std::pow;
+using std::acosh, std::asinh, std::atan2, std::atanh, std::cbrt, std::copysign, std::erf, std::expm1, std::fmax, std::fmin, std::hypot,
+    std::log1p, std::max, std::min, std::pow;
 
 // Each takes x = (q, v) of any number type; all are smooth at the point below.
 struct with_two_jets {
@@ -30,6 +30,12 @@ struct with_constants {
     auto operator()(X const& q, Y const& v) const {
         return hypot(q, 3.0) + hypot(0.5, v) * q + atan2(q, 2.0) + atan2(0.25, v) * q + pow(2.0, q) * v + pow(3.0, q * v) + pow(q, 2.5) +
                pow(v, -1.5) * q + pow(q, 3) + pow(v, -2);
+    }
+};
+struct with_inverses {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        return asinh(q * v) * q + acosh(q + v) * v + atanh(q * v / 2) + asinh(v - 2 * q) + atanh(q - v) * q;
     }
 };
 struct of_branches {
@@ -87,6 +93,7 @@ void check_all(F const& f) {
 
 TEST_CASE("functions of two arguments that both vary") { check_all(with_two_jets{}); }
 TEST_CASE("functions of an argument and a constant") { check_all(with_constants{}); }
+TEST_CASE("inverse hyperbolic functions") { check_all(with_inverses{}); }
 TEST_CASE("functions with branches") { check_all(of_branches{}); }
 TEST_CASE("max, min and copysign of jets and constants, in rationals too") {
     auto const f = [](auto const& q, auto const& v) { return max(q * v, 2) + min(1.0, q * q) + fmax(v * q, 3) + copysign(v * q, -1) * q; };

@@ -122,6 +122,9 @@ TEST_CASE("every function has the derivatives of jets") {
     NEAR(asin(u));
     NEAR(acos(u));
     NEAR(atan(u));
+    NEAR(asinh(u));
+    NEAR(acosh(1 + u));
+    NEAR(atanh(u));
     NEAR(cbrt(u));
     NEAR(expm1(u));
     NEAR(log1p(u));

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSL-1.0
+// A root near a first guess, of equations with several. Whole corrections of Newton's method may leap to a far one, where the derivative is
+// nearly singular on the way: between the ends of T, behind the time at which neighbouring motions meet again. Corrections that are
+// shortened do not leap, but need not arrive. Where they do not, the equation is also changed into an easier one and back in steps, each of
+// which starts from the root of the one before (continuation; Allgower and Georg, Introduction to Numerical Continuation Methods, 2003),
+// and of what is found the nearest is taken.
+#pragma once
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+#include "hilger/newton/newton.hpp"
+
+namespace hilger::detail {
+
+/// What a first guess is: next to the root that is looked for, somebody's, or a straight line, which is the motion in no time.
+enum class first_guess { next_to_it, given, straight_line };
+
+/// Iterate, part of the time -> newton_system; part 1 is the equation, and the smaller it is, the nearer a straight line is to its root.
+template <class V, class Jacobian>
+using newton_family = function_view<newton_system<V, Jacobian>(V const&, scalar_of<V> const&)>;
+
+/// The root for part 1 near `guess`. `given`, `what` and `by` are those of newton().
+/// @throws as newton() does, and where `stop` is asked to
+template <class V, class Jacobian>
+V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const& given, first_guess from, char const* what,
+              solvability const& by, std::stop_token const& stop) {
+    using S = scalar_of<V>;
+    S part(1), step = S(1) / S(4);
+    auto const in_part = [&](V const& x) { return system(x, part); };
+    // What is given stands in differences over the time, which are larger where there is less of it.
+    auto const by_whole_corrections = [&](V const& x) { return newton_of<V, Jacobian>(in_part, x, V(given / part), what, by); };
+    if (std::numeric_limits<S>::is_exact or from == first_guess::next_to_it) return by_whole_corrections(guess);
+    auto const by_shortened_ones = [&](V const& x) { // which end near the root, and whole ones at it
+        S const small = square_root_of_epsilon<S>() / S(16);
+        return by_whole_corrections(newton_damped<V, Jacobian>(in_part, x, V(given / part), small, what, by));
+    };
+    auto const by_continuation = [&](V x) {
+        for (S done(0); done < S(1);) {
+            part = std::min(S(1), S(done + step));
+            bool const is_shortest = S(32) * step <= S(1);
+            try {
+                x = by_shortened_ones(x);
+                done = part;
+            } catch (error::exception const&) {
+                if (stop.stop_requested()) throw;
+                if (is_shortest) {
+                    x = by_whole_corrections(x);
+                    done = part;
+                } else
+                    step = step / S(2);
+            }
+        }
+        return x;
+    };
+
+    std::optional<V> found;
+    std::exception_ptr failure;
+    auto const distance = [&](V const& x) { return S(magnitude(V(x - guess))); };
+    auto const attempt = [&](auto const& way) {
+        try {
+            V x = way(guess);
+            if (not found or distance(x) < distance(*found)) found = std::move(x);
+        } catch (error::exception const&) {
+            if (stop.stop_requested()) throw;
+            failure = std::current_exception();
+        }
+    };
+    attempt(by_shortened_ones);
+    if (not found) {
+        attempt(by_whole_corrections);
+        auto const why = failure;
+        if (from == first_guess::straight_line) attempt(by_continuation);
+        if (not found) std::rethrow_exception(why);
+    }
+    return *found;
+}
+
+} // namespace hilger::detail

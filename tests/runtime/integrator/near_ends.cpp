@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSL-1.0
+// Between two ends that the motions of one point come back to before, solutions are many, and the straight line leads whole corrections of
+// Newton's method far away or nowhere.
+#include <doctest/doctest.h>
+
+#include "hilger/hilger.hpp"
+
+namespace near_ends_tests {
+
+using namespace hilger;
+
+namespace {
+
+using V2 = Eigen::Vector2d;
+constexpr unknown q;
+
+/// A double pendulum; its faster oscillation takes 1.09 in the units of time here.
+struct double_pendulum {
+    double g = 9.81;
+    template <class X, class Y>
+    auto operator()(X const& x, Y const& v) const {
+        return v[0] * v[0] + v[1] * v[1] / 2 + v[0] * v[1] * cos(x[0] - x[1]) + g * (2 * cos(x[0]) + cos(x[1]));
+    }
+};
+auto equation_on(auto const& T, double g) {
+    lagrangian const L{double_pendulum{g}};
+    return variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)));
+}
+template <class X, class Y>
+double distance(X const& x, Y const& y) {
+    double most = 0;
+    for (index_type i = 0; i < x.size(); ++i) most = std::max(most, (x[i] - y[i]).template lpNorm<Eigen::Infinity>());
+    return most;
+}
+/// By a weight that grows from none, from the straight line.
+template <class T>
+auto by_growing_weight(T const& scale, auto const& line, boundary_values<V2> const& ends) {
+    auto x = function_on(scale, std::vector<V2>(line.begin(), line.end()));
+    for (int k = 1; k <= 5; ++k) x = solve(equation_on(scale, 9.81 * k / 5), scale, ends, no_force{}, x);
+    return x;
+}
+template <class T>
+void is_found_near(T const& scale) {
+    auto const EL = equation_on(scale, 9.81);
+    double const end = scale.point(scale.steps());
+    for (auto const& [first, last] : {std::pair{-1.2, -1.1}, {-0.15, 0.17}, {0.6, 0.7}}) {
+        double const a = first, b = last;
+        CAPTURE(a);
+        CAPTURE(b);
+        boundary_values<V2> const ends{V2(a, b), V2(b / 4, -a / 2)};
+        auto const line = function_on(scale, [&](double t) { return V2(ends.q0 + t / end * (ends.qN - ends.q0)); });
+        auto const x = solve(EL, scale, ends);
+        CHECK(largest_residual(EL, x) <= 1e-11);
+        CHECK(distance(x, line) <= distance(by_growing_weight(scale, line, ends), line) + 1e-9);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a solution near the straight line is found, behind the time at which motions meet again") {
+    is_found_near(uniform(0.0, 0.03, 20));
+    is_found_near(time_scale<double>{0.0, 0.02, 0.05, 0.09, 0.13, 0.16, 0.2, 0.24, 0.27, 0.31, 0.36, 0.4, 0.43, 0.47, 0.5, 0.55, 0.6});
+}
+
+TEST_CASE("ends that Newton's method from the straight line leaves, or does not come to") {
+    auto const T = uniform(0.0, 0.03, 20);
+    auto const EL = equation_on(T, 9.81);
+    auto const x = solve(EL, T, boundary_values{V2(-1.2, -1.1), V2(0, 0.7)});
+    CHECK(std::abs(x[10][1] - 0.395) < 0.001); // by growing weight; whole corrections come to -2.60
+    auto const of_any_size = solve(EL, T, boundary_values<Eigen::VectorXd>{V2(-1.2, -1.1), V2(0, 0.7)});
+    CHECK(distance(of_any_size, x) <= 1e-10);
+    auto const y = solve(EL, T, boundary_values{V2(-0.15, -0.27), V2(0.25, 0.17)});
+    CHECK(largest_residual(EL, y) <= 1e-11);
+}
+
+TEST_CASE("with a force, on the way too") {
+    auto const T = uniform(0.0, 0.03, 20);
+    auto const EL = equation_on(T, 9.81);
+    auto const drag = [](auto const&, auto const& v) { return -0.1 * v; };
+    auto const x = solve(EL, T, boundary_values{V2(-0.15, -0.27), V2(0.25, 0.17)}, drag);
+    CHECK(largest_residual(EL, x, drag) <= 1e-11);
+}
+
+} // namespace near_ends_tests
