@@ -53,6 +53,15 @@ TEST_CASE("over one step it is the step") {
     for (hilger::index_type i = 0; i < T.size(); ++i) CHECK(std::abs(stepped[i] - marched[i]) <= 4096 * epsilon<double>());
 }
 
+TEST_CASE("over steps that are nearly too long, where whole corrections of Newton's method do not arrive") {
+    constexpr lagrangian hanging{[](auto const& x, auto const& v) { return v * v / 2 + cos(x); }};
+    auto const T = uniform(0.0, 1.9, 600); // the equation has one solution up to h = 2
+    auto const EL = variation(integral(hanging(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    auto const x = solve(EL, T, std::vector{1.0, 2.0});
+    CHECK(x.size() == 601);
+    CHECK(largest_residual(EL, x) <= 64 * epsilon<double>());
+}
+
 TEST_CASE("with a force beside dL/dq") {
     auto const T = uniform(Q(0), Q(1, 5), 12);
     auto const EL = variation(integral(quadratic(mean_of_three[q], central[q]), T));
