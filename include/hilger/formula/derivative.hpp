@@ -91,7 +91,7 @@ private:
         case operation::asinh:
             return 1 / sqrt(a * a + 1);
         case operation::acosh:
-            return 1 / sqrt((a - 1) * (a + 1));
+            return 1 / (sqrt(a - 1) * sqrt(a + 1));
         case operation::atanh:
             return 1 / ((1 - a) * (1 + a));
         case operation::cbrt:

@@ -198,13 +198,27 @@ struct latex_spelling {
         if (op == operation::abs) return {"\\left|" + arguments + "\\right|"};
         if (op == operation::sqrt) return {"\\sqrt{" + arguments + "}"};
         if (op == operation::cbrt) return {"\\sqrt[3]{" + arguments + "}"};
-        std::string const name = op == operation::asin   ? "\\arcsin"
-                                 : op == operation::acos ? "\\arccos"
-                                 : op == operation::atan ? "\\arctan"
-                                 : op == operation::sign ? "\\operatorname{sign}"
-                                 : op == operation::atan2 or op == operation::expm1 or op == operation::log1p or op == operation::erf
-                                     ? "\\operatorname{" + std::string(name_of(op)) + "}"
-                                     : std::string("\\") + name_of(op);
+        std::string const name = [op]() -> std::string {
+            switch (op) {
+            case operation::asin:
+                return "\\arcsin";
+            case operation::acos:
+                return "\\arccos";
+            case operation::atan:
+                return "\\arctan";
+            case operation::asinh: // what LaTeX has no name for
+            case operation::acosh:
+            case operation::atanh:
+            case operation::sign:
+            case operation::atan2:
+            case operation::expm1:
+            case operation::log1p:
+            case operation::erf:
+                return "\\operatorname{" + std::string(name_of(op)) + "}";
+            default:
+                return std::string("\\") + name_of(op);
+            }
+        }();
         return {name + "(" + arguments + ")"};
     }
 };

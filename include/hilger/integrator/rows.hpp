@@ -8,6 +8,8 @@
 
 #include "hilger/integrator/march.hpp"
 #include "hilger/newton/near.hpp"
+#include "hilger/scale/time_scale.hpp"
+#include "hilger/scale/uniform.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger::detail {

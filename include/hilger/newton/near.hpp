@@ -21,6 +21,26 @@ enum class first_guess { next_to_it, given, straight_line };
 template <class V, class Jacobian>
 using newton_family = function_view<newton_system<V, Jacobian>(V const&, scalar_of<V> const&)>;
 
+/// x after corrections as long as they halve the residual: where the derivative is nearly singular, as that of a wall between two states
+/// that may be anywhere, a small correction does not prove that the equation is solved.
+template <class V, class Jacobian>
+V polished(newton_function<V, Jacobian> const& system, V x) {
+    using S = scalar_of<V>;
+    auto at = system(x);
+    for (int k = 0; k < 6; ++k) {
+        V correction = zero_like(x);
+        if (not solve_linear(at.jacobian, at.residual, correction)) break;
+        V const y = x - correction;
+        auto next = system(y);
+        S const before = magnitude(at.residual);
+        if (not all_finite(next.residual) or not(magnitude(next.residual) < before)) break;
+        bool const halved = S(2) * magnitude(next.residual) < before;
+        x = y;
+        at = std::move(next);
+        if (not halved) break;
+    }
+    return x;
+}
 /// The root for part 1 near `guess`. `given`, `what` and `by` are those of newton().
 /// @throws as newton() does, and where `stop` is asked to
 template <class V, class Jacobian>
@@ -74,7 +94,8 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const&
         if (from == first_guess::straight_line) attempt(by_continuation);
         if (not found) std::rethrow_exception(why);
     }
-    return *found;
+    part = S(1);
+    return polished<V, Jacobian>(in_part, *std::move(found));
 }
 
 } // namespace hilger::detail

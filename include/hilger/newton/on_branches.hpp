@@ -108,36 +108,57 @@ branch_search search_branches_twice(X& x, X const& nearer, X& residual, equation
     return search_branches(x, residual, evaluate, correct, small);
 }
 
-/// x in r(x) = 0 of one branch, by corrections so short that each is nearly what the one before it left to do: as long as they are, the
-/// derivative is regular on the way, and the root is none of those behind a place where it is not. The arguments are those of
-/// search_branches. (Newton's path; Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.1.4.)
+/// x in r(x) = 0 of one branch, by corrections so short that each is nearly what the one before it left to do, and half of it too: as long
+/// as they are, the derivative is regular on the way, and the root is none of those behind a place where it is not. The arguments are those
+/// of search_branches, `small` in units of each component. (Newton's path; Deuflhard, Newton Methods for Nonlinear Problems, 2004, section
+/// 3.1.4.)
 template <class X>
 branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& evaluate, correction_on_branches<X> const& correct,
                             scalar_of<X> const& small) {
     using S = scalar_of<X>;
+    using s = shape<X>;
     constexpr int rounds = 80, halvings = 12;
+    X const start = x;
+    S const least = S(1) / S(1 << halvings);
     X d = x, left = x, y = x;
-    S size = evaluate(x, residual), part(1);
+    S part(1);
+    auto const leads_on = [&](S const& share) {
+        y = x + d * share;
+        (void)evaluate(y, residual);
+        return all_finite(residual) and correct(residual, left) and magnitude(X(left - d * S(S(1) - share))) <= magnitude(d) / S(4);
+    };
+    auto const is_small = [&] {
+        S const rounding = S(64) * epsilon<S>() * magnitude(x);
+        for (int k = 0; k < s::dimension(x); ++k) {
+            S const size = std::max(S(magnitude(S(s::component(x, k)))), S(magnitude(S(s::component(start, k)))));
+            if (not(magnitude(S(s::component(d, k))) <= small * size + rounding)) return false;
+        }
+        return true;
+    };
+    (void)evaluate(x, residual);
     if (not all_finite(residual)) return branch_search::not_finite;
     if (not correct(residual, d)) return branch_search::singular;
     for (int round = 0; round < rounds; ++round, part = std::min(S(1), S(2) * part)) {
-        if (magnitude(residual) <= S(4) * epsilon<S>() * size or magnitude(d) <= small * magnitude(x)) {
+        if (is_small()) {
             x = x + d;
             (void)evaluate(x, residual);
             return branch_search::found;
         }
-        bool good = false;
+        bool good = false, meets_nan = false;
         for (int cut = 0; cut < halvings and not good; ++cut) {
-            y = x + d * part;
-            size = evaluate(y, residual);
-            good = all_finite(residual) and correct(residual, left) and magnitude(X(left - d * S(S(1) - part))) <= magnitude(d) / S(4);
+            good = leads_on(S(part / S(2))) and leads_on(part);
+            meets_nan = not all_finite(residual);
             if (not good) part = part / S(2);
         }
-        if (not good) break;
+        if (not good and meets_nan) return branch_search::not_finite;
+        if (not good or part < least) break;
         x = y;
         d = left;
     }
-    return branch_search::lost_on_one;
+    // Beside large numbers corrections shrink no more where the residual is rounding.
+    x = x + d;
+    S const size = evaluate(x, residual);
+    return magnitude(residual) <= S(4) * epsilon<S>() * size ? branch_search::found : branch_search::lost_on_one;
 }
 
 /// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;

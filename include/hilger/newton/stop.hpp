@@ -35,10 +35,11 @@ namespace detail {
 template <class S>
 inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
 
-/// Of a step, whose guess is near. Corrections that take longer have been elsewhere, and may end at another root: a motion that runs away
-/// was found again on the other side. What Newton's path leads to is looked for then (newton/on_branches.hpp).
+/// The same where the guess is near, as that of a step is. Corrections that take longer have been elsewhere, and may end at another root:
+/// a motion that runs away was found again on the other side. Shorter ones are made then, along Newton's path (newton/on_branches.hpp) or
+/// nearly so.
 template <class S>
-inline constexpr int most_iterations_of_a_step = std::numeric_limits<S>::is_exact      ? 4
+inline constexpr int most_iterations_from_near = std::numeric_limits<S>::is_exact      ? 4
                                                  : std::numeric_limits<S>::digits > 64 ? 10
                                                                                        : 8;
 

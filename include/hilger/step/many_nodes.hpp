@@ -195,7 +195,7 @@ private:
         bool singular = false;
         S size(0), previous(-1);
         S const small = small_correction();
-        for (int iteration = 0; iteration < most_iterations_of_a_step<S>; ++iteration) {
+        for (int iteration = 0; iteration < most_iterations_from_near<S>; ++iteration) {
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             if (watch.saw_any()) return search(problem, x);
             e_.put_residual(x);

@@ -200,7 +200,7 @@ private:
         S const scale = f_ * c_;
         S size(0);
         constexpr bool follows = not std::numeric_limits<S>::is_exact;
-        for (int round = 0; round < most_iterations_of_a_step<S>; ++round) {
+        for (int round = 0; round < most_iterations_from_near<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(U, A_);
             kernel_.set_zero();

@@ -201,7 +201,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
                              {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
                              {"$r", rest},
                              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
-                             {"$most", std::to_string(is_inside() ? hilger::detail::most_iterations_of_a_step<double>
+                             {"$most", std::to_string(is_inside() ? hilger::detail::most_iterations_from_near<double>
                                                                   : hilger::detail::most_iterations<double>)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position

@@ -73,6 +73,14 @@ TEST_CASE("ends that Newton's method from the straight line leaves, or does not 
     CHECK(largest_residual(EL, y) <= 1e-11);
 }
 
+TEST_CASE("a wall between two states, which may be anywhere, is solved to rounding") {
+    auto const T = uniform(0.0, 1.0 / 300, 300);
+    lagrangian const two_wells{[](auto const& x, auto const& v) { return v * v / 2 + 500 * (x * x - 1) * (x * x - 1); }};
+    auto const EL = variation(integral(two_wells(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    // second differences round by epsilon / h^2
+    CHECK(largest_residual(EL, solve(EL, T, {.q0 = -1.0, .qN = 1.0})) <= 16 * epsilon<double>() * 300 * 300);
+}
+
 TEST_CASE("with a force, on the way too") {
     auto const T = uniform(0.0, 0.03, 20);
     auto const EL = equation_on(T, 9.81);

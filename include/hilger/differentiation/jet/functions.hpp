@@ -114,13 +114,13 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> asinh(jet<S, F, C, O> const& x) {
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> acosh(jet<S, F, C, O> const& x) {
     using std::acosh, std::sqrt;
-    S const slope = S(1) / S(sqrt(S((x.value - S(1)) * (x.value + S(1)))));
+    S const slope = S(1) / S(S(sqrt(S(x.value - S(1)))) * S(sqrt(S(x.value + S(1))))); // no number where acosh is none
     return chain_rule(x, S(acosh(x.value)), slope, S(-x.value * slope * slope * slope));
 }
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atanh(jet<S, F, C, O> const& x) {
     using std::atanh;
-    S const slope = S(1) / S((S(1) - x.value) * (S(1) + x.value));
+    S const slope = (detail::slope_of_log(S(S(1) + x.value)) + detail::slope_of_log(S(S(1) - x.value))) / S(2);
     return chain_rule(x, S(atanh(x.value)), slope, S((x.value + x.value) * slope * slope));
 }
 template <class S, int F, int C, int O>

@@ -32,9 +32,6 @@ class one_node {
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.
     static constexpr int history = exact or at_start or at_end ? 1 : 7;
-    /// At an end of the step the position is known, and any velocity may be the one that its equation has.
-    static constexpr bool follows = not(exact or at_start or at_end);
-    static constexpr int most = follows ? most_iterations_of_a_step<S> : most_iterations<S>;
 
 public:
     /// `like` has the dimension of the states to come.
@@ -109,7 +106,7 @@ private:
         bool singular = false;
         int settled = 0; // how often all components together were at their floor, and one of them not
         std::uint64_t const compared_before = comparisons_made();
-        for (int iteration = 0; iteration < most; ++iteration) {
+        for (int iteration = 0; iteration < most_iterations_from_near<S>; ++iteration) {
             std::uint64_t const compared = comparisons_made();
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
@@ -174,7 +171,7 @@ private:
             take<K...>(x, w, v, g);
             return true;
         }
-        if (follows or comparisons_made() != compared_before) [[unlikely]]
+        if (not exact or comparisons_made() != compared_before) [[unlikely]]
             return false;
         if constexpr (SayWhere)
             failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);

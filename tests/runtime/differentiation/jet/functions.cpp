@@ -94,6 +94,13 @@ void check_all(F const& f) {
 TEST_CASE("functions of two arguments that both vary") { check_all(with_two_jets{}); }
 TEST_CASE("functions of an argument and a constant") { check_all(with_constants{}); }
 TEST_CASE("inverse hyperbolic functions") { check_all(with_inverses{}); }
+TEST_CASE("slopes are no numbers where functions are none, as those of a logarithm") {
+    auto const slope = [](auto const& f, double x) {
+        return expand([&](auto const& q, auto const& v) { return f(q) + 0 * v; }, x, 0.0).by_q;
+    };
+    for (double const x : {1.5, -1.5, 2.0}) CHECK(std::isnan(slope([](auto const& q) { return atanh(q); }, x)));
+    for (double const x : {0.5, -0.5, -2.0}) CHECK(std::isnan(slope([](auto const& q) { return acosh(q); }, x)));
+}
 TEST_CASE("functions with branches") { check_all(of_branches{}); }
 TEST_CASE("max, min and copysign of jets and constants, in rationals too") {
     auto const f = [](auto const& q, auto const& v) { return max(q * v, 2) + min(1.0, q * q) + fmax(v * q, 3) + copysign(v * q, -1) * q; };
