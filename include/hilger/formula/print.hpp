@@ -198,28 +198,30 @@ struct latex_spelling {
         if (op == operation::abs) return {"\\left|" + arguments + "\\right|"};
         if (op == operation::sqrt) return {"\\sqrt{" + arguments + "}"};
         if (op == operation::cbrt) return {"\\sqrt[3]{" + arguments + "}"};
-        std::string const name = [op]() -> std::string {
-            switch (op) {
-            case operation::asin:
-                return "\\arcsin";
-            case operation::acos:
-                return "\\arccos";
-            case operation::atan:
-                return "\\arctan";
-            case operation::asinh: // what LaTeX has no name for
-            case operation::acosh:
-            case operation::atanh:
-            case operation::sign:
-            case operation::atan2:
-            case operation::expm1:
-            case operation::log1p:
-            case operation::erf:
-                return "\\operatorname{" + std::string(name_of(op)) + "}";
-            default:
-                return std::string("\\") + name_of(op);
-            }
-        }();
-        return {name + "(" + arguments + ")"};
+        return {name(op) + "(" + arguments + ")"};
+    }
+
+private:
+    static std::string name(operation op) {
+        switch (op) {
+        case operation::asin:
+            return "\\arcsin";
+        case operation::acos:
+            return "\\arccos";
+        case operation::atan:
+            return "\\arctan";
+        case operation::asinh: // what LaTeX has no name for
+        case operation::acosh:
+        case operation::atanh:
+        case operation::sign:
+        case operation::atan2:
+        case operation::expm1:
+        case operation::log1p:
+        case operation::erf:
+            return "\\operatorname{" + std::string(name_of(op)) + "}";
+        default:
+            return std::string("\\") + name_of(op);
+        }
     }
 };
 

@@ -59,18 +59,17 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const&
     auto const by_continuation = [&](V x) {
         for (S done(0); done < S(1);) {
             part = std::min(S(1), S(done + step));
-            bool const is_shortest = S(32) * step <= S(1);
             try {
                 x = by_shortened_ones(x);
-                done = part;
             } catch (error::exception const&) {
                 if (stop.stop_requested()) throw;
-                if (is_shortest) {
-                    x = by_whole_corrections(x);
-                    done = part;
-                } else
+                if (S(1) < S(32) * step) {
                     step = step / S(2);
+                    continue;
+                }
+                x = by_whole_corrections(x);
             }
+            done = part;
         }
         return x;
     };

@@ -252,12 +252,11 @@ private:
             d = r;
             return kernel_.solve(d);
         };
-        V y = v_, rest = v_;
+        V const last = known_ > 0 ? past_[0] : v_;
+        V y = has_branches() ? v_ : last, rest = v_;
         S const small_correction = square_root_of_epsilon<S>() * small();
-        if (not has_branches() and known_ > 0) y = past_[0];
-        branch_search const how =
-            has_branches() ? search_branches_twice(y, known_ > 0 ? past_[0] : V(v_), rest, evaluate_at, correct, small_correction)
-                           : follow_newton(y, rest, evaluate_at, correct, small_correction);
+        branch_search const how = has_branches() ? search_branches_twice(y, last, rest, evaluate_at, correct, small_correction)
+                                                 : follow_newton(y, rest, evaluate_at, correct, small_correction);
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     void residual(L const& l, state<S, V> const& x) {

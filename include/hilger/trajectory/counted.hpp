@@ -94,10 +94,10 @@ public:
     friend counted erf(counted const& x) noexcept { return function(16, std::erf(x.value_), x); }
     friend counted log1p(counted const& x) noexcept { return function(17, std::log1p(x.value_), x); }
     friend counted expm1(counted const& x) noexcept { return function(18, std::expm1(x.value_), x); }
+    friend counted cbrt(counted const& x) noexcept { return function(19, std::cbrt(x.value_), x); }
     friend counted asinh(counted const& x) noexcept { return function(20, std::asinh(x.value_), x); }
     friend counted acosh(counted const& x) noexcept { return function(21, std::acosh(x.value_), x); }
     friend counted atanh(counted const& x) noexcept { return function(22, std::atanh(x.value_), x); }
-    friend counted cbrt(counted const& x) noexcept { return function(19, std::cbrt(x.value_), x); }
     friend counted copysign(counted const& x, counted const& y) noexcept {
         return made(kind::sign, std::copysign(x.value_, y.value_), x, y, 2);
     }

@@ -3,6 +3,7 @@
 // walks from initial data.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 #include <utility>

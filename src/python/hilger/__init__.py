@@ -52,8 +52,8 @@ from .equations import (
 from .formulas import (
     Vector,
     acos,
-    asin,
     acosh,
+    asin,
     asinh,
     atan,
     atan2,

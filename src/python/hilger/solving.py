@@ -84,8 +84,8 @@ def solve(
 ) -> "Solution | AccurateSolution":
     """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
     start from q1, where nothing is damped. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a
-    number) for each point of T. Of several solutions it is the one that the method comes to, which may be far from the guess: look at it, or
-    guess a solution of a problem that differs little.
+    number) for each point of T. Of several solutions one near the guess is looked for, and mostly found: look at it, or guess a
+    solution of a problem that differs little.
 
     `until=g` ends a walk at the first point of T behind a zero of g(t, q, p), as of the height of what falls: x.stopped says so, and
     x.events(g) where it was. A g that is true or false passes zero where it changes; g = 0 at the start is no zero.

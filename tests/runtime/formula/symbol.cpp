@@ -182,6 +182,9 @@ TEST_CASE("names of several letters in LaTeX are names") {
     CHECK(latex(symbol::variable("_q")) == "\\mathrm{\\_q}");
     CHECK(latex(symbol::variable("angle", 2)) == "\\mathrm{angle}_{2}");
     CHECK(latex(symbol::variable("q_{i+1}")) == "q_{i+1}"); // somebody's own LaTeX
+    // functions that LaTeX has a name for, and others
+    CHECK(latex(asin(symbol::variable("q"))) == "\\arcsin(q)");
+    CHECK(latex(asinh(symbol::variable("q")) + atanh(symbol::variable("q"))) == "\\operatorname{asinh}(q) + \\operatorname{atanh}(q)");
 }
 
 TEST_CASE("an embedding's operators run on symbols: the tableau as formulas in h") {
