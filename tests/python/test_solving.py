@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Solutions against what is known of them: the equation is the judge."""
 
+import pickle
 import signal
 import threading
 import unittest
@@ -267,6 +268,30 @@ class Double(unittest.TestCase):
         plane = h.solve(h.Lagrangian("dot(v, v)/2 - dot(q, q)/2", "q[2]", "v[2]"), (0, 10), q0=[1.0, 0.0], v0=[0.0, 1.0], accuracy=1e-10)
         self.assertLess(np.abs(plane.p - np.column_stack([-np.sin(plane.t), np.cos(plane.t)])).max(), 1e-9)
         self.assertLess(np.abs(exact.q - np.cos(exact.t)).max(), 1e-10)
+        # it is a solution as others are, of the equation that was chosen
+        self.assertEqual(len(exact), len(exact.t))
+        self.assertEqual(exact.equation.method.name, exact.method)
+        self.assertLess(np.abs(exact.energy() - 0.5).max(), 1e-10)
+        h_ = exact.t[1]
+        self.assertLess(exact.residual(), 64 * np.finfo(float).eps * (1 + 1 / h_**2))
+        self.assertLess(abs(exact(1.25) - np.cos(1.25)), h_**4 / 384 + 1e-10)
+        self.assertLess(np.abs(exact.events(lambda t, q, p: q).t - np.pi * np.array([0.5, 1.5, 2.5])).max(), h_**4)
+        again = pickle.loads(pickle.dumps(exact))
+        self.assertEqual((again.method, again.error, again.t.tolist()), (exact.method, exact.error, exact.t.tolist()))
+
+    def test_the_residual_of_what_has_stopped(self):
+        for T in (h.uniform(0, 0.125, 100), h.TimeScale([0.125 * i for i in range(101)])):
+            whole = h.solve(h.variation(oscillator, T), q0=1.0, v0=0.0)
+            part = h.solve(h.variation(oscillator, T), q0=1.0, v0=0.0, until=lambda t, q, p: q)
+            self.assertLess(len(part), 20)
+            self.assertLess(part.residual(), 16 * np.finfo(float).eps / 0.125**2)
+            part.q[3] += 1e-3  # which a residual sees
+            self.assertGreater(part.residual(), 1e-2)
+            self.assertEqual(whole.q[len(part) - 1], part.q[-1])
+        with self.assertRaises(h.StepFailure) as failed:
+            h.solve(h.variation(h.Lagrangian("v^2/2 + q^4"), h.uniform(0, 0.01, 1000)), q0=1.0, v0=1.0)
+        reached = failed.exception.solution
+        self.assertLess(reached.residual(), 64 * np.finfo(float).eps * abs(reached.q).max() / 0.01**2)
 
     def test_many_digits(self):
         try:

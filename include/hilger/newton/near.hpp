@@ -21,6 +21,43 @@ enum class first_guess { next_to_it, given, straight_line };
 template <class V, class Jacobian>
 using newton_family = function_view<newton_system<V, Jacobian>(V const&, scalar_of<V> const&)>;
 
+/// The root of a system that whole corrections do not lead to from x: each is shortened until the next one, with the same derivative, is
+/// smaller (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). Unlike the residual, that does not depend on the units of
+/// rows.
+template <class V, class Jacobian>
+V newton_damped(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
+                solvability const& by) {
+    using S = scalar_of<V>;
+    constexpr int most = 100, halvings = 14;
+    S part(1), size(0);
+    unwatched const inside;
+    auto at = system(x);
+    int iteration = 0;
+    for (; iteration < most; ++iteration) {
+        V const correction = solve(at.jacobian, at.residual, what, by);
+        size = magnitude(correction);
+        part = std::min(S(1), S(4) * part);
+        bool better = false;
+        for (int cut = 0; cut < halvings and not better; ++cut) {
+            V const y = x - correction * part;
+            auto there = system(y);
+            if (inside.before.saw_any()) return newton_search<true>(system, y, given, small, what, by);
+            if (all_finite(there.residual)) {
+                V const next = solve(at.jacobian, there.residual, what, by);
+                S const left = magnitude(next);
+                if (part == S(1) and left <= small * magnitude(y)) return y - next;
+                better = left <= (S(1) - part / S(4)) * size;
+            }
+            if (better) {
+                x = y;
+                at = std::move(there);
+            } else
+                part = part / S(2);
+        }
+        if (not better) break;
+    }
+    give_up(what, false, x, at.residual, size, iteration, by);
+}
 /// x after corrections as long as they halve the residual: where the derivative is nearly singular, as that of a wall between two states
 /// that may be anywhere, a small correction does not prove that the equation is solved.
 template <class V, class Jacobian>
@@ -50,11 +87,12 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const&
     S part(1), step = S(1) / S(4);
     auto const in_part = [&](V const& x) { return system(x, part); };
     // What is given stands in differences over the time, which are larger where there is less of it.
-    auto const by_whole_corrections = [&](V const& x) { return newton_of<V, Jacobian>(in_part, x, V(given / part), what, by); };
+    auto const by_whole_corrections = [&](V const& x) {
+        return newton_of<V, Jacobian>(in_part, x, V(given / part), most_whole_corrections<S>, what, by);
+    };
     if (std::numeric_limits<S>::is_exact or from == first_guess::next_to_it) return by_whole_corrections(guess);
     auto const by_shortened_ones = [&](V const& x) { // which end near the root, and whole ones at it
-        S const small = square_root_of_epsilon<S>() / S(16);
-        return by_whole_corrections(newton_damped<V, Jacobian>(in_part, x, V(given / part), small, what, by));
+        return by_whole_corrections(newton_damped<V, Jacobian>(in_part, x, V(given / part), small_correction<S>(), what, by));
     };
     auto const by_continuation = [&](V x) {
         for (S done(0); done < S(1);) {

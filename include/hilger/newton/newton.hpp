@@ -3,6 +3,7 @@
 // scalar's rounding, and gives up, saying where, when corrections stop shrinking.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -65,10 +66,16 @@ V sizes(V const& x) {
 template <class V, class Jacobian>
 using newton_function = function_view<newton_system<V, Jacobian>(V const&)>;
 
-/// The root of a system with branches.
-template <class V, class Jacobian>
-V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
-                     solvability const& by) {
+/// Convergence is quadratic: after a correction of this relative size the error is of size epsilon.
+template <class S>
+S small_correction() {
+    return square_root_of_epsilon<S>() / S(16);
+}
+
+/// The root of a system by a search (newton/on_branches.hpp): with branches, or without them where Newton's path leads from x.
+template <bool HasBranches, class V, class Jacobian>
+V newton_search(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
+                solvability const& by) {
     using S = scalar_of<V>;
     Jacobian J;
     auto const evaluate_at = [&](V const& y, V& r) {
@@ -83,55 +90,21 @@ V newton_on_branches(newton_function<V, Jacobian> const& system, V x, V const& g
         return true;
     };
     V residual = x;
-    branch_search const how = search_branches(x, residual, evaluate_at, correct, small);
+    branch_search how;
+    if constexpr (HasBranches)
+        how = search_branches(x, residual, evaluate_at, correct, small);
+    else
+        how = follow_newton(x, residual, evaluate_at, correct, small);
     if (how != branch_search::found) give_up_on_branches(what, how, x, residual, by);
     return x;
 }
-/// The root of a system that whole corrections do not lead to from x: each is shortened until the next one, with the same derivative, is
-/// smaller (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). Unlike the residual, that does not depend on the units of
-/// rows.
+/// The root of a system by at most `most` whole corrections, or none: they may have been led astray. @throws where nothing else helps
 template <class V, class Jacobian>
-V newton_damped(newton_function<V, Jacobian> const& system, V x, V const& given, scalar_of<V> const& small, char const* what,
-                solvability const& by) {
-    using S = scalar_of<V>;
-    constexpr int most = 100, halvings = 14;
-    S part(1), size(0);
-    unwatched const inside;
-    auto at = system(x);
-    int iteration = 0;
-    for (; iteration < most; ++iteration) {
-        V const correction = solve(at.jacobian, at.residual, what, by);
-        size = magnitude(correction);
-        part = std::min(S(1), S(4) * part);
-        bool better = false;
-        for (int cut = 0; cut < halvings and not better; ++cut) {
-            V const y = x - correction * part;
-            auto there = system(y);
-            if (inside.before.saw_any()) return newton_on_branches(system, y, given, small, what, by);
-            if (all_finite(there.residual)) {
-                V const next = solve(at.jacobian, there.residual, what, by);
-                S const left = magnitude(next);
-                if (part == S(1) and left <= small * magnitude(y)) return y - next;
-                better = left <= (S(1) - part / S(4)) * size;
-            }
-            if (better) {
-                x = y;
-                at = std::move(there);
-            } else
-                part = part / S(2);
-        }
-        if (not better) break;
-    }
-    give_up(what, false, x, at.residual, size, iteration, by);
-}
-/// newton(), below.
-template <class V, class Jacobian>
-V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given, char const* what, solvability const& by) {
+std::optional<V> newton_whole(newton_function<V, Jacobian> const& system, V const& guess, V const& given, int most, char const* what,
+                              solvability const& by) {
     using S = scalar_of<V>;
     constexpr bool exact = std::numeric_limits<S>::is_exact;
-    constexpr int most = exact ? 4 : 50;
-    // Convergence is quadratic: after a correction of size sqrt(eps) the error is of size eps.
-    S const small = square_root_of_epsilon<S>() / S(16);
+    S const small = small_correction<S>();
     V x = guess;
     S previous(-1), size(0);
     V residual = zero_like(x), last = residual;
@@ -144,7 +117,7 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
             x = x + last;
             at = system(x);
         }
-        if (inside.before.saw_any()) return newton_on_branches(system, std::move(x), given, small, what, by);
+        if (inside.before.saw_any()) return newton_search<true>(system, std::move(x), given, small, what, by);
         bool const is_first = exact or iteration == 0; // later ones may have been led astray
         if (not all_finite(at.residual)) {
             if (not is_first) break;
@@ -173,10 +146,19 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
         }
         previous = size;
     }
-    if constexpr (exact)
-        give_up(what, false, x, residual, size, most, by);
-    else
-        return newton_damped(system, std::move(guess), given, small, what, by);
+    if constexpr (exact) give_up(what, false, x, residual, size, most, by);
+    return std::nullopt;
+}
+template <class S>
+constexpr int most_whole_corrections = std::numeric_limits<S>::is_exact ? 4 : 50;
+
+/// newton(), below: by whole corrections or, where these do not arrive, along Newton's path.
+template <class V, class Jacobian>
+V newton_of(newton_function<V, Jacobian> const& system, V const& guess, V const& given, int most, char const* what, solvability const& by) {
+    if (auto x = newton_whole(system, guess, given, most, what, by)) return *std::move(x);
+    V x = newton_search<false>(system, guess, given, small_correction<scalar_of<V>>(), what, by);
+    if (auto y = newton_whole(system, x, given, most, what, by)) return *std::move(y);
+    return x;
 }
 } // namespace detail
 
@@ -186,9 +168,18 @@ V newton_of(newton_function<V, Jacobian> const& system, V guess, V const& given,
 /// callable none of its branches count.
 /// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
-V newton(System const& system, V guess, V const& given, char const* what, detail::solvability const& by = detail::by_the_velocity) {
+V newton(System const& system, V const& guess, V const& given, char const* what, detail::solvability const& by = detail::by_the_velocity) {
     using jacobian = decltype(system(guess).jacobian);
-    return detail::newton_of<V, jacobian>(system, std::move(guess), given, what, by);
+    return detail::newton_of<V, jacobian>(system, guess, given, detail::most_whole_corrections<scalar_of<V>>, what, by);
+}
+/// The same, of a guess so near that a root which more than a few whole corrections lead to is another one: that of Newton's path is taken.
+template <class V, class System>
+V newton_next_to(System const& system, V const& guess, V const& given, char const* what,
+                 detail::solvability const& by = detail::by_the_velocity) {
+    using S = scalar_of<V>;
+    using jacobian = decltype(system(guess).jacobian);
+    constexpr int most = std::numeric_limits<S>::is_exact or std::numeric_limits<S>::digits <= 64 ? 4 : 6; // one more for twice the digits
+    return detail::newton_of<V, jacobian>(system, guess, given, most, what, by);
 }
 
 } // namespace hilger

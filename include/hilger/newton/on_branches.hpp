@@ -161,6 +161,18 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
     return magnitude(residual) <= S(4) * epsilon<S>() * size ? branch_search::found : branch_search::lost_on_one;
 }
 
+/// The root of a step's equation near `last`, what the step before was solved for, once whole corrections from the guess x do not do. Where
+/// the equation is not defined at `last`, as behind a wall that the body has left, there is only the guess.
+template <class X>
+branch_search search_near(bool has_branches, X& x, X const& last, X& residual, equation_on_branches<X> const& evaluate,
+                          correction_on_branches<X> const& correct, scalar_of<X> const& small) {
+    if (has_branches) return search_branches_twice(x, last, residual, evaluate, correct, small);
+    (void)evaluate(last, residual);
+    if (not all_finite(residual)) return search_branches(x, residual, evaluate, correct, small);
+    x = last;
+    return follow_newton(x, residual, evaluate, correct, small);
+}
+
 /// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;
 /// error::singular, error::not_finite
 template <class V>

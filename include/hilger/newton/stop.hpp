@@ -35,13 +35,16 @@ namespace detail {
 template <class S>
 inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
 
-/// The same where the guess is near, as that of a step is. Corrections that take longer have been elsewhere, and may end at another root:
-/// a motion that runs away was found again on the other side. Shorter ones are made then, along Newton's path (newton/on_branches.hpp) or
-/// nearly so.
+/// Whether the root that Newton's method came to is the one near what the step before was solved for: after more than two rounds, if it is
+/// no further from that than twice what one of the last two steps has changed; of a first step, if there were less than five rounds. Any
+/// other is looked for again along Newton's path (newton/on_branches.hpp), which may lead to the same one: an extrapolated guess may lie in
+/// the reach of a root far away.
 template <class S>
-inline constexpr int most_iterations_from_near = std::numeric_limits<S>::is_exact      ? 4
-                                                 : std::numeric_limits<S>::digits > 64 ? 10
-                                                                                       : 8;
+HILGER_ALWAYS_INLINE inline bool is_near(int iteration, long long known, S const& change, S const& last_change, S const& change_before) {
+    if (iteration < 2) return true;
+    if (known < 2) return iteration < 4;
+    return change <= S(2) * last_change or (known > 2 and change <= S(2) * change_before);
+}
 
 /// The polynomial through n equidistant values, the latest number 0, is sum_i extrapolation(n, i) value_i one step further.
 constexpr int extrapolation(int n, int i) {

@@ -88,36 +88,13 @@ public:
             watch.forget(); // it is no part of the step
         }
         first_guess();
-        long long const made = std::exchange(steps_, 0); // what a step that fails was led to is no guess for another one
-        bool const was_constant = e_.is_constant;
-        bool const by_newton = not e_.is_constant and (stiff_ or not e_.has_constant_mass);
+        // What a step that fails was led to is no guess for another one, and increments that may be anything were not kept.
+        long long const steps = std::exchange(steps_, 0), made = e_.is_constant ? 0 : steps;
         if (made == 0) forget_rate();
-        bool const asks = asks_for_rate(made);
-        try {
-            if (not by_newton and e_.evaluate(problem, x, asks ? wanted::with_seconds : wanted::first_order)) forget_rate();
-            if (watch.saw_any())
-                search(problem, x);
-            else if (by_newton)
-                newton(problem, x, watch);
-            else if (not iterate(problem, x, watch, asks)) {
-                stiff_ = e_.has_constant_mass;
-                steps_ = made;
-                first_guess();
-                steps_ = 0;
-                newton(problem, x, watch);
-            }
-        } catch (error::exception const&) {
-            if (was_constant or std::numeric_limits<S>::is_exact) throw;
-            // an extrapolated guess may lie where L is not defined, or too far away
-            if (made > 0)
-                e_.moved = past_[0];
-            else
-                e_.move_with(velocity_);
-            search(problem, x, watch.saw_any());
-        }
+        if (not whole_corrections(problem, x, watch, made)) search(problem, x, watch.saw_any(), made);
         e_.gather(problem, x, correction_, corrected_);
         if (not e_.is_constant) past_.keep(e_.moved);
-        steps_ = was_constant and not e_.is_constant ? 1 : made + 1; // increments that may be anything were not kept
+        steps_ = made + 1;
     }
     [[nodiscard]] decltype(auto) moved() const { return e_.end(); }
     [[nodiscard]] auto const& gained() const { return e_.increment; }
@@ -138,18 +115,33 @@ private:
         else if (not e_.is_constant) // else any will do
             past_.guess(e_.moved, steps_);
     }
+    void guess_again(long long made) {
+        steps_ = made;
+        first_guess();
+        steps_ = 0;
+    }
+    /// False where they do not do, and where L was seen to have branches: then a search has to be made.
+    bool whole_corrections(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
+        if (e_.is_constant or (not stiff_ and e_.has_constant_mass)) {
+            bool const asks = asks_for_rate(made);
+            if (e_.evaluate(problem, x, asks ? wanted::with_seconds : wanted::first_order)) forget_rate();
+            if (not watch.saw_any() and iterate(problem, x, watch, asks)) return true;
+            if (watch.saw_any() or not is_finite(e_.residual)) return false;
+            stiff_ = e_.has_constant_mass;
+            guess_again(made);
+        }
+        return newton(problem, x, watch, made);
+    }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
     bool iterate(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, bool asks) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
             if (round > 0) (void)e_.evaluate(problem, x, wanted::first_order);
-            if (watch.saw_any()) {
-                search(problem, x);
-                return true;
-            }
+            if (watch.saw_any()) return false;
             e_.put_residual(x);
-            refuse_nan(x, previous);
+            if (e_.is_constant) refuse_nan(x, previous);
+            if (not is_finite(e_.residual)) return false;
             if (not e_.factorize_constant_part()) {
                 if (e_.is_constant) refuse(x, true, S(0));
                 return false;
@@ -191,28 +183,40 @@ private:
         rate_holds_for_ = helps ? 8 : 64;
         if (not helps) rate_ = S(-1);
     }
-    void newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch) {
+    bool newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
+        constexpr bool exact = std::numeric_limits<S>::is_exact;
         bool singular = false;
         S size(0), previous(-1);
         S const small = small_correction();
-        for (int iteration = 0; iteration < most_iterations_from_near<S>; ++iteration) {
+        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             (void)e_.evaluate(problem, x, wanted::with_seconds);
-            if (watch.saw_any()) return search(problem, x);
+            if (watch.saw_any()) return false;
             e_.put_residual(x);
-            refuse_nan(x, size);
+            if (not is_finite(e_.residual)) return false;
             e_.put_matrix();
             singular = not e_.full_matrix.factorize();
             if (singular) break;
             correct(e_.full_matrix);
             tally<S>::add(work::newton_round);
-            if (iteration == 0 or std::numeric_limits<S>::is_exact) weigh(x, e_.full_matrix);
+            if (iteration == 0 or exact) weigh(x, e_.full_matrix);
             size = weighed_.size_of(correction_);
             if (weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
                 is_rounding_of(x, size, previous))
-                return;
+                return exact or is_near_the_last(iteration, made);
             previous = size;
         }
-        refuse(x, singular, magnitude(correction_));
+        if (exact) refuse(x, singular, magnitude(correction_));
+        return false;
+    }
+    [[nodiscard]] bool is_near_the_last(int iteration, long long made) const {
+        if (iteration < 2 or made < 2) return is_near(iteration, made, S(0), S(0), S(0));
+        auto const change = [](unknown const& y, unknown const& before) {
+            S most(0);
+            for (int c = 0; c < u::dimension(y); ++c)
+                if (S const size = magnitude(S(u::component(y, c) - u::component(before, c))); most < size) most = size;
+            return most;
+        };
+        return is_near(iteration, made, change(e_.moved, past_[0]), change(past_[0], past_[1]), change(past_[1], past_[2]));
     }
     void weigh(state<S, V> const& x, matrix& factorized) {
         weighed_.weigh(
@@ -239,8 +243,8 @@ private:
         for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c * (Controls - 1));
         give_up(name, singular, V(x.q + e_.end()), rest, size);
     }
-    /// The same for an L with branches, or without them where Newton's path leads: e_.moved and the derivatives there.
-    void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches = true) {
+    /// For an L with branches, or without them where whole corrections do not do: e_.moved and the derivatives there.
+    [[gnu::noinline, gnu::cold]] void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches, long long made) {
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y;
             (void)e_.evaluate(problem, x, wanted::with_seconds);
@@ -258,9 +262,11 @@ private:
             for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c);
             return true;
         };
-        unknown rest = e_.moved, y = e_.moved;
-        branch_search const how = has_branches ? search_branches(y, rest, evaluate_at, correct, small_correction())
-                                               : follow_newton(y, rest, evaluate_at, correct, small_correction());
+        guess_again(made);
+        unknown y = e_.moved, rest = y;
+        guess_again(made > 0 ? 1 : 0);
+        unknown const last = e_.moved;
+        branch_search const how = search_near(has_branches, y, last, rest, evaluate_at, correct, small_correction());
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());

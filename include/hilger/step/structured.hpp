@@ -200,7 +200,7 @@ private:
         S const scale = f_ * c_;
         S size(0);
         constexpr bool follows = not std::numeric_limits<S>::is_exact;
-        for (int round = 0; round < most_iterations_from_near<S>; ++round) {
+        for (int round = 0; round < most_iterations<S>; ++round) {
             A_ = x.q + c_ * v_;
             force(U, A_);
             kernel_.set_zero();
@@ -220,7 +220,7 @@ private:
                 (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
                 force(U, A_);
-                if (on_one_branch()) return;
+                if (on_one_branch() and (not follows or is_near_the_last(round))) return;
             }
         }
         if (not follows and not has_branches()) give_up(name, false, v_, r_, size);
@@ -253,11 +253,14 @@ private:
             return kernel_.solve(d);
         };
         V const last = known_ > 0 ? past_[0] : v_;
-        V y = has_branches() ? v_ : last, rest = v_;
-        S const small_correction = square_root_of_epsilon<S>() * small();
-        branch_search const how = has_branches() ? search_branches_twice(y, last, rest, evaluate_at, correct, small_correction)
-                                                 : follow_newton(y, rest, evaluate_at, correct, small_correction);
+        V y = v_, rest = v_;
+        branch_search const how =
+            search_near(has_branches(), y, last, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
+    }
+    [[nodiscard]] bool is_near_the_last(int round) const {
+        if (known_ < 2) return is_near(round, known_, S(0), S(0), S(0));
+        return is_near(round, known_, largest_of(v_ - past_[0]), largest_of(past_[0] - past_[1]), largest_of(past_[1] - past_[2]));
     }
     void residual(L const& l, state<S, V> const& x) {
         if constexpr (L::is_matrix)
@@ -275,7 +278,10 @@ private:
         else
             to = from;
     }
-    static S largest_of(V const& x) { return x.cwiseAbs().maxCoeff(); }
+    template <class X>
+    static S largest_of(X const& x) {
+        return x.cwiseAbs().maxCoeff();
+    }
     S largest_difference() const { return (next_ - v_).cwiseAbs().maxCoeff(); }
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 

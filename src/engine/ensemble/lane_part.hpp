@@ -13,6 +13,9 @@ using hilger::symbol;
 using hilger::detail::element;
 using hilger::detail::symbol_list;
 
+/// A lane that takes longer may be led to a root far away: it goes on alone, where that is looked at (hilger/newton/stop.hpp).
+constexpr int most_rounds_in_lanes = 4;
+
 /// Statements whose values are lanes, those of no variable too.
 class lane_statements {
 public:
@@ -201,8 +204,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
                              {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
                              {"$r", rest},
                              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
-                             {"$most", std::to_string(is_inside() ? hilger::detail::most_iterations_from_near<double>
-                                                                  : hilger::detail::most_iterations<double>)}});
+                             {"$most", std::to_string(is_inside() ? most_rounds_in_lanes : hilger::detail::most_iterations<double>)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/step/small/one_node.hpp).

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+from dataclasses import replace
 from fractions import Fraction
 from typing import Callable, NamedTuple, Optional, Sequence
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
-from .scales import digits, fraction_from, real
+from .scales import TimeScale, Uniform, digits, fraction_from, real
 
 
 class StepFailure(_core.Error):
@@ -192,14 +193,21 @@ class Solution:
         return Events(np.array(t, dtype=self.t.dtype), np.array(q) if found else empty, np.array(momenta) if found else empty)
 
     def residual(self):
-        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding.
+        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding; of a solution
+        that has stopped, as far as it goes.
 
         Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts.
         """
-        if self.stopped:
-            raise _core.InvalidParameter(f"the residual is that of a whole solution, and this one stopped: {self.stopped}")
+        if len(self) < 2:
+            raise _core.InvalidParameter("the residual is that of two points and more, and this solution has one")
         positions, momenta = ([self._row(x, i) for i in range(len(self))] if x is not None else [] for x in (self.q, self.p))
-        return number_from(self.equation.scale.kind(), self._motion.residual(*self._start, positions, momenta))
+        motion = self._motion if len(self) == self.equation.scale.steps + 1 else self._reached()._motion(self._history)
+        return number_from(self.equation.scale.kind(), motion.residual(*self._start, positions, momenta))
+
+    def _reached(self) -> Equation:
+        """The equation on what of its scale there is of a solution that has stopped."""
+        T = self.equation.scale
+        return replace(self.equation, scale=Uniform(T.start, T.step, len(self) - 1) if isinstance(T, Uniform) else TimeScale(T.points[: len(self)]))
 
     def energy(self) -> np.ndarray:
         """H = p v - L at each point."""
@@ -240,15 +248,20 @@ class Solution:
         return ax
 
 
-class AccurateSolution:
-    """A solution to a wanted accuracy: t, q, the momenta p, the method that was chosen, and `error`, the distance of q from the run with half
-    as many steps.
+class AccurateSolution(Solution):
+    """A solution to a wanted accuracy, of the equation that was chosen for it: `equation.method` and `equation.scale` say which. `error` is
+    the distance of q from the run with half as many steps.
 
     That is more than its own error where L is smooth; where L has branches it is four times the largest distance from five other runs.
     """
 
-    def __init__(self, t, q, p, method: str, error: float) -> None:
-        self.t, self.q, self.p, self.method, self.error = t, q, p, method, error
+    def __init__(self, equation: Equation, start: tuple, t, q, p, error: float) -> None:
+        super().__init__(equation, start, "exponentials", t, q, p, None)
+        self.error = error
+
+    @property
+    def method(self) -> str:
+        return self.equation.method.name
 
     def __repr__(self) -> str:
-        return f"<{self.method}, {len(self.t) - 1} steps, {self.error:.1e} from half as many>"
+        return f"<{self.method}, {len(self) - 1} steps, {self.error:.1e} from half as many>"

@@ -10,9 +10,9 @@ from typing import Callable, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
-from .equations import Equation
+from .equations import Equation, gauss, midpoint, variation
 from .lagrangians import Lagrangian
-from .scales import digits, real, require_real
+from .scales import digits, real, require_real, uniform
 from .solutions import AccurateSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -107,15 +107,7 @@ def solve(
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
         if any(x is not None for x in (p0, q1, qN, guess, until, compiled)) or progress or history != "exponentials":
             raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
-        if np.ndim(interval) != 1 or len(interval) != 2:
-            raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
-        a, b = interval
-        scalar = equation.is_scalar
-        made = _core.solve_accurately(
-            equation._problem, float(a), float(b), _state("double", q0, equation, "q0"), _state("double", v0, equation, "v0"), float(accuracy), float(longest_step)
-        )
-        t, q, p, method, error = made
-        return AccurateSolution(t, q[:, 0] if scalar else q, p[:, 0] if scalar else p, method, error)
+        return _solve_accurately(equation, interval, q0, v0, real(accuracy, "an accuracy"), real(longest_step, "the longest step"))
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
     require_history(history)
@@ -170,6 +162,17 @@ def solve(
     elif is_end is not None and is_end.reached:
         x.stopped = f"`until` passed zero by t = {x.t[-1]}"
     return x
+
+
+def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, accuracy: float, longest_step: float) -> AccurateSolution:
+    if isinstance(interval, str) or np.ndim(interval) != 1 or len(interval) != 2:
+        raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
+    a, b = (real(x, f"the {end} of an interval") for x, end in zip(interval, ("beginning", "end")))
+    start = _state("double", q0, L, "q0"), "v0", _state("double", v0, L, "v0")
+    t, q, p, method, error = _core.solve_accurately(L._problem, a, b, start[0], start[2], accuracy, longest_step)
+    nodes = re.search("[0-9]+", method)
+    equation = variation(L, uniform(a, (b - a) / (len(t) - 1), len(t) - 1), gauss(int(nodes[0])) if nodes else midpoint)
+    return AccurateSolution(equation, start, t, q[:, 0] if L.is_scalar else q, p[:, 0] if L.is_scalar else p, error)
 
 
 class _EndOfWalk:

@@ -62,6 +62,15 @@ TEST_CASE("over steps that are nearly too long, where whole corrections of Newto
     CHECK(largest_residual(EL, x) <= 64 * epsilon<double>());
 }
 
+TEST_CASE("a motion that runs away is not marched on at the other side") {
+    constexpr lagrangian runs_away{[](auto const& x, auto const& v) { return v * v / 2 + x * x * x * x; }};
+    for (double h : {0.1, 0.03, 0.01}) { // of the cubic equation of a point one root is always there
+        auto const T = uniform(0.0, h, static_cast<index_type>(3 / h));
+        auto const EL = variation(integral(runs_away(extend[q], Delta_o_plus[extend[q]]), half(T)));
+        CHECK_THROWS_AS((void)solve(EL, T, std::vector{1.0, 1.0 + h}), error::no_convergence);
+    }
+}
+
 TEST_CASE("with a force beside dL/dq") {
     auto const T = uniform(Q(0), Q(1, 5), 12);
     auto const EL = variation(integral(quadratic(mean_of_three[q], central[q]), T));

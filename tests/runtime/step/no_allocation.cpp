@@ -156,7 +156,8 @@ TEST_CASE("nor does fractional damping: of order 1, by exponentials, of structur
     exponentials const history{1e-10, 1000};
     auto const kepler = [](auto const& x, auto const& v) { return v.dot(v) / 2 + 1 / x.norm(); };
     Eigen::Vector2d const q(0.4, 0.0), p(0.0, 2.0);
-    CHECK(allocations_along(embed(with_fractional_damping(kepler, 0.1, fraction<1>{}), mid_point).along(T, q, p)) == 0);
+    // more of it, and the body falls into the centre before the end
+    CHECK(allocations_along(embed(with_fractional_damping(kepler, 0.05, fraction<1>{}), mid_point).along(T, q, p)) == 0);
     CHECK(allocations_along(embed(with_fractional_damping(kepler, 0.1, fraction<1, 2>{}, history), mid_point).along(T, q, p)) == 0);
     auto const one = [](double t) { return t; };
     CHECK(allocations_along(

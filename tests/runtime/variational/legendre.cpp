@@ -44,6 +44,11 @@ TEST_CASE("where the mass at rest is nothing") {
     auto const linear = [](auto const& q, auto const& v) { return q * v; };
     CHECK_THROWS_AS((void)velocity_of(linear, 1.0, 2.0), error::singular);
 }
+TEST_CASE("from where the mass is so small that whole corrections leap") {
+    auto const bounded = [](auto const& q, auto const& v) { return log(cosh(v)) + 0 * q; };
+    for (double const guess : {-3.0, 2.0, 3.0})
+        CHECK(std::abs(velocity_of(bounded, 0.0, 0.1, guess) - std::atanh(0.1)) <= epsilon<double>());
+}
 TEST_CASE("where there is no velocity") {
     auto const bounded = [](auto const& q, auto const& v) { return sqrt(1 + v * v) + 0 * q; };
     CHECK_THROWS_AS((void)velocity_of(bounded, 0.0, 2.0), error::exception);

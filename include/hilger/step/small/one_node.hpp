@@ -106,7 +106,7 @@ private:
         bool singular = false;
         int settled = 0; // how often all components together were at their floor, and one of them not
         std::uint64_t const compared_before = comparisons_made();
-        for (int iteration = 0; iteration < most_iterations_from_near<S>; ++iteration) {
+        for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             std::uint64_t const compared = comparisons_made();
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
@@ -162,6 +162,10 @@ private:
             }
             if (branched) [[unlikely]]
                 return false;
+            if constexpr (not exact and not at_start and not at_end)
+                if (not is_near(iteration, known_, change_of<K...>(v, past_[0]), change_of<K...>(past_[0], past_[1]),
+                                change_of<K...>(past_[1], past_[2]))) [[unlikely]]
+                    return false;
             // A finite v and g may still lead beyond the largest number.
             if constexpr (not exact)
                 if (S const nan = overflow_in<K...>(q, p, w, v, g); not(nan == S(0))) {
@@ -225,6 +229,10 @@ private:
             return S(w * g[K] + h_ * extra_.at(S(w * v[K]), K));
         else
             return S(w * g[K]);
+    }
+    template <int... K>
+    HILGER_ALWAYS_INLINE static S change_of(components_ const& v, components_ const& before) {
+        return largest(components_{S(v[K] - before[K])...});
     }
     template <int... K>
     HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v,

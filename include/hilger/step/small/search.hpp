@@ -124,9 +124,8 @@ private:
         };
         V residual = v;
         S const small = square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>();
-        if (not has_branches) v = last;
-        branch_search const how = has_branches ? search_branches_twice(v, last, residual, evaluate_at, correct, small)
-                                               : follow_newton(v, residual, evaluate_at, correct, S(small / S(8)));
+        branch_search const how =
+            search_near(has_branches, v, last, residual, evaluate_at, correct, has_branches ? small : S(small / S(8)));
         if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
         node_values const found{{s::component(v, K)...}, e.by_q};
         if (S const nan = std::numeric_limits<S>::is_exact
