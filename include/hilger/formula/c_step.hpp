@@ -89,14 +89,14 @@ $work$stop    }
                 R"(        /* after a small correction the error is of the size of the rounding; so it is where r is no more than that */
         const double correction = $d;
         const double rounding = $rounding * ($size);
-        done = correction <= $floor * $y;
+        done = correction <= $floor * $y$plausible;
         if (iteration > 0 && $r <= rounding) done = 1;
 )";
             char const* const stop_in_each =
                 R"(        /* after a small correction the error is of the size of the rounding; so it is where r is no more than that: in
            each component, or two rounds after it is so in all of them together */
-        int each = $small;
-        int together = $d <= $floor * $y;
+        int each = ($small)$plausible;
+        int together = $d <= $floor * $y$plausible;
         if (iteration > 0) {
             each = each || ($rounded);
             together = together || $r <= $rounding * ($size);
@@ -114,6 +114,8 @@ $work$stop    }
                               {"$stop", branches_ ? stop_on_branches
                                         : N > 1   ? stop_in_each
                                                   : stop},
+                              // near the speed of light masses grow without bound, and all corrections are small
+                              {"$plausible", has_constant_mass() ? "" : " && $r <= $size"},
                               {"$settled", branches_ or N == 1 ? "" : "    int settled = 0;\n"},
                               {"$small", in_each([](std::string const& k) { return "fabs(d[" + k + "]) <= $floor * fabs(y[" + k + "])"; })},
                               {"$rounded", in_each([this](std::string const& k) {
@@ -152,6 +154,9 @@ private:
         std::string text = of("0");
         for (int k = 1; k < N; ++k) text += " && " + of(std::to_string(k));
         return text;
+    }
+    [[nodiscard]] bool has_constant_mass() const {
+        return std::all_of(node_.pv.begin(), node_.pv.end(), [](symbol const& f) { return f.op() == operation::number; });
     }
     /// r is the difference of numbers of this size.
     [[nodiscard]] std::string size_of_residual() const {

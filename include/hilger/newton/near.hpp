@@ -86,11 +86,13 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const&
     using S = scalar_of<V>;
     S part(1), step = S(1) / S(4);
     auto const in_part = [&](V const& x) { return system(x, part); };
+    if (std::numeric_limits<S>::is_exact or from == first_guess::next_to_it)
+        return newton_of<V, Jacobian>(in_part, guess, given, most_whole_corrections<S>, what, by);
     // What is given stands in differences over the time, which are larger where there is less of it.
     auto const by_whole_corrections = [&](V const& x) {
-        return newton_of<V, Jacobian>(in_part, x, V(given / part), most_whole_corrections<S>, what, by);
+        if (auto y = newton_whole<V, Jacobian>(in_part, x, V(given / part), most_whole_corrections<S>, what, by)) return *std::move(y);
+        give_up_on_branches(what, branch_search::lost_on_one, x, in_part(x).residual, by);
     };
-    if (std::numeric_limits<S>::is_exact or from == first_guess::next_to_it) return by_whole_corrections(guess);
     auto const by_shortened_ones = [&](V const& x) { // which end near the root, and whole ones at it
         return by_whole_corrections(newton_damped<V, Jacobian>(in_part, x, V(given / part), small_correction<S>(), what, by));
     };

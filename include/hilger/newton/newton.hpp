@@ -137,7 +137,7 @@ std::optional<V> newton_whole(newton_function<V, Jacobian> const& system, V cons
         last = correction;
         size = magnitude(correction);
         if constexpr (not exact) {
-            if (size <= small * magnitude(x)) return x;
+            if (size <= small * magnitude(x) and magnitude(residual) <= magnitude(given)) return x;
             // Near x = 0 relative accuracy is out of reach; the floor is where corrections no longer shrink, and are rounding of the
             // iterate before (one that runs away is no measure of itself) and of what is given.
             bool const stalled = not(previous < S(0)) and not(size < previous);

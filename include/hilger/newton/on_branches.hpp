@@ -121,11 +121,17 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
     X const start = x;
     S const least = S(1) / S(1 << halvings);
     X d = x, left = x, y = x;
-    S part(1);
+    S part(1), size(0), before(0), size_before(0); // before: of r(x)
+    // Corrections are small everywhere where the derivative grows without bound, as near the speed of light: r has to be no larger too, or
+    // not by much, where the path turns.
+    auto const is_at_most = [&](S const& bound) {
+        return magnitude(residual) <= std::max(S(bound * before), S(S(64) * epsilon<S>() * std::min(size, size_before)));
+    };
     auto const leads_on = [&](S const& share) {
         y = x + d * share;
-        (void)evaluate(y, residual);
-        return all_finite(residual) and correct(residual, left) and magnitude(X(left - d * S(S(1) - share))) <= magnitude(d) / S(4);
+        size = evaluate(y, residual);
+        return all_finite(residual) and is_at_most(S(16)) and correct(residual, left) and
+               magnitude(X(left - d * S(S(1) - share))) <= magnitude(d) / S(4);
     };
     auto const is_small = [&] {
         S const rounding = S(64) * epsilon<S>() * magnitude(x);
@@ -135,14 +141,18 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
         }
         return true;
     };
-    (void)evaluate(x, residual);
+    size_before = evaluate(x, residual);
+    before = magnitude(residual);
     if (not all_finite(residual)) return branch_search::not_finite;
     if (not correct(residual, d)) return branch_search::singular;
     for (int round = 0; round < rounds; ++round, part = std::min(S(1), S(2) * part)) {
         if (is_small()) {
-            x = x + d;
-            (void)evaluate(x, residual);
-            return branch_search::found;
+            y = x + d;
+            size = evaluate(y, residual);
+            if (is_at_most(S(1) / S(2))) {
+                x = y;
+                return branch_search::found;
+            }
         }
         bool good = false, meets_nan = false;
         for (int cut = 0; cut < halvings and not good; ++cut) {
@@ -154,10 +164,12 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
         if (not good or part < least) break;
         x = y;
         d = left;
+        before = magnitude(residual);
+        size_before = size;
     }
     // Beside large numbers corrections shrink no more where the residual is rounding.
     x = x + d;
-    S const size = evaluate(x, residual);
+    size = evaluate(x, residual);
     return magnitude(residual) <= S(4) * epsilon<S>() * size ? branch_search::found : branch_search::lost_on_one;
 }
 

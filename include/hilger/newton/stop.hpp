@@ -88,9 +88,11 @@ template <class V>
     if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity", by.around);
     if (singular) refuse_singular(what, by);
     std::ostringstream message;
-    message << what << " did not converge in " << most << " Newton iterations; the last correction was " << correction << ". "
-            << (std::numeric_limits<scalar_of<V>>::is_exact ? "An exact scalar needs an equation that is linear in the unknown"
-                                                            : by.advice);
+    message << what << " did not converge in " << most << " Newton iterations";
+    if constexpr (std::numeric_limits<scalar_of<V>>::is_exact) // whose corrections have thousands of digits
+        message << ". An exact scalar needs an equation that is linear in the unknown";
+    else
+        message << "; the last correction was " << correction << ". " << by.advice;
     throw newton_failure<V>(message.str(), iterate, residual);
 }
 

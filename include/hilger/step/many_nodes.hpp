@@ -200,8 +200,9 @@ private:
             tally<S>::add(work::newton_round);
             if (iteration == 0 or exact) weigh(x, e_.full_matrix);
             size = weighed_.size_of(correction_);
-            if (weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
-                is_rounding_of(x, size, previous))
+            if ((weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
+                 is_rounding_of(x, size, previous)) and
+                not is_elsewhere(x))
                 return exact or is_near_the_last(iteration, made);
             previous = size;
         }
@@ -225,6 +226,12 @@ private:
     /// Whether corrections do not shrink any more, and are what the rounding of a position does to the force.
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
         return previous > S(0) and not(size < previous) and magnitude(correction_) <= S(16) * epsilon<S>() * magnitude(x.q);
+    }
+    /// Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside a residual
+    /// that is larger than what it should be zero of.
+    [[nodiscard]] bool is_elsewhere(state<S, V> const& x) const {
+        return not e_.has_constant_mass and not std::numeric_limits<S>::is_exact and
+               magnitude(x.p) + e_.impulses() < S(e_.residual.cwiseAbs().maxCoeff());
     }
     static S small_correction() { return square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4); }
     void correct(matrix& K) {

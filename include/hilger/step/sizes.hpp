@@ -23,18 +23,25 @@ public:
     step_sizes(V const& like, Extra extra_force) : controls(like), extra(std::move(extra_force)) {}
     [[no_unique_address]] Extra extra;
 
-    /// The size of what the residual is a sum of.
-    [[nodiscard]] S forces() const {
+    /// The size of what the forces do in the step.
+    [[nodiscard]] S impulses() const {
         S sum(0);
         for (int k = 0; k < t_.nodes; ++k) {
-            S f(0), m(0);
-            for (int c = 0; c < dimension(); ++c) {
-                f = std::max(f, S(magnitude(nodes_[at(k)].by_q(c))));
-                m = std::max(m, S(magnitude(nodes_[at(k)].by_v(c))));
-            }
-            sum = sum + magnitude(t_.w(k)) * f + m;
+            S f(0);
+            for (int c = 0; c < dimension(); ++c) f = std::max(f, S(magnitude(nodes_[at(k)].by_q(c))));
+            sum = sum + magnitude(t_.w(k)) * f;
         }
         if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
+        return sum;
+    }
+    /// The size of what the residual is a sum of.
+    [[nodiscard]] S forces() const {
+        S sum = impulses();
+        for (int k = 0; k < t_.nodes; ++k) {
+            S m(0);
+            for (int c = 0; c < dimension(); ++c) m = std::max(m, S(magnitude(nodes_[at(k)].by_v(c))));
+            sum = sum + m;
+        }
         return sum;
     }
     /// What each component of the residual is a sum of, in magnitudes. Where p_i is in it, it is of the size of what dL/dv adds.

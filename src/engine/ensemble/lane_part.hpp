@@ -186,7 +186,7 @@ private:
         }
         std::string text = R"($inmask each = $small;
 $inmask together = $d <= $floor * $y;
-$negligible$inif (iteration > 0) {
+$plausible$negligible$inif (iteration > 0) {
 $in    each |= $rounded;
 $in    together |= $r <= $rounding * ($all);
 $in}
@@ -196,6 +196,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
 )";
         return filled(text, {{"$small", small},
                              {"$rounded", rounded},
+                             {"$plausible", has_constant_mass() ? "" : in + "each &= $r <= $all;\n" + in + "together &= $r <= $all;\n"},
                              {"$negligible", has_constant_mass() and not f_.is(0) ? negligible(in, used) : ""},
                              {"$in", in},
                              {"$d", largest_of("d", N)},

@@ -135,15 +135,20 @@ private:
                 }
             v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
+            // Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside an r
+            // that is larger than what it should be zero of.
+            auto const is_last = [&]() HILGER_ALWAYS_INLINE {
+                return at_the_floor(d, v, rest) and (exact or largest(r) <= largest(p) + f_size * largest(g));
+            };
             if constexpr (at_start) {
-                done = quadratic or at_the_floor(d, v, rest);
+                done = quadratic or is_last();
                 if (not quadratic or has_force<Problem>) (add_row<K>(g, D, d), ...); // at no velocity there is another force
             } else if constexpr (at_end) {
-                done = quadratic or at_the_floor(d, v, rest);
+                done = quadratic or is_last();
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
-                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : at_the_floor(d, v, rest);
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : is_last();
                 g = components_{plus(g[K], change[K])...};
             }
             if (not done) {
