@@ -58,15 +58,7 @@ public:
     [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
                                                  std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
-            hilger::boundary_values<vector<S>> const ends{first, last};
-            auto const EL = equation_of(flow_, T_);
-            auto const& force = flow_.mechanics().force;
-            auto const x = guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
-                                         : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
-            std::vector<vector<S>> positions;
-            hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
-            for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
-            return positions;
+            return positions_between(equation_of(flow_, T_), first, last, guess, stop);
         } else
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
                                     : "is solved from initial values: what joins two ends is found for embeddings");
@@ -143,6 +135,18 @@ protected:
     void require_coordinates(vector<S> const& x) const {
         if (int const d = lagrangian().formula().words().dimension(); x.size() != d)
             hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
+    }
+    template <class Equation>
+    [[nodiscard]] std::vector<vector<S>> positions_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
+                                                           std::vector<vector<S>> const& guess, std::stop_token const& stop) const {
+        hilger::boundary_values<vector<S>> const ends{first, last};
+        auto const& force = flow_.mechanics().force;
+        auto const x = guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
+                                     : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
+        std::vector<vector<S>> positions;
+        hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
+        for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
+        return positions;
     }
     Flow flow_;
 

@@ -65,6 +65,27 @@ class Sums(unittest.TestCase):
                 again = h.solve(EL, q0=q0, q1=x.q[1])
                 self.assertLess(np.abs(again.q - x.q).max(), 1e-12)
 
+    def test_between_two_ends(self):
+        uneven = h.TimeScale(np.cumsum(0.05 + 0.02 * np.sin(np.arange(30.0))))
+        for T in (h.uniform(0, 0.05, 30), uneven):
+            for EL, q0, v0 in (
+                (implicit_explicit(T), 0.5, -1.0),
+                (implicit_explicit(T) + h.force("-v/5 + cos(t)"), 0.5, -1.0),
+                (h.variation(h.Lagrangian("dot(v, v)/2 - dot(q, q)", "q[2]", "v[2]"), T) + h.variation(h.Lagrangian("q[0]^2*q[1] + sin(t)*q[0]", "q[2]", "v[2]"), T, h.theta(0.3)), [0.5, 0.25], [0.0, 1.0]),
+            ):
+                walk = h.solve(EL, q0=q0, v0=v0)
+                x = h.solve(EL, q0=q0, qN=walk.q[-1])
+                self.assertLess(np.abs(x.q - walk.q).max(), 1e-11)
+                self.assertLess(x.residual(), 64 * epsilon * (4 / 0.03**2 + 32))
+                guessed = h.solve(EL, q0=q0, qN=walk.q[-1], guess=walk.q + 0.125)
+                self.assertLess(np.abs(guessed.q - walk.q).max(), 1e-11)
+        linear = h.Lagrangian("-q^2/3 + t*q")
+        for T in (h.uniform(0, Fraction(1, 4), 6), h.TimeScale([Fraction(0), Fraction(1, 3), Fraction(1), Fraction(7, 5)])):
+            EL = h.variation(h.Lagrangian("v^2/2 - q^2"), T) + h.variation(linear, T, h.order_one) + h.variation(linear, T, h.theta(Fraction(1, 4)))
+            walk = h.solve(EL, q0=1, v0=Fraction(-1, 2))
+            x = h.solve(EL, q0=1, qN=walk.q[-1])
+            self.assertEqual((list(x.q), x.residual()), (list(walk.q), 0))
+
     def test_one_method_for_all_is_one_lagrangian(self):
         T = h.uniform(0, 0.05, 200)
         whole = h.Lagrangian("v^2/2 - 8*q^2 + cos(q) - q^2/8")
@@ -132,7 +153,7 @@ class Sums(unittest.TestCase):
         says(h.InvalidParameter, "equations add up without damping", lambda: EL + h.damping(0.1, 0.5) + other)
         says(h.InvalidParameter, "forces are beside the first one", lambda: EL + (other + h.force("-v")))
         says(h.InvalidParameter, "C code is of one Lagrangian", lambda: two.c_code("two"))
-        says(h.InvalidParameter, "mid-point + order-one is solved from initial values", lambda: h.solve(two, q0=1, qN=0))
+        says(h.Mismatch, "q0 is one number", lambda: h.solve(two, q0=[1, 2], qN=0))
         says(h.InvalidParameter, "members differ in parameters of one Lagrangian", lambda: h.solve_many(two, q0=1, v0=0, parameters={"k": [1.0]}))
 
 

@@ -137,7 +137,8 @@ inline void require_c_name(std::string const& name) {
 ///   void NAME_residual(double h, const double q0[d], const double q1[d], const double q2[d], double r[d])
 ///       r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2) and the forces, a momentum
 ///   int NAME_step(double h, double q[d], double p[d], double v[d])
-///       one step; v is the guess of the velocity at the node, and becomes that velocity. Returns NAME_ok (0), or NAME_singular,
+///       one step; v is the guess of the velocity at the node, and becomes that velocity. Of several solutions of a long step it is the
+///       one that Newton's method comes to from there. Returns NAME_ok (0), or NAME_singular,
 ///       NAME_no_convergence, NAME_not_finite with q, p and v as they were.
 /// @throws error::no_formula when L compares its arguments, error::invalid_parameter when `name` is no name in C, or V is of dynamic size
 ///         and d is not said
@@ -165,6 +166,7 @@ std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string con
         << write.residual() << '\n';
     if (d > 1) out << detail::c_solve(name, d) << '\n';
     out << "/* One step (q_i, p_i) -> (q_{i+1}, p_{i+1}); v is the guess of the velocity at the node and becomes that velocity.\n"
+           "   Of several solutions of a long step it is the one that Newton's method comes to from v.\n"
            "   On failure all three are left as they were. */\n"
         << write.step();
     return out.str();

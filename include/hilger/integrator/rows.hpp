@@ -35,13 +35,13 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
     for (S const& t : T) points.push_back(S(a + (t - a) * part));
     return time_scale<S>(std::move(points));
 }
-/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold, near those
-/// that there are, of which `from` says what they are. `x` has the values at all points that the equation reads, in their order, and there
-/// are some before and behind the unknown ones; a row reads values that are at most `reach` numbers from its own. `what` names the rows in
-/// messages. @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
+/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: next to
+/// those that there are or, where `straight_line` has values on one, near them. `x` has the values at all points that the equation reads,
+/// in their order, and there are some before and behind the unknown ones; a row reads values that are at most `reach` numbers from its own.
+/// `what` names the rows in messages. @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what, first_guess from = first_guess::next_to_it,
+                index_type end, index_type reach, Force const& force, char const* what, std::vector<V> const* straight_line = nullptr,
                 solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
     using s = shape<V>;
     using S = scalar_of<V>;
@@ -86,13 +86,18 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
         }
         return made;
     };
-    vector guess(n * d), rounding(n * d);
+    auto const unknown = [&](std::vector<V> const& of) {
+        vector y(n * d);
+        for (int m = 0; m < n; ++m)
+            for (int c = 0; c < d; ++c) y(m * d + c) = s::component(of[static_cast<std::size_t>(begin + m)], c);
+        return y;
+    };
+    vector const guess = unknown(x), line = straight_line ? unknown(*straight_line) : guess;
+    vector rounding(n * d);
     S const most = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
-    for (int m = 0; m < n; ++m)
-        for (int c = 0; c < d; ++c) guess(m * d + c) = s::component(at(begin + m), c);
     // A row is a difference of terms of this size.
     rounding.setConstant(S(system(guess, S(1)).jacobian.largest()) * most);
-    put(newton_near<vector, patterned_matrix<S>>(system, guess, rounding, from, what, by, stop));
+    put(newton_near<vector, patterned_matrix<S>>(system, guess, straight_line ? &line : nullptr, rounding, what, by, stop));
 }
 
 } // namespace hilger::detail

@@ -121,10 +121,11 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
         if (last > 1) {
-            constexpr bool is_line = std::same_as<Guess, detail::straight_line>;
-            detail::put_first_guess(T, x, parts, guess);
-            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T",
-                               is_line ? detail::first_guess::straight_line : detail::first_guess::given, detail::by_the_ends, stop);
+            detail::put_first_guess(T, x, parts, detail::straight_line{});
+            auto const line = x;
+            if constexpr (not std::same_as<Guess, detail::straight_line>) detail::put_first_guess(T, x, parts, guess);
+            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", &line, detail::by_the_ends,
+                               stop);
         }
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }

@@ -3,7 +3,7 @@
 // nearly singular on the way: between the ends of T, behind the time at which neighbouring motions meet again. Corrections that are
 // shortened do not leap, but need not arrive. Where they do not, the equation is also changed into an easier one and back in steps, each of
 // which starts from the root of the one before (continuation; Allgower and Georg, Introduction to Numerical Continuation Methods, 2003),
-// and of what is found the nearest is taken.
+// and of what is found the nearest to the guess is taken.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,6 @@
 #include "hilger/newton/newton.hpp"
 
 namespace hilger::detail {
-
-/// What a first guess is: next to the root that is looked for, somebody's, or a straight line, which is the motion in no time.
-enum class first_guess { next_to_it, given, straight_line };
 
 /// Iterate, part of the time -> newton_system; part 1 is the equation, and the smaller it is, the nearer a straight line is to its root.
 template <class V, class Jacobian>
@@ -78,15 +75,15 @@ V polished(newton_function<V, Jacobian> const& system, V x) {
     }
     return x;
 }
-/// The root for part 1 near `guess`. `given`, `what` and `by` are those of newton().
-/// @throws as newton() does, and where `stop` is asked to
+/// The root for part 1 near `guess`, which is next to it where there is no straight line, the motion in no time, to begin with otherwise.
+/// `given`, `what` and `by` are those of newton(). @throws as newton() does, and where `stop` is asked to
 template <class V, class Jacobian>
-V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const& given, first_guess from, char const* what,
+V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const* straight_line, V const& given, char const* what,
               solvability const& by, std::stop_token const& stop) {
     using S = scalar_of<V>;
     S part(1), step = S(1) / S(4);
     auto const in_part = [&](V const& x) { return system(x, part); };
-    if (std::numeric_limits<S>::is_exact or from == first_guess::next_to_it)
+    if (std::numeric_limits<S>::is_exact or not straight_line)
         return newton_of<V, Jacobian>(in_part, guess, given, most_whole_corrections<S>, what, by);
     // What is given stands in differences over the time, which are larger where there is less of it.
     auto const by_whole_corrections = [&](V const& x) {
@@ -117,20 +114,20 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const&
     std::optional<V> found;
     std::exception_ptr failure;
     auto const distance = [&](V const& x) { return S(magnitude(V(x - guess))); };
-    auto const attempt = [&](auto const& way) {
+    auto const attempt = [&](auto const& way, V const& from) {
         try {
-            V x = way(guess);
+            V x = way(from);
             if (not found or distance(x) < distance(*found)) found = std::move(x);
         } catch (error::exception const&) {
             if (stop.stop_requested()) throw;
             failure = std::current_exception();
         }
     };
-    attempt(by_shortened_ones);
+    attempt(by_shortened_ones, guess);
     if (not found) {
-        attempt(by_whole_corrections);
+        attempt(by_whole_corrections, guess);
         auto const why = failure;
-        if (from == first_guess::straight_line) attempt(by_continuation);
+        attempt(by_continuation, *straight_line);
         if (not found) std::rethrow_exception(why);
     }
     part = S(1);

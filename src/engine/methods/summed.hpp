@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/methods/own.hpp"
+#include "engine/summed_equation.hpp"
 
 namespace engine {
 
@@ -113,17 +114,14 @@ public:
         for_each_part([&](auto const& flow) { momentum += flow.momentum_between(this->T_.min(), from.q0, from.other, h); });
         base::walk({from.q0, second_datum::momentum, momentum}, keep);
     }
+    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
+                                                 std::stop_token const& stop) const override {
+        for (vector<S> const* x : {&first, &last}) this->require_coordinates(*x);
+        return this->positions_between(summed_equation(), first, last, guess, stop);
+    }
     [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&) const override {
         for (vector<S> const& x : positions) this->require_coordinates(x);
-        auto const q = hilger::function_on(this->T_, positions);
-        std::vector<vector<S>> left(positions.size(), vector<S>::Zero(positions.front().size()));
-        for_each_part([&](auto const& flow) {
-            auto const rest = equation_of(flow, this->T_).residual(q, flow.mechanics().force);
-            for (hilger::index_type i = rest.first(); i <= rest.last(); ++i) left[static_cast<std::size_t>(i)] += rest[i];
-        });
-        S largest(0);
-        for (auto const& x : left) largest = hilger::detail::larger(largest, S(hilger::magnitude(x)));
-        return largest;
+        return largest_residual(summed_equation(), hilger::function_on(this->T_, positions), this->flow_.mechanics().force);
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override;
 
@@ -138,6 +136,14 @@ private:
         auto const& what = this->flow_.mechanics();
         use(hilger::embed(what.first, how.front()));
         for (std::size_t k = 1; k < how.size(); ++k) use(hilger::embed(what.lagrangian.parts()[k], how[k]));
+    }
+    [[nodiscard]] auto summed_equation() const {
+        auto const& how = this->flow_.embedding().parts;
+        auto const& parts = this->flow_.mechanics().lagrangian.parts();
+        action_list<decltype(hilger::detail::action_on(parts[0].lagrangian, how[0], this->T_))> sum;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            sum.parts.push_back(hilger::detail::action_on(parts[k].lagrangian, how[k], this->T_));
+        return hilger::euler_lagrange<decltype(sum)>(sum);
     }
     problem what_;
     std::string method_;
