@@ -75,8 +75,8 @@ V polished(newton_function<V, Jacobian> const& system, V x) {
     }
     return x;
 }
-/// The root for part 1 near `guess`, which is next to it where there is no straight line, the motion in no time, to begin with otherwise.
-/// `given`, `what` and `by` are those of newton(). @throws as newton() does, and where `stop` is asked to
+/// The root for part 1 near `guess`, or next to it where there is no `straight_line`: the motion in no time, which continuation begins
+/// with. `given`, `what` and `by` are those of newton(). @throws as newton() does, and where `stop` is asked to
 template <class V, class Jacobian>
 V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const* straight_line, V const& given, char const* what,
               solvability const& by, std::stop_token const& stop) {

@@ -220,7 +220,9 @@ private:
                 (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
                 force(U, A_);
-                if (on_one_branch() and (not follows or is_near_the_last(round))) return;
+                if (not on_one_branch()) continue;
+                if (not follows or has_branches() or is_near_the_last(round)) return;
+                break;
             }
         }
         if (not follows and not has_branches()) give_up(name, false, v_, r_, size);
