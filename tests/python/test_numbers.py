@@ -99,6 +99,7 @@ class Failures(unittest.TestCase):
             (h.InvalidParameter, "an interval is two numbers", lambda: h.solve(L, 5, q0=1, v0=0, accuracy=1e-6)),
             (h.InvalidParameter, "an interval is two numbers", lambda: h.solve(L, "0..5", q0=1, v0=0, accuracy=1e-6)),
             (h.InvalidParameter, "the end of an interval is a real number", lambda: h.solve(L, (0, "x"), q0=1, v0=0, accuracy=1e-6)),
+            (h.InvalidScale, "an interval ends after it begins, and this one goes from 5 to 0", lambda: h.solve(L, (5, 0), q0=1, v0=0, accuracy=1e-6)),
             (h.InvalidParameter, "an accuracy is a real number, and here is 'tight'", lambda: h.solve(L, (0, 5), q0=1, v0=0, accuracy="tight")),
             (h.NotFinite, "a number that double has", lambda: h.solve(oscillator, q0=10**400, v0=0)),
             (h.InvalidParameter, "a history is direct", lambda: h.solve(oscillator, q0=1, v0=0, history="nonsense")),

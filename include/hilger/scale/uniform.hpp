@@ -154,6 +154,8 @@ constexpr auto uniform(interval<S> ab, index_type steps) {
     if constexpr (not ordered_scalar<S>)
         return detail::no_common_scalar<S, S>();
     else {
+        if (ab.b <= ab.a)
+            error::raise<error::invalid_scale>("an interval ends after it begins, and this one goes from ", ab.a, " to ", ab.b);
         S h = steps < 1 ? S(1) : S((ab.b - ab.a) / S(static_cast<long long>(steps)));
         return uniform_scale<S>(std::move(ab.a), std::move(h), std::move(ab.b), steps);
     }

@@ -34,9 +34,11 @@ TEST_CASE("a step is positive") {
     CHECK_THROWS_WITH_AS(uniform(0.0, 0.0, 10), "the step h of a time scale is positive, and this one is 0", error::invalid_scale);
     CHECK_THROWS_WITH_AS(uniform(1.0, -0.5, 10), "the step h of a time scale is positive, and this one is -0.5", error::invalid_scale);
     CHECK_THROWS_AS(uniform(Q(1), Q(-1, 3), 10), error::invalid_scale);
-    CHECK_THROWS_WITH_AS(uniform(interval{1.0, 0.0}, 4), "the step h of a time scale is positive, and this one is -0.25",
+    CHECK_THROWS_WITH_AS(uniform(interval{1.0, 0.0}, 4), "an interval ends after it begins, and this one goes from 1 to 0",
                          error::invalid_scale);
     CHECK_THROWS_AS(uniform(interval{1.0, 1.0}, 4), error::invalid_scale);
+    CHECK_THROWS_WITH_AS(uniform(interval{0.0, std::nan("")}, 4),
+                         "the points of a time scale are finite, and these start at 0 with step nan", error::invalid_scale);
 }
 
 TEST_CASE("points are finite") {
