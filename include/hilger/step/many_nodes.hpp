@@ -87,7 +87,7 @@ public:
             e_.moved = last;
             watch.forget(); // it is no part of the step
         }
-        first_guess();
+        first_guess(steps_);
         // What a step that fails was led to is no guess for another one, and increments that may be anything were not kept.
         long long const steps = std::exchange(steps_, 0), made = e_.is_constant ? 0 : steps;
         if (made == 0) forget_rate();
@@ -108,17 +108,12 @@ public:
 
 private:
     [[nodiscard]] int dimension() const { return e_.dimension(); }
-    /// By the polynomial through the last increments, as far as there are some of this step's length.
-    void first_guess() {
-        if (steps_ == 0)
+    /// By the polynomial through the last `known` increments, of this step's length.
+    void first_guess(long long known) {
+        if (known == 0)
             e_.move_with(velocity_);
         else if (not e_.is_constant) // else any will do
-            past_.guess(e_.moved, steps_);
-    }
-    void guess_again(long long made) {
-        steps_ = made;
-        first_guess();
-        steps_ = 0;
+            past_.guess(e_.moved, known);
     }
     /// False where they do not do, and where L was seen to have branches: then a search has to be made.
     bool whole_corrections(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
@@ -128,7 +123,7 @@ private:
             if (not watch.saw_any() and iterate(problem, x, watch, asks)) return true;
             if (watch.saw_any() or not is_finite(e_.residual)) return false;
             stiff_ = e_.has_constant_mass;
-            guess_again(made);
+            first_guess(made);
         }
         return newton(problem, x, watch, made);
     }
@@ -140,8 +135,10 @@ private:
             if (round > 0) (void)e_.evaluate(problem, x, wanted::first_order);
             if (watch.saw_any()) return false;
             e_.put_residual(x);
-            if (e_.is_constant) refuse_nan(x, previous);
-            if (not is_finite(e_.residual)) return false;
+            if (not is_finite(e_.residual)) {
+                if (e_.is_constant) refuse_nan(x, previous);
+                return false;
+            }
             if (not e_.factorize_constant_part()) {
                 if (e_.is_constant) refuse(x, true, S(0));
                 return false;
@@ -241,7 +238,6 @@ private:
         for (int c = 0; c < e_.unknowns(); ++c) u::component(e_.moved, c) = u::component(e_.moved, c) - correction_(c);
     }
     void refuse_nan(state<S, V> const& x, S const& size) {
-        if (is_finite(e_.residual)) return;
         for (int k = 0; k < e_.unknowns(); ++k)
             if (not is_finite(e_.residual(k))) give_up(name, false, x.q, with_first(x.q, e_.residual(k)), size);
     }
@@ -269,9 +265,9 @@ private:
             for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c);
             return true;
         };
-        guess_again(made);
+        first_guess(made);
         unknown y = e_.moved, rest = y;
-        guess_again(made > 0 ? 1 : 0);
+        first_guess(made > 0 ? 1 : 0);
         unknown const last = e_.moved;
         branch_search const how = search_near(has_branches, y, last, rest, evaluate_at, correct, small_correction());
         if (how != branch_search::found) {
