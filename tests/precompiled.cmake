@@ -15,8 +15,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_BUILD_TYPE STREQUAL "Debug" 
   set(shared_header ${PROJECT_BINARY_DIR}/CMakeFiles/test_main.dir/cmake_pch.hxx.pch)
   set(shared_object ${PROJECT_BINARY_DIR}/shared_code.o)
   separate_arguments(shared_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}")
+  # Optimised: a minute of work for one object, by which all tests together run in two thirds of the time.
   add_custom_command(OUTPUT ${shared_object} DEPENDS ${shared_header} COMMENT "Compiling what the tests share"
-    COMMAND ${CMAKE_CXX_COMPILER} ${shared_flags} -c ${shared_header} -o ${shared_object})
+    COMMAND ${CMAKE_CXX_COMPILER} ${shared_flags} -O1 -c ${shared_header} -o ${shared_object})
   add_custom_target(shared_code DEPENDS ${shared_object})
   set_target_properties(shared_code PROPERTIES OBJECT_FILE ${shared_object})
   # That refers to doctest, which programs without test_main take from here.

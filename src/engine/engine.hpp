@@ -92,8 +92,9 @@ public:
     [[nodiscard]] virtual std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last,
                                                          std::vector<vector<S>> const& guess = {},
                                                          std::stop_token const& stop = {}) const = 0;
-    /// What the positions at the points of T leave of the equation that the method comes from; of compositions, what they and the momenta
-    /// leave of those of their parts; with a memory, what those that `from` leads to leave of it.
+    /// What the positions at the points of T leave of the equation that the method comes from, at the points inside steps that the momenta
+    /// lead to, where there are any; of compositions, what they and the momenta leave of those of their parts; with a memory, what those
+    /// that `from` leads to leave of it.
     /// @throws hilger::error::invalid_parameter where it has none
     [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
                                      std::vector<vector<S>> const& momenta) const = 0;

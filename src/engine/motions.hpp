@@ -22,9 +22,9 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
-/// Whether it is made of parts, and judged by the momenta between them.
+/// Whether positions and momenta at the points of T can be judged.
 template <class Flow, class S, class Scale>
-concept has_parts = requires(Flow const& f, hilger::recording<S, vector<S>, Scale> const& run) {
+concept is_judged_by_states = requires(Flow const& f, hilger::recording<S, vector<S>, Scale> const& run) {
     largest_residual(f, run);
 };
 
@@ -67,12 +67,14 @@ public:
                              std::vector<vector<S>> const& momenta) const override {
         for (auto const* all : {&positions, &momenta})
             for (vector<S> const& x : *all) require_coordinates(x);
-        if constexpr (has_parts<Flow, S, Scale>) {
-            hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
-            for (std::size_t i = 0; i < positions.size(); ++i)
-                run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta.at(i)});
-            return largest_residual(flow_, run);
-        } else if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>)
+        if constexpr (is_judged_by_states<Flow, S, Scale>)
+            if (momenta.size() == positions.size()) {
+                hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
+                for (std::size_t i = 0; i < positions.size(); ++i)
+                    run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta[i]});
+                return largest_residual(flow_, run);
+            }
+        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) // between two ends no momentum is known
             return largest_residual(flow_, hilger::function_on(T_, positions));
         else if constexpr (has_memory<Flow>) {
             S worst(0);

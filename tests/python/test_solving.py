@@ -157,6 +157,13 @@ class Double(unittest.TestCase):
             parts = 16 if method is h.kahan_li_8 else 1  # the shortest part of a composition is as many times shorter than its step
             self.assertLess(x.residual(), 2 * parts / 0.125**2 * 64 * epsilon * 2**degree, method.name)
 
+    def test_long_steps_are_judged_by_what_they_did_inside(self):
+        two_wells = h.Lagrangian("v^2/2 - 50*(q^2 - 1)^2")
+        for method, step, q0, v0 in ((h.gauss(2), 0.177, 0.18, -0.42), (h.lobatto_3, 0.1, -0.314144, -2.06111)):
+            x = h.solve(h.variation(two_wells, h.uniform(0, step, 20), method), q0=q0, v0=v0)
+            # rows at the points inside, 2 a step at most; between the ends there are other points, which leave 100 and more
+            self.assertLess(x.residual(), 2 * 2 / (step / 2) ** 2 * 64 * epsilon, method.name)
+
     def test_compositions_are_judged_by_positions_and_momenta(self):
         swing = h.Lagrangian("m*v^2/2 - k*q^4/4", m=2, k="1/3")
         plane = h.Lagrangian("dot(v, v)/2 - q[0]^2*q[1]^2/2 + q[0]*v[1]", "q[2]", "v[2]")  # no kicks and drifts

@@ -105,9 +105,7 @@ auto largest_residual_of_parts(Flow const& method, Scale const& T, States const&
 }
 template <class Flow, class S, class V, class Scale>
 auto largest_residual_of_parts(Flow const& method, recording<S, V, Scale> const& run) {
-    if (run.stopped or std::ssize(run.states) != run.scale.size())
-        error::raise<error::mismatch>("a recording is judged that has a state at each point of ", run.scale, ", and this one has ",
-                                      run.states.size());
+    require_complete(run);
     return largest_residual_of_parts(method, run.scale, run.states);
 }
 

@@ -127,6 +127,8 @@ public:
             else
                 saying_where(x, stepper_.h(), [&] { stepper_.advance(what(f), x); });
         }
+        /// The value inside the last step with number m of those that it solved for, 0 < m < controls_of<E> - 1, less q_i.
+        [[nodiscard]] V inside(int m) const { return stepper_.inside(m); }
         /// Calls each(label, number) for everything that later steps depend on; `each` may change the numbers, as reading them back does.
         template <class Visit>
         void visit(flow const& f, Visit& each) {

@@ -5,19 +5,22 @@
 //   auto const x = with_inner_points(EL, values_on_T);        // on T/3; EL.residual(x) is then zero inside, and at T where x solves EL
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hilger/function/function.hpp"
+#include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/rows.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {
 
-/// The function that is x on T, and inside the steps solves the equation, of a Lagrangian with a force f(q, v) or f(t, q, v) beside dL/dq
-/// or without. @throws newton_failure, error::singular, error::not_finite with the points between which there is no solution
-template <class Action, discrete_function X, class Force = no_force>
-auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force const& force = {}) {
+namespace detail {
+
+/// with_inner_points, where they are not known: put_known(all, i) puts those of step i into `all`, which has the values on T, if they are.
+template <class Action, class X, class Force, class PutKnown>
+auto inner_points_unless(euler_lagrange<Action> const& equation, X const& x, Force const& force, PutKnown const& put_known) {
     using Root = typename Action::root_type;
     using Base = typename Action::position_type::from;
     using S = typename Root::scalar_type;
@@ -31,11 +34,56 @@ auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force
     if constexpr (parts > 1)
         for (index_type i = 0; i < T.steps(); ++i) {
             saying_where(state<S, V>{S(T.point(i)), at(parts * i), zero_like(at(0))}, S(T.step(i)), [&] {
-                detail::put_straight_line(all, parts * i + 1, parts * (i + 1));
-                detail::solve_rows(equation, T, all, parts * i + 1, parts * (i + 1), parts, force, "the equation inside a step");
+                if (put_known(all, i)) return;
+                put_straight_line(all, parts * i + 1, parts * (i + 1));
+                solve_rows(equation, T, all, parts * i + 1, parts * (i + 1), parts, force, "the equation inside a step");
             });
         }
     return function_on(derived_scale(T, domain<Base>{}), std::move(all));
+}
+template <class S, class V>
+std::vector<V> positions_of(std::vector<state<S, V>> const& states) {
+    std::vector<V> q;
+    q.reserve(states.size());
+    for (auto const& x : states) q.push_back(x.q);
+    return q;
+}
+/// The same of states at the points of T: those that the flow of the equation leads to on its way from each state to the next. In long
+/// steps the positions alone do not determine them, or hardly.
+template <class Flow, class Action, class S, class V>
+auto inner_points_of_walk(Flow const& method, euler_lagrange<Action> const& equation, typename Action::root_type const& T,
+                          std::vector<state<S, V>> const& states) {
+    constexpr index_type parts = Action::position_type::from::last(1);
+    std::optional<typename Flow::template stepper<S, V>> stepper;
+    return inner_points_unless(equation, function_on(T, positions_of(states)), method.mechanics().force, [&](auto& all, index_type i) {
+        auto const first = states.begin() + i;
+        state<S, V> const& next = first[1];
+        S const h(T.step(i));
+        try {
+            if (not stepper) {
+                stepper.emplace(method, h, first->q);
+                stepper->start_with(method, *first, V((next.q - first->q) / h));
+            }
+            state<S, V> x = *first;
+            stepper->advance(method, x, h);
+            if (square_root_of_epsilon<S>() * (magnitude(first->q) + magnitude(next.q)) < magnitude(V(x.q - next.q))) return false;
+            for (index_type m = 1; m < parts; ++m)
+                all[static_cast<std::size_t>(parts * i + m)] = first->q + stepper->inside(static_cast<int>(m));
+            return true;
+        } catch (error::exception const&) { // they are of another walk
+            return false;
+        }
+    });
+}
+
+} // namespace detail
+
+/// The function that is x on T, and inside the steps solves the equation, of a Lagrangian with a force f(q, v) or f(t, q, v) beside dL/dq
+/// or without. In steps that are long beside what L does several functions may: it is one near the straight lines.
+/// @throws newton_failure, error::singular, error::not_finite with the points between which there is no solution
+template <class Action, discrete_function X, class Force = no_force>
+auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force const& force = {}) {
+    return detail::inner_points_unless(equation, x, force, [](auto&, index_type) { return false; });
 }
 
 } // namespace hilger

@@ -8,6 +8,7 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/inner_points.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
+#include "hilger/trajectory/recording.hpp"
 
 namespace hilger {
 
@@ -48,13 +49,6 @@ auto scale_of_steps(Scale const& T) {
         return time_scale(std::move(points));
     }
 }
-/// q in C(T), walked anew. @throws as walking does
-template <class Path>
-auto positions_along(Path const& path) {
-    std::vector<std::remove_cvref_t<decltype((*path.begin()).q)>> q;
-    for (auto const& x : path) q.push_back(x.q);
-    return function_on(scale_of_steps(path.scale()), std::move(q));
-}
 
 /// At positions in C(T), also where the equation has points inside the steps.
 template <class Action, discrete_function X, class Force>
@@ -63,6 +57,17 @@ auto largest_of_equation(euler_lagrange<Action> const& equation, X const& q, For
         return largest_residual(equation, q, force);
     else
         return largest_residual(equation, with_inner_points(equation, q, force), force);
+}
+/// At states on a scale, as the flow walked them.
+template <class Flow, class Scale, class S, class V>
+auto largest_of_walk(Flow const& method, Scale const& scale, std::vector<state<S, V>> const& states) {
+    auto const T = scale_of_steps(scale);
+    auto const equation = equation_of(method, T);
+    auto const& force = method.mechanics().force;
+    if constexpr (std::same_as<typename std::remove_cvref_t<decltype(equation.action())>::position_type::from, nodes>)
+        return largest_residual(equation, function_on(T, positions_of(states)), force);
+    else
+        return largest_residual(equation, inner_points_of_walk(method, equation, T, states), force);
 }
 
 } // namespace detail
@@ -79,14 +84,18 @@ template <class F, class Force, class First, class Second, sums Sums, discrete_f
 auto largest_residual(flow<F, Force, embedding_sum<First, Second>, Sums> const& method, X const& q) {
     return detail::largest_of_equation(equation_of(method, q.root()), q, method.mechanics().force);
 }
-/// The same along a trajectory. @throws as walking does
-template <class F, class Force, class First, class Second, sums Sums, class Scale, class V>
-auto largest_residual(trajectory<flow<F, Force, embedding_sum<First, Second>, Sums>, Scale, V> const& path) {
-    return largest_residual(path.method(), detail::positions_along(path));
+/// The same along a trajectory, at the points inside the steps that the steps led to. @throws as walking does
+template <class F, class Force, class E, sums Sums, class Scale, class V>
+    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, detail::scale_of_steps(T)); }
+auto largest_residual(trajectory<flow<F, Force, E, Sums>, Scale, V> const& path) {
+    return detail::largest_of_walk(path.method(), path.scale(), record(path).states);
 }
-template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, class Scale, class V>
-auto largest_residual(trajectory<flow<F, Force, embedding<A, B, W, Checked>, Sums>, Scale, V> const& path) {
-    return largest_residual(path.method(), detail::positions_along(path));
+/// The same of states that were kept. @throws error::mismatch where there is not one at each point of their scale
+template <class F, class Force, class E, sums Sums, class S, class V, class Scale>
+    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, detail::scale_of_steps(T)); }
+auto largest_residual(flow<F, Force, E, Sums> const& method, recording<S, V, Scale> const& run) {
+    detail::require_complete(run);
+    return detail::largest_of_walk(method, run.scale, run.states);
 }
 
 } // namespace hilger

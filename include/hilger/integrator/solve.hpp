@@ -7,6 +7,7 @@
 #include "hilger/integrator/inner_points.hpp"
 #include "hilger/integrator/march.hpp"
 #include "hilger/integrator/rows.hpp"
+#include "hilger/trajectory/recording.hpp"
 
 namespace hilger {
 
@@ -14,16 +15,16 @@ namespace detail {
 
 template <class Action, class Data, class Force>
 auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force) {
-    auto const path = flow_of(equation, force).along(T, from);
-    using V = decltype(std::begin(path)->q);
-    std::vector<V> positions;
-    positions.reserve(static_cast<std::size_t>(T.size()));
-    for (auto const& at : path) positions.push_back(at.q);
-    auto x = function_on(T, std::move(positions));
-    if constexpr (std::same_as<typename Action::position_type::from, nodes>)
-        return x;
-    else
-        return with_inner_points(equation, x, force);
+    auto const flow = flow_of(equation, force);
+    auto const path = flow.along(T, from);
+    if constexpr (std::same_as<typename Action::position_type::from, nodes>) {
+        using V = decltype(std::begin(path)->q);
+        std::vector<V> positions;
+        positions.reserve(static_cast<std::size_t>(T.size()));
+        for (auto const& at : path) positions.push_back(at.q);
+        return function_on(T, std::move(positions));
+    } else
+        return inner_points_of_walk(flow, equation, T, record(path).states);
 }
 /// Boundary values as states over times S. @throws error::mismatch, error::not_finite
 template <class S, class V>

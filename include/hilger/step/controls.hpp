@@ -60,11 +60,14 @@ public:
     [[nodiscard]] decltype(auto) end() const {
         if constexpr (U == 1)
             return (moved);
-        else {
-            V x = s::zero(dimension());
-            for (int c = 0; c < dimension(); ++c) s::component(x, c) = end(c);
-            return x;
-        }
+        else
+            return moved_to(last);
+    }
+    /// U_m - q_i
+    [[nodiscard]] V moved_to(int m) const {
+        V x = s::zero(dimension());
+        for (int c = 0; c < dimension(); ++c) s::component(x, c) = moved(place_of(m, c));
+        return x;
     }
     /// As if the velocity were v.
     void move_with(V const& v) {

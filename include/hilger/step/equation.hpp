@@ -28,7 +28,7 @@ class step_equation : public step_sizes<S, V, Extra, Controls> {
         controls::U, controls::row_of, controls::factor, controls::share;
 
 public:
-    using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved,
+    using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved, controls::moved_to,
         controls::put_sizes, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;

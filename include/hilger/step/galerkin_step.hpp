@@ -109,6 +109,23 @@ public:
         start_.reset();
     }
 
+    /// U_m - q_i of the last step, 0 < m < R, as far as rounding goes: where the forces were iterated, the value of the polynomial through
+    /// q_i and the positions at the nodes.
+    [[nodiscard]] V inside(int m) const {
+        if (not led_by_forces_) return equation_.inside(m);
+        auto const& c = table().node;
+        S const at = S(m) / S(static_cast<int>(Table::R));
+        V sum = s::zero(d_);
+        for (std::size_t k = 0; k < N; ++k) {
+            if (c[k] == S(0)) continue; // that is q_i itself
+            S l = at / c[k];
+            for (std::size_t j = 0; j < N; ++j)
+                if (j != k and not(c[j] == S(0))) l = l * (at - c[j]) / (c[k] - c[j]);
+            sum = sum + D_[k] * l;
+        }
+        return sum;
+    }
+
 private:
     static Table const& table() { return Table::here(); }
     /// With compensated sums the error that an iteration leaves must not be seen either.
@@ -222,6 +239,7 @@ private:
         return magnitude(room_);
     }
     void finish_by_forces(state<S, V>& x) {
+        led_by_forces_ = true;
         reach_end();
         combine(table().weight, F_, room_);
         room_ = room_ * h_;
@@ -229,6 +247,7 @@ private:
         known_ = 1;
     }
     void finish_by_equation(Problem const& what, state<S, V>& x) {
+        led_by_forces_ = false;
         equation_.solve(given<Problem, V>(what), x);
         add(x, equation_.moved(), equation_.gained());
     }
@@ -245,7 +264,7 @@ private:
 
     S h_;
     int d_, known_ = 0, way_ = undecided;
-    bool inspected_ = false;
+    bool inspected_ = false, led_by_forces_ = false; ///< the last step
     separable_type separable_;
     many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;

@@ -98,6 +98,8 @@ public:
     }
     [[nodiscard]] decltype(auto) moved() const { return e_.end(); }
     [[nodiscard]] auto const& gained() const { return e_.increment; }
+    /// U_m - q_i of the last step, 0 < m < n.
+    [[nodiscard]] V inside(int m) const { return e_.moved_to(m); }
     /// What is known of steps before the next one is forgotten, but for a velocity to guess with.
     void restart(V const& v) {
         steps_ = 0;

@@ -80,6 +80,14 @@ void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
     finish();
 }
 
+/// A state for each point of T. @throws error::mismatch
+template <class S, class V, class Scale>
+void require_complete(recording<S, V, Scale> const& run) {
+    if (run.stopped or std::ssize(run.states) != run.scale.size())
+        error::raise<error::mismatch>("a recording is judged that has a state at each point of ", run.scale, ", and this one has ",
+                                      run.states.size());
+}
+
 } // namespace detail
 
 /// Walks a trajectory, or what is left of one, and keeps the first state, every stride-th one after it, and the last.

@@ -31,17 +31,18 @@ public:
     template <class S, class V>
         requires std::invocable<H const&, S const&, V const&, V const&>
     [[nodiscard]] V velocity(S const& t, V const& q, V const& p) const { return gradient_first(detail::at_time{hamiltonian_, t}, p, q); }
-    /// L(q, v), a number.
+    /// L(q, v), a number, and L(t, q, v) where H depends on the time.
     template <class V>
-    scalar_of<V> operator()(V const& q, V const& v) const {
-        V const p = momentum(q, v);
-        return scalar_of<V>(dot_product(p, v) - detail::number_from(hamiltonian_, p, q));
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] scalar_of<V> operator()(V const& q, V const& v) const { return value_of(hamiltonian_, q, v); }
+    template <class S, class V>
+        requires std::invocable<H const&, S const&, V const&, V const&>
+    [[nodiscard]] scalar_of<V> operator()(S const& t, V const& q, V const& v) const {
+        return value_of(detail::at_time{hamiltonian_, t}, q, v);
     }
     template <class V>
-    [[nodiscard]] expansion<V> expand(V const& q, V const& v) const {
-        return expand_with(hamiltonian_, q, v);
-    }
-    /// H may depend on the time.
+        requires std::invocable<H const&, V const&, V const&>
+    [[nodiscard]] expansion<V> expand(V const& q, V const& v) const { return expand_with(hamiltonian_, q, v); }
     template <class S, class V>
         requires std::invocable<H const&, S const&, V const&, V const&>
     [[nodiscard]] expansion<V> expand(S const& t, V const& q, V const& v) const {
@@ -56,6 +57,11 @@ private:
             return newton_system<V>{V(e.by_q - v), e.qq};
         };
         return newton(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
+    }
+    template <class F, class V>
+    static scalar_of<V> value_of(F const& h, V const& q, V const& v) {
+        V const p = momentum_for(h, q, v);
+        return scalar_of<V>(dot_product(p, v) - detail::number_from(h, p, q));
     }
     template <class F, class V>
     static expansion<V> expand_with(F const& h, V const& q, V const& v) {

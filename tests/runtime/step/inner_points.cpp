@@ -19,20 +19,23 @@ namespace {
 
 /// The rows of the equation at the points of T/d are of the size m q d^2 / h^2 + p d / h, times the sum of |l_j'|, which is below 2^d.
 template <class Path>
-void is_a_solution(Path const& path, int degree) {
+auto rounding_of(Path const& path, int degree) {
     using S = decltype((*path.begin()).t);
     S q(0), p(0);
     for (auto const& x : path) {
         q = std::max(q, S(magnitude(x.q)));
         p = std::max(p, S(magnitude(x.p)));
     }
-    S const h = path.scale().root().step(0);
-    auto const residual = largest_residual(path);
-    S const d(degree), power(1 << degree), bound = S(32) * epsilon<S>() * (d * p / h + S(3) * d * d * power * q / (h * h));
+    CHECK(q > S(0.1));
+    S const h = path.scale().root().step(0), d(degree), power(1 << degree);
+    return S(S(32) * epsilon<S>() * (d * p / h + S(3) * d * d * power * q / (h * h)));
+}
+template <class Path>
+void is_a_solution(Path const& path, int degree) {
+    auto const residual = largest_residual(path), bound = rounding_of(path, degree);
     CAPTURE(residual);
     CAPTURE(bound);
     CHECK(residual <= bound);
-    CHECK(q > S(0.1));
 }
 template <class S, class E>
 void solves(E const& e, int degree) {
@@ -59,6 +62,41 @@ TEST_CASE("Galerkin embeddings solve the equation of their operators") {
     solves<float50>(galerkin<3, gauss>, 3);
     // without a force it is the forces at the nodes that are iterated
     is_a_solution(embed(swing, galerkin<3, gauss>).along(uniform(0.0, 0.1, 30), 1.0, 0.0), 3);
+}
+
+TEST_CASE("in steps so long that the ends have several solutions between them, those of the step are judged") {
+    auto const two_wells = [](auto const& q, auto const& v) {
+        auto const w = q * q - 1;
+        return v * v / 2 - 50 * w * w;
+    };
+    auto const drag = [](auto const&, auto const& v) { return plain_t<decltype(v / 8)>(-v / 8); };
+    // by the forces at the nodes, and by the equation of the step
+    auto const lead = [&](auto const& how, double h, double q, double v, int degree) {
+        auto const T = uniform(0.0, h, 20);
+        auto const path = embed(two_wells, how).along(T, initial_velocity{q, v});
+        is_a_solution(path, degree);
+        is_a_solution(embed(with_force(two_wells, drag), how).along(T, initial_velocity{q, v}), degree);
+        // so are states that were kept, and the function that solve returns
+        CHECK(largest_residual(path.method(), record(path)) == largest_residual(path));
+        auto const EL = equation_of(path.method(), T);
+        CHECK(largest_residual(EL, solve(EL, T, initial_velocity{q, v})) == largest_residual(path));
+    };
+    lead(galerkin<2, gauss>, 0.177, 0.18, -0.42, 2);
+    lead(galerkin<3, lobatto>, 0.1, -0.314144, -2.06111, 2);
+    lead(galerkin<4, gauss>, 0.1, -1.49231, 2.82889, 4);
+    auto const path = embed(two_wells, galerkin<2, gauss>).along(uniform(0.0, 0.177, 20), initial_velocity{0.18, -0.42});
+    CHECK_THROWS_WITH_AS((void)largest_residual(path.method(), record(path, 2)),
+                         "a recording is judged that has a state at each point of T = {0, 0.17699999999999999, 0.35399999999999998, ..., "
+                         "3.54} (21 points), and this one has 11",
+                         error::mismatch);
+}
+
+TEST_CASE("where the momenta are of no walk, the positions say what is inside") {
+    auto const path = embed(with_force(swing, friction), galerkin<3, gauss>).along(uniform(0.0, 0.1, 30), 1.0, 0.0);
+    auto states = record(path);
+    CHECK(largest_residual(path.method(), states.positions()) <= rounding_of(path, 3));
+    for (auto& x : states.states) x.p = x.p + 1;
+    CHECK(largest_residual(path.method(), states) <= rounding_of(path, 3));
 }
 
 TEST_CASE("embeddings of one's own with points inside the steps do") {

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "hilger/integrator/flow.hpp"
+#include "hilger/trajectory/diagnostics.hpp"
 #include "hilger/variational/legendre_transform.hpp"
 
 namespace legendre_transform_tests {
@@ -43,6 +44,15 @@ TEST_CASE("and vectors, where the mixed derivatives are not symmetric") {
         return (1 + q(0) * q(0)) * v(0) * v(0) / 2 + q(1) * v(0) + v(1) * v(1) / 2 + 2 * q(0) * q(1) * v(1) - q(0) * q(1) * q(1);
     };
     check_transform(H, L, Eigen::Vector2d(1.0 / 3, -0.5), Eigen::Vector2d(0.4, 3.0 / 7));
+}
+
+TEST_CASE("of H(t, p, q): L(t, q, v), and the energy of a state is H") {
+    auto const H = [](double t, auto const& p, auto const& q) { return p * p / (2 * (1 + t)) + (1 + t) * q * q / 2; };
+    auto const L = lagrangian_of(H);
+    double const t = 0.5, q = 0.75, v = 1.25;
+    CHECK(std::abs(L(t, q, v) - (1.5 * v * v / 2 - 1.5 * q * q / 2)) <= 8 * epsilon<double>());
+    for (auto const& x : embed(L, mid_point).along(uniform(0.0, 0.125, 8), 1.0, 0.5))
+        CHECK(std::abs(energy(L)(x) - H(x.t, x.p, x.q)) <= 16 * epsilon<double>());
 }
 
 TEST_CASE("p_i = -d_1 L_h and p_{i+1} = d_2 L_h, also where the position of a constant is not the constant") {
