@@ -7,7 +7,6 @@
 #include "hilger/integrator/inner_points.hpp"
 #include "hilger/integrator/march.hpp"
 #include "hilger/integrator/rows.hpp"
-#include "hilger/trajectory/recording.hpp"
 
 namespace hilger {
 
@@ -15,8 +14,7 @@ namespace detail {
 
 template <class Action, class Data, class Force>
 auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force) {
-    auto const flow = flow_of(equation, force);
-    auto const path = flow.along(T, from);
+    auto const path = flow_of(equation, force).along(T, from);
     if constexpr (std::same_as<typename Action::position_type::from, nodes>) {
         using V = decltype(std::begin(path)->q);
         std::vector<V> positions;
@@ -24,7 +22,7 @@ auto solved(euler_lagrange<Action> const& equation, typename Action::root_type c
         for (auto const& at : path) positions.push_back(at.q);
         return function_on(T, std::move(positions));
     } else
-        return inner_points_of_walk(flow, equation, T, record(path).states);
+        return inner_points_along(equation, T, path);
 }
 /// Boundary values as states over times S. @throws error::mismatch, error::not_finite
 template <class S, class V>
