@@ -53,6 +53,7 @@
 
 // Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
 #include "hilger/fractional/residual.hpp"
+#include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/residual.hpp"
 #include "hilger/trajectory/checkpoint.hpp"
 #include "hilger/trajectory/dense_output.hpp"

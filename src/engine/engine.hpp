@@ -73,6 +73,12 @@ struct state {
     vector<S> q, p;
 };
 
+/// What joins two ends, at the points of T; without momenta where the equation has none.
+template <class S>
+struct joined {
+    std::vector<vector<S>> q, p;
+};
+
 /// A problem with its method on its scale.
 template <class S>
 class motion {
@@ -86,12 +92,11 @@ public:
                       std::function<bool(S const& t, vector<S> const& q, vector<S> const& p)> const& keep) const = 0;
     /// The points of T.
     [[nodiscard]] virtual std::vector<S> times() const = 0;
-    /// The positions that join two ends, near `guess`, one for each point of T; without one the straight line is it. A request to stop
-    /// ends it with hilger::error::no_convergence.
+    /// The positions that join two ends, near `guess`, one for each point of T, and their momenta; without a guess the straight line is
+    /// it. A request to stop ends it with hilger::error::no_convergence.
     /// @throws hilger::error::invalid_parameter where the method has no equation in positions, or a memory
-    [[nodiscard]] virtual std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last,
-                                                         std::vector<vector<S>> const& guess = {},
-                                                         std::stop_token const& stop = {}) const = 0;
+    [[nodiscard]] virtual joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess = {},
+                                            std::stop_token const& stop = {}) const = 0;
     /// What the positions at the points of T leave of the equation that the method comes from, at the points inside steps that the momenta
     /// lead to, where there are any; of compositions, what they and the momenta leave of those of their parts; with a memory, what those
     /// that `from` leads to leave of it.

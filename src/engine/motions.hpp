@@ -55,10 +55,11 @@ public:
         });
     }
     [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
-    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
-                                                 std::stop_token const& stop) const override {
+    [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
+                                    std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
-            return positions_between(equation_of(flow_, T_), first, last, guess, stop);
+            auto const x = solved_between(equation_of(flow_, T_), first, last, guess, stop);
+            return {positions_on_T(x), values_of(momenta_of(flow_, x))};
         } else
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
                                     : "is solved from initial values: what joins two ends is found for embeddings");
@@ -67,16 +68,12 @@ public:
                              std::vector<vector<S>> const& momenta) const override {
         for (auto const* all : {&positions, &momenta})
             for (vector<S> const& x : *all) require_coordinates(x);
-        if constexpr (is_judged_by_states<Flow, S, Scale>)
-            if (momenta.size() == positions.size()) {
-                hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
-                for (std::size_t i = 0; i < positions.size(); ++i)
-                    run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta[i]});
-                return largest_residual(flow_, run);
-            }
-        if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) // between two ends no momentum is known
-            return largest_residual(flow_, hilger::function_on(T_, positions));
-        else if constexpr (has_memory<Flow>) {
+        if constexpr (is_judged_by_states<Flow, S, Scale>) {
+            hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta.at(i)});
+            return largest_residual(flow_, run);
+        } else if constexpr (has_memory<Flow>) {
             S worst(0);
             along(from, [&](auto const& path) { worst = largest_residual(path); });
             return worst;
@@ -139,16 +136,24 @@ protected:
             hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
     }
     template <class Equation>
-    [[nodiscard]] std::vector<vector<S>> positions_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
-                                                           std::vector<vector<S>> const& guess, std::stop_token const& stop) const {
+    [[nodiscard]] auto solved_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
+                                      std::vector<vector<S>> const& guess, std::stop_token const& stop) const {
         hilger::boundary_values<vector<S>> const ends{first, last};
         auto const& force = flow_.mechanics().force;
-        auto const x = guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
-                                     : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
+        return guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
+                             : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
+    }
+    /// Without those inside the steps.
+    template <class X>
+    [[nodiscard]] std::vector<vector<S>> positions_on_T(X const& x) const {
         std::vector<vector<S>> positions;
-        hilger::index_type const parts = (x.size() - 1) / T_.steps(); // points inside the steps are not asked for
+        hilger::index_type const parts = (x.size() - 1) / T_.steps();
         for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
         return positions;
+    }
+    template <class X>
+    [[nodiscard]] static std::vector<vector<S>> values_of(X const& x) {
+        return {x.begin(), x.end()};
     }
     Flow flow_;
 

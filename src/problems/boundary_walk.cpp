@@ -68,7 +68,7 @@ std::unique_ptr<walk> begin_between(stated_problem const& what, configuration co
     auto const T = hilger::uniform(points.start, points.step, points.steps);
     std::vector<vector> q;
     if (auto const two_sided = engine::between_two_ends(what.of, c.embedding, points))
-        q = two_sided->between(ends.q0, ends.qN);
+        q = two_sided->between(ends.q0, ends.qN).q;
     else
         q = embedded_between(what.of, c.embedding, T, ends);
     if (q.empty()) return nullptr;

@@ -88,13 +88,16 @@ void add_motion(py::module_& m, char const* name) {
         .def("times", [](motion const& path) { return with::array(path.times(), 0); })
         .def("between",
              [](motion const& path, given const& first, given const& last, std::vector<given> const& guess) {
-                 std::vector<S> q;
                  auto const a = with::vector_of(first), b = with::vector_of(last);
                  std::vector<engine::vector<S>> near;
                  for (given const& x : guess) near.push_back(with::vector_of(x));
-                 for (auto const& x : interruptible([&](std::stop_token const& stop) { return path.between(a, b, near, stop); }))
-                     q.insert(q.end(), x.data(), x.data() + x.size());
-                 return with::array(std::move(q), static_cast<int>(a.size()));
+                 auto const found = interruptible([&](std::stop_token const& stop) { return path.between(a, b, near, stop); });
+                 auto const array = [&](std::vector<engine::vector<S>> const& states) {
+                     std::vector<S> all;
+                     for (auto const& x : states) all.insert(all.end(), x.data(), x.data() + x.size());
+                     return with::array(std::move(all), static_cast<int>(a.size()));
+                 };
+                 return py::make_tuple(array(found.q), array(found.p));
              })
         .def("residual",
              [](motion const& path, given const& q0, std::string const& what, given const& other, std::vector<given> const& positions,

@@ -234,14 +234,33 @@ class Double(unittest.TestCase):
         self.assertEqual(coarse(0.0), 1.0)
         self.assertEqual(coarse(coarse.t[-1]), coarse.q[-1])
 
-    def test_what_joins_two_ends_has_no_momenta(self):
-        x = h.solve(h.variation(pendulum, h.uniform(0, 0.1, 10)), q0=0.0, qN=0.5)
+    def test_what_joins_two_ends_is_the_motion_of_its_first_state(self):
+        forced = h.variation(pendulum, h.TimeScale(np.cumsum([0.0, 0.1, 0.05, 0.2, 0.1]))) + h.force("cos(t) - v/5")
+        swing = h.Lagrangian("m*v^2/2 - k*q^4/4", m=2, k="1/3")
+        parts = h.variation(h.Lagrangian("v^2/2"), h.uniform(0, 0.1, 10)) + h.variation(h.Lagrangian("-q^4/4"), h.uniform(0, 0.1, 10), h.order_one)
+        for EL in (forced, h.variation(swing, h.uniform(0, 0.1, 10), h.lobatto_3), h.variation(swing, h.uniform(0, 0.1, 10), h.gauss(4)), parts):
+            x = h.solve(EL, q0=0.25, qN=0.5)
+            y = h.solve(EL, q0=0.25, p0=x.p[0])
+            self.assertLess(np.abs(x.q - y.q).max(), 1e-12)
+            self.assertLess(np.abs(x.p - y.p).max(), 1e-11)
+            self.assertAlmostEqual(x(0.3), y(0.3), delta=1e-12)
+            self.assertLess(x.residual(), 1e-11)
+            x.q[3] += 1e-3
+            self.assertGreater(x.residual(), 1e-3)  # of the positions that there are
+        exact = h.variation(h.Lagrangian("v^2/2 - q^2/2"), h.uniform(0, Fraction(1, 10), 10), h.theta(Fraction(1, 3)))
+        x = h.solve(exact, q0=1, qN=Fraction(1, 2))
+        self.assertEqual(list(h.solve(exact, q0=1, p0=x.p[0]).p), list(x.p))
+
+    def test_what_joins_two_ends_in_long_steps_is_judged_by_what_it_does_inside(self):
+        two_wells = h.Lagrangian("v^2/2 - 50*(q^2 - 1)^2")
+        x = h.solve(h.variation(two_wells, h.uniform(0, 0.177, 10), h.gauss(2)), q0=-0.7439458242004173, qN=0.9324690236313515)
+        self.assertLess(x.residual(), 2 * 2 / (0.177 / 2) ** 2 * 64 * epsilon * np.abs(x.q).max())
+
+    def test_a_two_sided_equation_has_no_momenta(self):
+        x = h.solve(h.variation(h.Lagrangian("v^2/2"), h.uniform(0, 0.1, 10), h.two_sided(0.75)), q0=0.0, qN=0.5)
         self.assertIsNone(x.p)
         self.assertRaisesRegex(h.InvalidParameter, "positions alone", x.energy)
         self.assertRaisesRegex(h.InvalidParameter, "positions alone", lambda: x(0.5))
-        self.assertLess(x.residual(), 1e-11)
-        x.q[5] += 1e-3
-        self.assertGreater(x.residual(), 1e-3)  # of the positions that there are
 
     def test_of_several_solutions_the_one_near_a_guess(self):
         EL = h.variation(pendulum, h.uniform(0, 0.1, 100))

@@ -37,17 +37,30 @@ struct no_step {
     void visit(Visit&) const {}
 };
 
-/// -d_1 L_h(q0, q1) and d_2 L_h(q0, q1), forces included: the momenta with which a step without control values inside begins and ends.
+/// -d_0 L_h and d_n L_h at the control values U(0), ..., U(n), forces included: the momenta with which a step begins and ends.
+template <class Derivatives, class S, class Values>
+auto momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, Values const& U) {
+    auto const first = U(0);
+    using V = std::remove_const_t<decltype(first)>;
+    int const last = b.controls - 1;
+    V before = zero_like(first), after = before;
+    for (int k = 0; k < b.nodes; ++k) {
+        V position = first * b.a(k, 0), velocity = first * b.b(k, 0);
+        for (int m = 1; m <= last; ++m) {
+            V const value = U(m);
+            position = position + value * b.a(k, m);
+            velocity = velocity + value * b.b(k, m);
+        }
+        auto const [by_q, by_v] = derivatives.gradients(b.part_of(k), b.time(k, t, h), position, velocity);
+        before = before - (by_q * S(b.w(k) * b.a(k, 0)) + by_v * S(b.w(k) * b.b(k, 0)));
+        after = after + (by_q * S(b.w(k) * b.a(k, last)) + by_v * S(b.w(k) * b.b(k, last)));
+    }
+    return std::pair<V, V>(std::move(before), std::move(after));
+}
+/// The same of a step without values inside.
 template <class Derivatives, class S, class V>
 std::pair<V, V> momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0, V const& q1) {
-    V before = zero_like(q0), after = before;
-    for (int k = 0; k < b.nodes; ++k) {
-        auto const [by_q, by_v] =
-            derivatives.gradients(b.part_of(k), b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
-        before = before - (by_q * S(b.w(k) * b.a(k, 0)) + by_v * S(b.w(k) * b.b(k, 0)));
-        after = after + (by_q * S(b.w(k) * b.a(k, 1)) + by_v * S(b.w(k) * b.b(k, 1)));
-    }
-    return {std::move(before), std::move(after)};
+    return momenta_of_step(derivatives, b, t, h, [&](int m) -> V const& { return m == 0 ? q0 : q1; });
 }
 
 } // namespace detail

@@ -30,8 +30,8 @@ public:
         });
     }
     [[nodiscard]] std::vector<double> times() const override { return elements_of<double>(T_); }
-    [[nodiscard]] std::vector<vector<double>> between(vector<double> const&, vector<double> const&, std::vector<vector<double>> const&,
-                                                      std::stop_token const&) const override {
+    [[nodiscard]] joined<double> between(vector<double> const&, vector<double> const&, std::vector<vector<double>> const&,
+                                         std::stop_token const&) const override {
         refuse("is solved from initial values");
     }
     [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const&,

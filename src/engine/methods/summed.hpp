@@ -114,10 +114,16 @@ public:
         for_each_part([&](auto const& flow) { momentum += flow.momentum_between(this->T_.min(), from.q0, from.other, h); });
         base::walk({from.q0, second_datum::momentum, momentum}, keep);
     }
-    [[nodiscard]] std::vector<vector<S>> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
-                                                 std::stop_token const& stop) const override {
+    [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
+                                    std::stop_token const& stop) const override {
         for (vector<S> const* x : {&first, &last}) this->require_coordinates(*x);
-        return this->positions_between(summed_equation(), first, last, guess, stop);
+        auto const x = this->solved_between(summed_equation(), first, last, guess, stop);
+        std::vector<vector<S>> p(static_cast<std::size_t>(x.size()), vector<S>::Zero(first.size()));
+        for_each_part([&](auto const& flow) {
+            auto const of_part = momenta_of(flow, x);
+            for (std::size_t i = 0; i < p.size(); ++i) p[i] += of_part[static_cast<hilger::index_type>(i)];
+        });
+        return {this->positions_on_T(x), std::move(p)};
     }
     [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&) const override {
         for (vector<S> const& x : positions) this->require_coordinates(x);

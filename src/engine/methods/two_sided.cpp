@@ -23,14 +23,13 @@ public:
         refuse("it looks to both ends, and initial values do not determine its solution: give q0 and qN");
     }
     [[nodiscard]] std::vector<double> times() const override { return elements_of<double>(T_); }
-    [[nodiscard]] std::vector<vector<double>> between(vector<double> const& first, vector<double> const& last,
-                                                      std::vector<vector<double>> const& guess,
-                                                      std::stop_token const& stop) const override {
+    [[nodiscard]] joined<double> between(vector<double> const& first, vector<double> const& last, std::vector<vector<double>> const& guess,
+                                         std::stop_token const& stop) const override {
         if (not guess.empty()) refuse("it is solved from the solution for L = v.v / 2 on, and no other first guess is taken");
         auto const x = solve(derived(), T_, hilger::boundary_values<vector<double>>{first, last}, hilger::boundary_options{.stop = stop}).q;
         std::vector<vector<double>> positions;
         for (hilger::index_type i = x.first(); i <= x.last(); ++i) positions.push_back(x[i]);
-        return positions;
+        return {std::move(positions), {}};
     }
     [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions,
                                   std::vector<vector<double>> const&) const override {

@@ -99,8 +99,8 @@ class Solution:
 
     `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero;
     `x.residual()` what the positions leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
-    scale did, `x.compiled` whether its steps were machine code as a whole. What joins two ends has positions alone, and p is None. It can be
-    pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1],
+    scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a
+    two-sided fractional equation has positions alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1],
     p0=x.p[-1]).
     """
 
@@ -128,9 +128,7 @@ class Solution:
 
     def _momenta(self):
         if self.p is None:
-            two_sided = self.equation.method.name.startswith("two-sided:")
-            how = "of which this equation has none" if two_sided else "for which it is solved again, from q0=x.q[0] and q1=x.q[1]"
-            raise _core.InvalidParameter(f"what joins two ends has positions alone, and this needs momenta, {how}")
+            raise _core.InvalidParameter("the solution of a two-sided fractional equation has positions alone, and this needs momenta")
         return self.p
 
     def _row(self, x: np.ndarray, i: int):

@@ -136,8 +136,8 @@ def solve(
         near = [] if guess is None else [_state(kind, x, L, "each row of the guess") for x in guess]
         if guess is not None and len(near) != equation.scale.steps + 1:
             raise _core.Mismatch(f"a guess has a row for each of the {equation.scale.steps + 1} points of T, and here are {len(near)}")
-        q = column(numbers_from(kind, motion.between(start[0], start[2], near)))
-        return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, None, None)
+        q, p = (column(numbers_from(kind, x)) for x in motion.between(start[0], start[2], near))
+        return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, p if len(p) else None, None)
     bar = _bar(progress, equation)
     made = None
     is_end = _end_of_walk(until, kind, scalar)
