@@ -59,7 +59,7 @@ public:
                                     std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
             auto const x = solved_between(equation_of(flow_, T_), first, last, guess, stop);
-            return {positions_on_T(x), values_of(momenta_of(flow_, x))};
+            return {values_on_T(x), values_on_T(momenta_of(flow_, x))};
         } else
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
                                     : "is solved from initial values: what joins two ends is found for embeddings");
@@ -145,15 +145,11 @@ protected:
     }
     /// Without those inside the steps.
     template <class X>
-    [[nodiscard]] std::vector<vector<S>> positions_on_T(X const& x) const {
-        std::vector<vector<S>> positions;
+    [[nodiscard]] std::vector<vector<S>> values_on_T(X const& x) const {
+        std::vector<vector<S>> values;
         hilger::index_type const parts = (x.size() - 1) / T_.steps();
-        for (hilger::index_type i = 0; i < x.size(); i += parts) positions.push_back(x[i]);
-        return positions;
-    }
-    template <class X>
-    [[nodiscard]] static std::vector<vector<S>> values_of(X const& x) {
-        return {x.begin(), x.end()};
+        for (hilger::index_type i = 0; i < x.size(); i += parts) values.push_back(x[i]);
+        return values;
     }
     Flow flow_;
 

@@ -40,14 +40,14 @@ struct no_step {
 /// -d_0 L_h and d_n L_h at the control values U(0), ..., U(n), forces included: the momenta with which a step begins and ends.
 template <class Derivatives, class S, class Values>
 auto momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, Values const& U) {
-    auto const first = U(0);
-    using V = std::remove_const_t<decltype(first)>;
+    auto const& first = U(0);
+    using V = std::remove_cvref_t<decltype(first)>;
     int const last = b.controls - 1;
     V before = zero_like(first), after = before;
     for (int k = 0; k < b.nodes; ++k) {
         V position = first * b.a(k, 0), velocity = first * b.b(k, 0);
         for (int m = 1; m <= last; ++m) {
-            V const value = U(m);
+            auto const& value = U(m);
             position = position + value * b.a(k, m);
             velocity = velocity + value * b.b(k, m);
         }

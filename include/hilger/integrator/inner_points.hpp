@@ -48,16 +48,18 @@ std::vector<V> positions_of(std::vector<state<S, V>> const& states) {
     for (auto const& x : states) q.push_back(x.q);
     return q;
 }
-/// Along a trajectory, what its steps led to.
+/// The positions of a trajectory, and what its steps led to inside where the equation has points there.
 template <class Action, class Path>
-auto inner_points_along(euler_lagrange<Action> const&, typename Action::root_type const& T, Path const& path) {
+auto positions_along(euler_lagrange<Action> const&, typename Action::root_type const& T, Path const& path) {
     using Base = typename Action::position_type::from;
     auto at = path.begin();
     std::vector<std::remove_cvref_t<decltype(at->q)>> all{at->q};
     all.reserve(static_cast<std::size_t>(Base::last(T.steps()) + 1));
     for (++at; not(at == path.end()); ++at) {
-        auto const start = all.back();
-        for (int m = 1; m < static_cast<int>(Base::last(1)); ++m) all.push_back(start + at.remembered().inside(m));
+        if constexpr (Base::last(1) > 1) {
+            auto const start = all.back();
+            for (int m = 1; m < static_cast<int>(Base::last(1)); ++m) all.push_back(start + at.remembered().inside(m));
+        }
         all.push_back(at->q);
     }
     return function_on(derived_scale(T, domain<Base>{}), std::move(all));

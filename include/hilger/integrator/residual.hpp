@@ -50,13 +50,10 @@ auto scale_of_steps(Scale const& T) {
     }
 }
 
-template <class Equation>
-inline constexpr bool has_no_points_inside =
-    std::same_as<typename std::remove_cvref_t<decltype(std::declval<Equation const&>().action())>::position_type::from, nodes>;
 /// At positions in C(T), also where the equation has points inside the steps.
 template <class Action, discrete_function X, class Force>
 auto largest_of_equation(euler_lagrange<Action> const& equation, X const& q, Force const& force) {
-    if constexpr (has_no_points_inside<euler_lagrange<Action>>)
+    if constexpr (std::same_as<typename Action::position_type::from, nodes>)
         return largest_residual(equation, q, force);
     else
         return largest_residual(equation, with_inner_points(equation, q, force), force);
@@ -66,11 +63,7 @@ template <class Flow, class Scale, class S, class V>
 auto largest_of_walk(Flow const& method, Scale const& scale, std::vector<state<S, V>> const& states) {
     auto const T = scale_of_steps(scale);
     auto const equation = equation_of(method, T);
-    auto const& force = method.mechanics().force;
-    if constexpr (has_no_points_inside<decltype(equation)>)
-        return largest_residual(equation, function_on(T, positions_of(states)), force);
-    else
-        return largest_residual(equation, inner_points_of_walk(method, equation, T, states), force);
+    return largest_residual(equation, inner_points_of_walk(method, equation, T, states), method.mechanics().force);
 }
 
 } // namespace detail
@@ -94,12 +87,7 @@ auto largest_residual(trajectory<flow<F, Force, E, Sums>, Scale, V> const& path)
     auto const& method = path.method();
     auto const T = detail::scale_of_steps(path.scale());
     auto const equation = equation_of(method, T);
-    if constexpr (detail::has_no_points_inside<decltype(equation)>) {
-        std::vector<V> q;
-        for (auto const& x : path) q.push_back(x.q);
-        return largest_residual(equation, function_on(T, std::move(q)), method.mechanics().force);
-    } else
-        return largest_residual(equation, detail::inner_points_along(equation, T, path), method.mechanics().force);
+    return largest_residual(equation, detail::positions_along(equation, T, path), method.mechanics().force);
 }
 /// The same of states that were kept. @throws error::mismatch where there is not one at each point of their scale
 template <class F, class Force, class E, sums Sums, class S, class V, class Scale>

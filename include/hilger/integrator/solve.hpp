@@ -14,15 +14,7 @@ namespace detail {
 
 template <class Action, class Data, class Force>
 auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force) {
-    auto const path = flow_of(equation, force).along(T, from);
-    if constexpr (std::same_as<typename Action::position_type::from, nodes>) {
-        using V = decltype(std::begin(path)->q);
-        std::vector<V> positions;
-        positions.reserve(static_cast<std::size_t>(T.size()));
-        for (auto const& at : path) positions.push_back(at.q);
-        return function_on(T, std::move(positions));
-    } else
-        return inner_points_along(equation, T, path);
+    return positions_along(equation, T, flow_of(equation, force).along(T, from));
 }
 /// Boundary values as states over times S. @throws error::mismatch, error::not_finite
 template <class S, class V>

@@ -123,7 +123,7 @@ public:
             auto const of_part = momenta_of(flow, x);
             for (std::size_t i = 0; i < p.size(); ++i) p[i] += of_part[static_cast<hilger::index_type>(i)];
         });
-        return {this->positions_on_T(x), std::move(p)};
+        return {this->values_on_T(x), std::move(p)};
     }
     [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&) const override {
         for (vector<S> const& x : positions) this->require_coordinates(x);

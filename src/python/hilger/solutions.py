@@ -99,9 +99,9 @@ class Solution:
 
     `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero;
     `x.residual()` what the positions leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
-    scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a
-    two-sided fractional equation has positions alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends with h.solve(later, q0=x.q[-1],
-    p0=x.p[-1]).
+    scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a two-sided fractional equation has positions
+    alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends
+    with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
