@@ -75,6 +75,10 @@ foreach(number IN ITEMS double hilger::float50)
   add_stated(memory memory_in_${name} ${number} "#include \"problems/memory_walk.hpp\"\nPROGRAM_WITH_MEMORY(${number})\n")
   add_stated(in_numbers with_force_in_${name} ${number} "#include \"problems/in_numbers.hpp\"\nPROGRAM_WITH_FORCE(${number})\n")
 endforeach()
+set(large in_double in_float100 memory_in_double small_1_with_inner_points_in_double small_2_with_inner_points_in_double
+  small_3_with_inner_points_in_double)
+list(TRANSFORM large REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/stated/\\1.cpp")
+set_property(SOURCE ${large} scenes/peers.cpp APPEND PROPERTY COMPILE_OPTIONS ${less_memory})
 # Scenes in files travel inside the program, under their names with - for _.
 file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)
 set(texts)
