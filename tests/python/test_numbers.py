@@ -50,6 +50,33 @@ class Digits(unittest.TestCase):
             for end in ends[1:]:
                 self.assertLess(abs(end - ends[0]), mpmath.mpf("1e-48"))
 
+    @unittest.skipIf(mpmath is None, "mpmath is not here")
+    def test_order_16_in_fifty_digits(self):
+        oscillator = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
+        errors = []
+        with mpmath.workdps(50):
+            # a velocity has the rounding of positions times the slopes of a polynomial of degree 8, 2 8^2/h, and a row of it once more
+            rounding = lambda h: (128 / h) ** 2 * mpmath.mpf(2) ** -167
+            for steps in (4, 8):
+                x = h.solve(h.variation(oscillator, h.uniform(mpmath.mpf(0), mpmath.mpf(2) / steps, steps), h.gauss(8)), q0=1, v0=0)
+                errors.append(abs(x.q[-1] - mpmath.cos(2)))
+                self.assertLess(x.residual(), rounding(mpmath.mpf(2) / steps))
+                self.assertLess(max(abs(e - x.energy()[0]) for e in x.energy()), mpmath.mpf("1e-47"))
+            self.assertAlmostEqual(float(mpmath.log(errors[0] / errors[1], 2)), 16, delta=0.02)
+            # a pendulum with friction, on points that are given, and between its ends
+            swung = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
+            T = h.TimeScale([mpmath.mpf(k) / 10 + mpmath.mpf(k * k) / 100 for k in range(6)])
+            x = h.solve(h.variation(swung, T, h.gauss(8)), q0=mpmath.mpf(1), v0=0)
+            again = h.solve(h.variation(swung, T, h.gauss(8)), q0=x.q[0], qN=x.q[-1])
+            self.assertLess(max(abs(y - z) for y, z in zip(again.q, x.q)), mpmath.mpf("1e-46"))
+            rough = h.solve(h.variation(swung, h.TimeScale([float(t) for t in x.t]), h.gauss(8)), q0=1, v0=0)
+            self.assertLess(max(abs(float(y) - z) for y, z in zip(x.q, rough.q)), 1e-15)
+            rubbed = h.solve(h.variation(swung, T, h.gauss(8)) + h.force(-v / 10), q0=1, v0=0)
+            self.assertLess(rubbed.energy()[-1], x.energy()[-1])
+            self.assertLess(rubbed.residual(), rounding(mpmath.mpf("0.11")))
+        with self.assertRaisesRegex(h.InvalidParameter, "in 50 digits the methods are .*mid-point, gauss-8, theta:0.3 .*and not 'gauss-4'"):
+            h.solve(h.variation(swung, T, h.gauss(4)), q0=1, v0=0)
+
     def test_what_is_no_number(self):
         for x in (Decimal("NaN"), float("nan")):
             with self.assertRaisesRegex(h.NotFinite, "a number in a formula is finite"):
