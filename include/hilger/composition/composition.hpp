@@ -73,12 +73,12 @@ public:
             if constexpr (kicks) kicks_.visit(f, each);
             if constexpr (turns_too) {
                 auto& flows = turns_->flows;
-                int turns = flows ? 1 : 0;
-                each("turns", turns);
-                if (turns == 0) flows.reset();
+                int in_turn = flows ? 1 : 0;
+                each("turns", in_turn);
+                if (in_turn == 0) flows.reset();
                 // What was read from a checkpoint may say that there are turns.
                 if constexpr (kicks)
-                    if (turns != 0 and not flows) flows.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
+                    if (in_turn != 0 and not flows) flows.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
                 if (flows) flows->visit(f, each);
             }
         }

@@ -17,7 +17,7 @@ namespace detail {
 /// l_m(c_k) and l_m'(c_k), in numbers S.
 template <class S, int Degree, class Quadrature, int Count>
 struct polynomial_table {
-    std::array<std::array<S, Degree + 1>, Count> value{}, slope{};
+    std::array<std::array<S, static_cast<std::size_t>(Degree + 1)>, static_cast<std::size_t>(Count)> value{}, slope{};
 
     template <class W, class Nodes>
     [[gnu::noinline, gnu::cold]] static constexpr polynomial_table of(Nodes const& node) {

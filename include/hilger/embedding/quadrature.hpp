@@ -119,7 +119,7 @@ namespace detail {
 template <class Quadrature, int Count>
 constexpr auto residues_of_quadrature() {
     struct {
-        std::array<prime_field, Count> node{}, weight{};
+        std::array<prime_field, static_cast<std::size_t>(Count)> node{}, weight{};
     } q;
     if constexpr (std::same_as<Quadrature, gauss> and Count == 1) {
         q.node[0] = prime_field(1) / prime_field(2);
@@ -161,7 +161,7 @@ auto wide_quadrature(int n) {
 /// c_1, ..., c_n and w_1, ..., w_n in numbers S.
 template <class S, class Quadrature, int Count>
 struct quadrature_numbers {
-    std::array<S, Count> node{}, weight{};
+    std::array<S, static_cast<std::size_t>(Count)> node{}, weight{};
     static quadrature_numbers const& here() {
         static quadrature_numbers const numbers = [] {
             auto const wide = wide_quadrature<S, Quadrature>(Count);

@@ -214,13 +214,14 @@ struct impulses_at_points {
     }
 };
 
-/// The Lagrangian L with the damping -rho D^beta q as impulses at the points of T, as the restricted variational principle has them:
-/// explicit, of order one, and with a limit of stability, rho h^{2 - beta} omega(-1)^beta / M < 4 for mid-point. rho, beta and the policy
-/// are as for with_fractional_damping, which has no such limit. @throws error::invalid_parameter when beta or rho is out of range
+/// The Lagrangian L with the damping -rho D^beta q, of this factor and order, as impulses at the points of T, as the restricted variational
+/// principle has them: explicit, of order one, and with a limit of stability, rho h^{2 - beta} omega(-1)^beta / M < 4 for mid-point. rho,
+/// beta and the policy are as for with_fractional_damping, which has no such limit. @throws error::invalid_parameter when beta or rho is
+/// out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
-auto with_fractional_impulses(L const& l, Rho rho, Order beta, Policy policy = {}, impulse_options options = {}) {
+auto with_fractional_impulses(L const& l, Rho factor, Order order, Policy policy = {}, impulse_options options = {}) {
     static_assert(not detail::is_damped<L>, "impulses of one damping: terms that are added up belong into with_fractional_damping");
-    auto damping = detail::checked_damping<G>(std::move(rho), std::move(beta), std::move(policy), options.history);
+    auto damping = detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), options.history);
     return damped_problem<L, impulses_at_points<decltype(damping)>>{l, {std::move(damping), options.at}};
 }
 

@@ -235,23 +235,23 @@ auto damped_by_mean(damped_problem<L, mean_over_step<Others...>> const& l, Dampi
 
 } // namespace detail
 
-/// The Lagrangian L with the damping -rho D^beta q, read as a mean over each step. rho is a number, or for vectors a vector of them:
-/// components whose rho is zero keep no history. beta in ]0, 2[ is fraction<P, Q>{} or a number; its unit of time is that of T, so rho has
-/// the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...), and what is damped already is
-/// damped again.
+/// The Lagrangian L with the damping -rho D^beta q, of this factor and order, read as a mean over each step. rho is a number, or for
+/// vectors a vector of them: components whose rho is zero keep no history. beta in ]0, 2[ is fraction<P, Q>{} or a number; its unit of time
+/// is that of T, so rho has the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...), and
+/// what is damped already is damped again.
 ///
 /// Embedded by mid-point it is of order two, also for q0 != 0 and v0 != 0; in the first steps, where the solution is like t^{3 - beta},
 /// momenta are of order 2 - beta only. It adds no limit to the length of steps: the work of the mean along the steps is never positive.
 /// @throws error::invalid_parameter when beta or rho is out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
-auto with_fractional_damping(L const& l, Rho rho, Order beta, Policy policy = {}, damping_options options = {}) {
-    return detail::damped_by_mean(l, detail::checked_damping<G>(std::move(rho), std::move(beta), std::move(policy), options.history));
+auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}, damping_options options = {}) {
+    return detail::damped_by_mean(l, detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), options.history));
 }
 /// The same with the sum of several terms, {{rho_1, beta_1}, {rho_2, beta_2}, ...}, each with a history of its own.
 template <generating_function G = grunwald_letnikov, class S = double, class L, class Policy = direct>
 auto with_fractional_damping(L const& l, std::vector<fractional_term<S>> const& terms, Policy policy = {}, damping_options options = {}) {
     std::vector<fractional_damping<G, S, run_time<S>, Policy>> all;
-    for (auto const& [rho, beta] : terms) all.push_back(detail::checked_damping<G>(rho, beta, policy, options.history));
+    for (auto const& [factor, order] : terms) all.push_back(detail::checked_damping<G>(factor, order, policy, options.history));
     return detail::damped_by_mean(l, std::move(all));
 }
 

@@ -112,7 +112,7 @@ class pointwise : public function_interface<pointwise<Map, F, Gs...>>,
     using operands = map_of_operands<std::index_sequence_for<F, Gs...>, Map, F, Gs...>;
 
 public:
-    constexpr explicit pointwise(Map map, F f, Gs... gs) : operands{{std::move(f)}, {std::move(gs)}..., std::move(map)} {
+    constexpr explicit pointwise(Map m, F f, Gs... gs) : operands{{std::move(f)}, {std::move(gs)}..., std::move(m)} {
         if constexpr (sizeof...(Gs) > 0) operands::require_common_points();
     }
 };

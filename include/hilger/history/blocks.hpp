@@ -87,7 +87,7 @@ public:
     }
     index_type count() const { return count_; }
     void reset() {
-        for (auto& part : parts_) part = {};
+        for (auto& p : parts_) p = {};
         past_ = detail::memory::zero_of_size(past_);
         count_ = 0;
         ready_ = true;
@@ -95,7 +95,7 @@ public:
     std::size_t bytes() const {
         std::size_t numbers = weights_.size() + reversed_.size() + 2 * work_.re.size();
         for (auto const& s : spectra_) numbers += 2 * s.re.size();
-        for (auto const& part : parts_) numbers += part.values.size() + part.ahead.size();
+        for (auto const& p : parts_) numbers += p.values.size() + p.ahead.size();
         return numbers * sizeof(S);
     }
     static std::string name() { return "blocks"; }

@@ -41,9 +41,9 @@ struct accurate_solution {
 
 /// From which accuracy on an embedding is cheaper than the ones of lower order. `hilger trade` measures where they cross. The last is for
 /// scalars of more digits than the processor has.
-enum class cheapest { mid_point, gauss_4, gauss_8, gauss_16 };
+enum class cheapest { gauss_1, gauss_4, gauss_8, gauss_16 };
 constexpr cheapest cheapest_for(double wanted) {
-    if (wanted > 1e-2) return cheapest::mid_point;
+    if (wanted > 1e-2) return cheapest::gauss_1;
     if (wanted > 1e-5) return cheapest::gauss_4;
     if (wanted > 1e-18) return cheapest::gauss_8;
     return cheapest::gauss_16;
@@ -172,15 +172,15 @@ private:
         return q;
     }
     static S largest(std::vector<V> const& x) {
-        S most(0);
-        for (V const& q : x) most = std::max(most, S(magnitude(q)));
-        return most;
+        S found(0);
+        for (V const& q : x) found = std::max(found, S(magnitude(q)));
+        return found;
     }
     /// Of every j-th position of x and every k-th of y.
     static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
-        S most(0);
-        for (std::size_t i = 0; i * j < x.size(); ++i) most = std::max(most, S(magnitude(V(x[i * j] - y[i * k]))));
-        return most;
+        S found(0);
+        for (std::size_t i = 0; i * j < x.size(); ++i) found = std::max(found, S(magnitude(V(x[i * j] - y[i * k]))));
+        return found;
     }
     /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: four more runs, three of which
     /// share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
@@ -247,7 +247,7 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     cheapest const best = cheapest_for(goal.wanted);
     // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
     if constexpr (std::is_floating_point_v<S>) {
-        if (best == cheapest::mid_point) return run(mid_point, "mid-point", 2);
+        if (best == cheapest::gauss_1) return run(mid_point, "mid-point", 2);
         if (best == cheapest::gauss_4) return run(detail::gauss_of<S, 4>, "Galerkin, 4 Gauss nodes", 8);
     } else {
         if (best == cheapest::gauss_16) return run(detail::gauss_of<S, 16>, "Galerkin, 16 Gauss nodes", 32);

@@ -136,8 +136,8 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
     auto const is_small = [&] {
         S const rounding = S(64) * epsilon<S>() * magnitude(x);
         for (int k = 0; k < s::dimension(x); ++k) {
-            S const size = std::max(S(magnitude(S(s::component(x, k)))), S(magnitude(S(s::component(start, k)))));
-            if (not(magnitude(S(s::component(d, k))) <= small * size + rounding)) return false;
+            S const reach = std::max(S(magnitude(S(s::component(x, k)))), S(magnitude(S(s::component(start, k)))));
+            if (not(magnitude(S(s::component(d, k))) <= small * reach + rounding)) return false;
         }
         return true;
     };

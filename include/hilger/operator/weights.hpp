@@ -41,8 +41,8 @@ template <int K>
 struct bdf {
     static constexpr auto name() { return fixed_text("bdf<") + digits<K>() + ">"; }
     template <class S>
-    static constexpr std::array<S, K + 1> numerator() {
-        std::array<S, K + 1> sum{}, power{S(1)}; // power: (1 - z)^j
+    static constexpr auto numerator() {
+        std::array<S, static_cast<std::size_t>(K + 1)> sum{}, power{S(1)}; // power: (1 - z)^j
         for (int j = 1; j <= K; ++j) {
             for (std::size_t i = static_cast<std::size_t>(j); i > 0; --i) power[i] = power[i] - power[i - 1];
             for (std::size_t i = 0; i <= static_cast<std::size_t>(j); ++i) sum[i] = sum[i] + power[i] / S(j);

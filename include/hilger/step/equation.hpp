@@ -115,7 +115,8 @@ public:
                 bool const again = is_constant and again_[0];
                 if (again) (void)compute(problem, x, 0, wanted::forces_only);
                 auto const moves_force = [&](block_number b, S const& by) {
-                    return not(by == S(0)) and not e.places().entries[b].empty() and (how == corrected::in_all or e.places().constant[b]);
+                    return not(by == S(0)) and not e.places().entries[at(b)].empty() and
+                           (how == corrected::in_all or e.places().constant[at(b)]);
                 };
                 if (again or how == corrected::in_nothing or not(moves_force(block_qq, t_.a(0, 1)) or moves_force(block_qv, t_.b(0, 1)))) {
                     e.put_by_q(t_.w(0), increment);
@@ -181,7 +182,7 @@ private:
     /// Whether the gradients at node k are affine in the unknowns: then a correction to first order is the whole of it.
     [[nodiscard]] bool is_affine(int k) const {
         auto const& places = nodes_[at(k)].places();
-        auto const block = [&](block_number b) { return places.constant[b] or places.entries[b].empty(); };
+        auto const block = [&](block_number b) { return places.constant[at(b)] or places.entries[at(b)].empty(); };
         for (int m = 1; m <= U; ++m)
             if (not((t_.a(k, m) == S(0) or (block(block_qq) and block(block_vq))) and
                     (t_.b(k, m) == S(0) or (block(block_qv) and block(block_vv)))))

@@ -72,7 +72,7 @@ auto drift_along(Path const& path, Quantity const& quantity) {
         if (count == 0) start = value;
         S const error = value - start;
         result.largest = detail::larger(result.largest, S(magnitude(error)));
-        S const n(++count), from_t = x.t - mean_t, from_e = error - mean_e;
+        S const n(static_cast<S>(++count)), from_t = x.t - mean_t, from_e = error - mean_e;
         mean_t = mean_t + from_t / n;
         mean_e = mean_e + from_e / n;
         result.time_square = result.time_square + from_t * (x.t - mean_t);

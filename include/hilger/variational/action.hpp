@@ -70,7 +70,7 @@ constexpr auto integral(lagrangian_density<F, A, B> const& density, Scale const&
     if constexpr (not std::same_as<typename SeenA::to, Base>)
         return detail::integrated_elsewhere<typename SeenA::to, D>();
     else {
-        constexpr bool on_steps = requires(Root const& T, Base const& b) { step_weight::at(T, b, index_type(0)); };
+        constexpr bool on_steps = requires(Root const& T, Base const& base) { step_weight::at(T, base, index_type(0)); };
         using W = std::conditional_t<on_steps, step_weight, delta_weight>;
         return action<F, SeenA, SeenB, W, Root>{density.function, a, b, scale.root()};
     }

@@ -184,10 +184,10 @@ public:
         detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
         auto const a = action_.position[unit];
         auto const b = action_.velocity[unit];
-        auto const of_position =
-            apply_pointwise([](auto const& at, S const& A, S const& B) { return block_of<V>(at.e.qq * A + at.e.qv * B); }, seconds, a, b);
-        auto const of_velocity =
-            apply_pointwise([](auto const& at, S const& A, S const& B) { return block_of<V>(at.vq_ * A + at.e.vv * B); }, seconds, a, b);
+        auto const of_position = apply_pointwise(
+            [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.e.qq * of_q + at.e.qv * of_v); }, seconds, a, b);
+        auto const of_velocity = apply_pointwise(
+            [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.vq_ * of_q + at.e.vv * of_v); }, seconds, a, b);
         return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
     }
     /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.

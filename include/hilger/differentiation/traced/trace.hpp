@@ -26,7 +26,10 @@ struct derivative_places {
     std::array<std::vector<second>, blocks> entries;
     std::array<bool, blocks> constant{}; ///< no value of the block ever changes
     /// In the argument that a block is of twice.
-    [[nodiscard]] int degree(block_number b) const { return entries[b].empty() ? 1 : constant[b] ? 2 : dependence::no_polynomial; }
+    [[nodiscard]] int degree(block_number b) const {
+        auto const k = static_cast<std::size_t>(b);
+        return entries[k].empty() ? 1 : constant[k] ? 2 : dependence::no_polynomial;
+    }
 };
 
 template <class S>
@@ -114,7 +117,8 @@ traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L,
         return node;
     };
     made.places.constant.fill(true);
-    auto const put = [&](block_number block, int row, int column, T const& x) {
+    auto const put = [&](block_number in, int row, int column, T const& x) {
+        auto const block = static_cast<std::size_t>(in);
         made.places.entries[block].push_back({row, column, ask(evaluation<S>::seconds, x)});
         if (not x.is_constant()) made.places.constant[block] = false;
     };
@@ -210,7 +214,7 @@ public:
     /// Calls put(row, column, derivative) for what is not zero in a block.
     template <class Put>
     void for_each_in(block_number block, Put const& put) const {
-        for (auto const& e : formula.places.entries[block]) put(e.row, e.column, value(e.place));
+        for (auto const& e : formula.places.entries[static_cast<std::size_t>(block)]) put(e.row, e.column, value(e.place));
     }
 
 private:

@@ -269,7 +269,7 @@ private:
     }
     S h_, w_, node_, c_, f_;
     [[no_unique_address]] Extra extra_;
-    std::array<components_, history> past_{};
+    std::array<components_, static_cast<std::size_t>(history)> past_{};
     int known_ = 0;
     [[no_unique_address]] summation<Compensated, S, N> sum_q_;
     [[no_unique_address]] summation<Compensated, S, N> sum_p_;
