@@ -13,7 +13,7 @@ using hilger::symbol;
 using hilger::detail::element;
 using hilger::detail::symbol_list;
 
-/// A lane that takes longer may be led to a root far away: it goes on alone, where that is looked at (hilger/newton/stop.hpp).
+/// A lane that takes longer is led away by its guess: it goes on alone, along Newton's path (hilger/newton/on_branches.hpp).
 constexpr int most_rounds_in_lanes = 4;
 
 /// Statements whose values are lanes, those of no variable too.
@@ -90,21 +90,24 @@ public:
     }
     /// In y: nothing is guessed.
     [[nodiscard]] bool is_linear() const { return linear_; }
+    /// The node is not at an end of the step: a velocity is guessed by a polynomial.
+    [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
     /// What is there in one place or two is part of the walk.
     [[nodiscard]] std::string text(bool is_inlined) const {
         std::string const array = "[" + std::to_string(N) + "]";
-        std::string all =
-            std::string("static ") + (is_inlined ? "inline __attribute__((always_inline))" : "__attribute__((noinline))") + " void " +
-            name_ +
-            "(lanes t, lanes h, const lanes *m, lanes *q, lanes *p, lanes *v, mask *lost)\n{\n    (void)t;\n    (void)m;\n    (void)v;\n";
+        std::string all = std::string("static ") + (is_inlined ? "inline __attribute__((always_inline))" : "__attribute__((noinline))") +
+                          " void " + name_ + "(lanes t, lanes h, const lanes *m, lanes *q, lanes *p, lanes *v, mask *lost" +
+                          (linear_ ? "" : ", lanes (*before)[" + std::to_string(N) + "], long known") +
+                          ")\n{\n    (void)t;\n    (void)m;\n    (void)v;\n";
         lane_statements constants("    ", "of");
         for (auto const& [name, value] : constants_) constants.add("const lanes " + name + " =", value);
         all += constants.text() + "    lanes y" + array + ", g" + array + " = {{0}}, d" + array +
-               ";\n    mask done = *lost, settled = {0};\n    (void)settled;\n";
+               ";\n    mask done = *lost, settled = {0}, late = {0};\n    (void)settled;\n    (void)late;\n";
         for (int k = 0; k < N; ++k) all += "    " + element("y", k) + " = " + (linear_ ? std::string("all(0.0)") : element("v", k)) + ";\n";
         all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
         all += iteration("        ") + "    }\n";
         if (f_.is(0)) all += force_at_the_end();
+        if (not linear_) all += nearness();
         lane_statements update("    ", "by");
         for (int k = 0; k < N; ++k) {
             update.add(element("q", k) + " +=", w_ * y_[static_cast<std::size_t>(k)]);
@@ -192,6 +195,7 @@ $in    together |= $r <= $rounding * ($all);
 $in}
 $insettled -= together | each;
 $indone |= each | (settled > 2) | *lost;
+$inif (iteration == 1) late = ~done;
 $inif (iteration == $most) *lost |= ~done, done |= *lost;
 )";
         return filled(text, {{"$small", small},
@@ -205,7 +209,7 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
                              {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
                              {"$r", rest},
                              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
-                             {"$most", std::to_string(is_inside() ? most_rounds_in_lanes : hilger::detail::most_iterations<double>)}});
+                             {"$most", std::to_string(most_rounds_in_lanes)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/step/small/one_node.hpp).
@@ -227,8 +231,23 @@ $inif (iteration == $most) *lost |= ~done, done |= *lost;
         }
         return text + in + "each |= " + each + ";\n";
     }
-    /// The node is not at an end of the step, so that the guess of a velocity is near (hilger/newton/stop.hpp).
-    [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
+    /// Where it took more than two rounds the root is one near the last velocity, or the lane is lost: is_near of hilger/newton/stop.hpp.
+    /// The first velocity is that at the start, half a step from the second; and where forces vanish changes grow from nothing.
+    [[nodiscard]] std::string nearness() const {
+        return hilger::detail::filled(R"(    if (known >= 2 && !are_all(~late)) {
+        lanes change = {0}, last = {0}, earlier = {0}, speed = {0};
+        for (int k = 0; k < $n; ++k) {
+            change = larger(size_of(y[k] - before[0][k]), change);
+            last = larger(size_of(before[0][k] - before[-1][k]), last);
+            earlier = larger(size_of(before[-1][k] - before[-2][k]), earlier);
+            speed = larger(size_of(before[0][k]), speed);
+        }
+        last = known > 2 ? larger(last, earlier) : 2.0 * last;
+        *lost |= late & ~(change <= larger(2.0 * last, 0.125 * speed));
+    }
+)",
+                                      {{"$n", std::to_string(N)}});
+    }
     [[nodiscard]] bool has_constant_mass() const {
         auto const is_number = [](symbol const& f) { return f.op() == hilger::operation::number; };
         return std::all_of(node_.pv.begin(), node_.pv.end(), is_number) and std::all_of(node_.gv.begin(), node_.gv.end(), is_number) and

@@ -8,6 +8,7 @@ namespace engine {
 namespace {
 
 /// The guess of a velocity is the polynomial through those of so many equal steps before, as far as there are; of other steps, through two.
+/// At an end of the step it is the last velocity, as in hilger/step/small/one_node.hpp: a polynomial may lie in the reach of another root.
 constexpr int guesses = 7;
 
 bool is_everywhere_smooth(symbol_list const& formulas) {
@@ -164,8 +165,9 @@ $parts$keeping        now = now + 1 == guesses ? 0 : now + 1;
 )";
 constexpr char const* one_part = R"(        {
             const double share = $share * h;
-            lanes y[$n] = {{0}};
-$guess            part_$kind(all(t), all(share), m, q, p, y, &lost);
+            lanes y[$n] = {{0}}, (*newest)[$n] = v[$part][0] + now + guesses - 1;
+            (void)newest;
+$guess            part_$kind(all(t), all(share), m, q, p, y, &lost$before);
 $remember            t += share;
         }
 )";
@@ -176,13 +178,14 @@ constexpr char const* keeping = R"(        if (kept_q) {
         }
 )";
 // From the newest velocity back. Most steps are equal ones, and there the compiler knows how many there are.
-constexpr char const* guess = R"(            lanes (*newest)[$n] = v[$part][0] + now + guesses - 1;
-            if (most == guesses)
+constexpr char const* guess = R"(            if (most == guesses)
                 for (int j = 0; j < guesses; ++j)
                     for (int k = 0; k < $n; ++k) y[k] += of[j] * newest[-j][k];
             else
                 for (int j = 0; j < 2; ++j)
                     for (int k = 0; k < $n; ++k) y[k] += of[j] * newest[-j][k];
+)";
+constexpr char const* last = R"(            memcpy(y, newest[0], sizeof y);
 )";
 constexpr char const* remember = R"(            memcpy(v[$part][0][now], y, sizeof y);
             memcpy(v[$part][1][now], y, sizeof y);
@@ -218,11 +221,14 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
                                         {"$isa", width == 8   ? "eN8v"
                                                  : width == 4 ? "dN4v"
                                                               : "bN2v"}});
-    std::vector<bool> is_linear;
+    struct solved {
+        bool is_linear, is_inside;
+    };
+    std::vector<solved> kinds;
     for (std::size_t k = 0; k < of.kinds.size(); ++k) {
         lane_part const part(what, of.kinds[k], "part_" + std::to_string(k), one);
         text += '\n' + part.text(of.parts.size() <= 2);
-        is_linear.push_back(part.is_linear());
+        kinds.push_back({part.is_linear(), part.is_inside()});
     }
     text += "\nenum { parts = " + std::to_string(of.parts.size()) + ", guesses = " + std::to_string(guesses) +
             ", brought = " + std::to_string(brought) + " };\n" + polynomials();
@@ -234,12 +240,17 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
     text += '\n' + hilger::detail::c_solve("mass", N) +
             filled(beginning, {{"$state", state_in}, {"$momenta", momenta.text()}, {"$masses", masses.text()}, {"$n", n}});
     std::string parts;
-    for (std::size_t k = 0; k < of.parts.size(); ++k)
-        parts += filled(one_part, {{"$guess", is_linear[of.parts[k].kind] ? "" : guess},
-                                   {"$remember", is_linear[of.parts[k].kind] ? "" : remember},
+    for (std::size_t k = 0; k < of.parts.size(); ++k) {
+        auto const [is_linear, is_inside] = kinds[of.parts[k].kind];
+        parts += filled(one_part, {{"$guess", is_linear   ? ""
+                                              : is_inside ? guess
+                                                          : last},
+                                   {"$remember", is_linear ? "" : remember},
+                                   {"$before", is_linear ? "" : ", newest, step > 0.0 ? i + 1 : 0"},
                                    {"$share", hilger::detail::c_spelling::number(of.parts[k].share)},
                                    {"$part", std::to_string(k)},
                                    {"$kind", std::to_string(of.parts[k].kind)}});
+    }
     return text + filled(walking, {{"$state", state_in}, {"$parts", parts}, {"$keeping", one ? keeping : ""}, {"$n", n}});
 }
 
