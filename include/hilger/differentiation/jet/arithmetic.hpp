@@ -168,9 +168,12 @@ HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x)
     S const ii = i * i;
     return chain_rule(x, i, ii, S(ii * i), S(-1), S(-2));
 }
+// The value of a quotient is rounded once, as in plain numbers and traced formulas: what compares it takes the same branch in all of them.
 template <class S, int F, int C, int G, int D, int O>
 HILGER_ALWAYS_INLINE constexpr auto operator/(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    return x * inverse(y);
+    auto z = x * inverse(y);
+    z.value = x.value / y.value;
+    return z;
 }
 
 // Constants: whole numbers and doubles meet wide scalars exactly as the user wrote them.
@@ -208,7 +211,9 @@ HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator/(jet<S, F, C, O> const& 
 }
 template <class S, int F, int C, int O, constant_for<S> K>
 HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator/(K const& c, jet<S, F, C, O> const& x) {
-    return inverse(x) * c;
+    auto z = inverse(x) * c;
+    if (S const n(c); not detail::is_known_one(n)) z.value = n / x.value;
+    return z;
 }
 
 } // namespace hilger
