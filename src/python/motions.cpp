@@ -53,17 +53,13 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
                           stopped, interrupted);
 }
 
-/// The first state at or behind the zero of g between two neighbouring ones, where g was and is: see hilger/trajectory/events.hpp.
+/// The first fraction of a step at or behind the zero of g, which was and is at its ends: see hilger/trajectory/events.hpp.
 template <class S>
-engine::state<S> zero_between(engine::motion<S> const& path, engine::state<S> const& x, engine::state<S> const& y, S const& was,
-                              S const& now, std::function<S(engine::state<S> const&)> const& g) {
+S fraction_at_zero(std::function<S(S const&)> const& g, S const& was, S const& now) {
     if constexpr (std::numeric_limits<S>::is_exact)
         hilger::error::raise<hilger::error::invalid_parameter>("events are located by root finding, which rationals have not");
-    else {
-        auto const at = [&](S const& fraction) { return path.between_states(x, y, S(x.t + fraction * (y.t - x.t))); };
-        S const fraction = hilger::detail::fraction_at_zero([&](S const& s) { return g(at(s)); }, was, now);
-        return fraction == S(1) ? y : at(fraction);
-    }
+    else
+        return hilger::detail::fraction_at_zero(g, was, now);
 }
 
 template <class S>
@@ -114,16 +110,11 @@ void add_motion(py::module_& m, char const* name) {
         .def("equation", &motion::equation)
         .def("energy", [state_of](motion const& path, number const& t, given const& q, given const& p,
                                   given const& near) { return with::word(path.energy(state_of(t, q, p), with::vector_of(near))); })
-        .def("zero_between",
-             [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1, given const& q1,
-                        given const& p1, number const& was, number const& now, py::function const& g) {
-                 auto const value = [&](engine::state<S> const& x) {
-                     return with::number(g(*tuple_of<S>(x.t, x.q, x.p)).template cast<number>());
-                 };
-                 auto const at =
-                     zero_between<S>(path, state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(was), with::number(now), value);
-                 return tuple_of<S>(at.t, at.q, at.p);
-             })
+        .def_static("fraction_at_zero",
+                    [](py::function const& g, number const& was, number const& now) {
+                        auto const value = [&](S const& fraction) { return with::number(g(with::word(fraction)).template cast<number>()); };
+                        return with::word(fraction_at_zero<S>(value, with::number(was), with::number(now)));
+                    })
         .def("between_states", [state_of](motion const& path, number const& t0, given const& q0, given const& p0, number const& t1,
                                           given const& q1, given const& p1, number const& t) {
             auto const x = path.between_states(state_of(t0, q0, p0), state_of(t1, q1, p1), with::number(t));

@@ -53,6 +53,27 @@ class Exact(unittest.TestCase):
         with self.assertRaisesRegex(h.InvalidParameter, "theta takes a number between 0 and 1"):
             h.solve(h.variation(oscillator, h.uniform(0, Fraction(1, 10), 3), "theta:2"), q0=1, v0=0)
 
+    def test_an_accuracy_holds_between_the_points_too(self):
+        oscillator = h.Lagrangian(v**2 / 2 - q**2 / 2, q, v)
+        t = np.linspace(0, 30, 301)
+        for accuracy in (1e-3, 1e-6, 1e-9, 1e-12):
+            x = h.solve(oscillator, (0, 30), q0=1.0, v0=0.0, accuracy=accuracy)
+            self.assertLess(np.abs(x(t) - np.cos(t)).max(), accuracy)
+            self.assertTrue(np.array_equal(x(x.t), x.q))
+            zeros = x.events(lambda t, q, p: q)
+            self.assertEqual(len(zeros.t), 10)
+            self.assertLess(np.abs(zeros.t - np.pi * (np.arange(10) + 0.5)).max(), accuracy)
+            self.assertLess(np.abs(np.abs(zeros.p) - 1).max(), accuracy)
+            # in a step that has two
+            near = x.events(lambda t, q, p: q + 0.9, "falling")
+            self.assertEqual(len(near.t), 5)
+
+    def test_energies_are_of_the_branches_of_the_steps(self):
+        for threshold in ("7/20", "0.35", "7*0.05"):
+            EL = h.variation(h.Lagrangian(f"if(t < {threshold}, 1, 3)*v^2/2"), h.uniform(0.35, 0.1, 2))
+            x = h.solve(EL, q0=0.0, v0=1.0)
+            self.assertTrue(np.array_equal(x.energy(), x.p**2 / (2 * np.where(x.t < eval(threshold), 1, 3))))
+
     def test_between_two_ends_against_a_force(self):
         for T in (h.uniform(0, Fraction(1, 4), 6), h.TimeScale(["0", "1/3", "1", "7/5", "2"])):
             for method in (h.order_one, h.midpoint):

@@ -155,40 +155,59 @@ class Solution:
         if len(self) == 1:
             return self.q[0]
         i = min(max(int(np.searchsorted(self.t, t, side="right")) - 1, 0), len(self) - 2)
-        row, time = self._row, self._time
-        ends = (z for j in (i, i + 1) for z in (time(self.t[j]), row(self.q, j), row(p, j)))
-        q, _ = self._motion.between_states(*ends, time(t))
-        kind = self.equation.scale.kind()
-        q = numbers_from(kind, q)
+        q = numbers_from(self.equation.scale.kind(), self._inside(i, t)[0])
         return q[0] if self.q.ndim == 1 else q
+
+    def _inside(self, i: int, t):
+        """q and p at t between the points i and i + 1, as the engine says them."""
+        row, time = self._row, self._time
+        ends = (z for j in (i, i + 1) for z in (time(self.t[j]), row(self.q, j), row(self.p, j)))
+        return self._motion.between_states(*ends, time(t))
 
     def events(self, g: Callable, crossing: str = "any") -> Events:
         """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
 
-        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step are not seen, and a pole, where
-        |g| is larger than at both ends of its step, is none. A g that is true or false passes zero where it changes.
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step (of a solution to an accuracy within
+        an eighth of one) are not seen, and a pole, where |g| is larger than at both ends of its step, is none. A g that is true or false
+        passes zero where it changes.
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
-        p, row, zeros = self._momenta(), self._row, Zeros(g, self.equation.scale.kind(), self.q.ndim == 1, "what passes zero")
-        value, state = zeros.value, zeros.state
-
-        def between(*made):
-            return self._time(value(*state(*made), inside=True))
-
+        p, looks = self._momenta(), self._looks
+        zeros = Zeros(g, self.equation.scale.kind(), self.q.ndim == 1, "what passes zero")
         found = []
-        was = value(self.t[0], self.q[0], p[0])
-        for i in range(1, len(self)):
-            now = value(self.t[i], self.q[i], p[i])
-            if zeros.passed(was, now, crossing):
-                ends = (z for j in (i - 1, i) for z in (self._time(self.t[j]), row(self.q, j), row(p, j)))
-                at = state(*self._motion.zero_between(*ends, self._time(was), self._time(now), between))
-                if abs(value(*at, inside=True)) <= max(abs(was), abs(now)):
-                    found.append(at)
-            was = now
+        last = self.t[0], self.q[0], p[0]
+        was = zeros.value(*last)
+        for i in range(len(self) - 1):
+            start, end = self.t[i], (self.t[i + 1], self.q[i + 1], p[i + 1])
+            for k in range(1, looks + 1):
+                state = end if k == looks else self._state(zeros, i, start + k * (end[0] - start) / looks)
+                now = zeros.value(*state)
+                if zeros.passed(was, now, crossing):
+                    zero = self._zero(zeros, i, last, state, was, now)
+                    if abs(zeros.value(*zero, inside=True)) <= max(abs(was), abs(now)):
+                        found.append(zero)
+                last, was = state, now
         t, q, momenta = zip(*found) if found else ((), (), ())
         empty = self.q[:0]
         return Events(np.array(t, dtype=self.t.dtype), np.array(q) if found else empty, np.array(momenta) if found else empty)
+
+    def _state(self, zeros: Zeros, i: int, t):
+        return zeros.state(self._time(t), *self._inside(i, t))
+
+    def _zero(self, zeros: Zeros, i: int, first: tuple, last: tuple, was, now) -> tuple:
+        """The first state at or behind the zero of g between two of step i, where g was and is."""
+
+        def at(fraction):
+            with digits_of(zeros.kind):
+                t = first[0] + number_from(zeros.kind, fraction) * (last[0] - first[0])
+            return self._state(zeros, i, t)
+
+        fraction = self._motion.fraction_at_zero(lambda s: self._time(zeros.value(*at(s), inside=True)), self._time(was), self._time(now))
+        return last if number_from(zeros.kind, fraction) == 1 else at(fraction)
+
+    #: How often events are looked for in a step.
+    _looks = 1
 
     def residual(self):
         """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding; of a solution
@@ -251,11 +270,25 @@ class AccurateSolution(Solution):
     the distance of q from the run with half as many steps.
 
     That is more than its own error where L is smooth; where L has branches it is four times the largest distance from five other runs.
+    Between the points x(t) and x.events(g) are as accurate as at them: what is there is a step of the same method, from the point before.
     """
+
+    _looks = 8  # steps are long
 
     def __init__(self, equation: Equation, start: tuple, t, q, p, error: float) -> None:
         super().__init__(equation, start, "exponentials", t, q, p, None)
         self.error = error
+
+    def _inside(self, i: int, t):
+        for j in (i, i + 1):
+            if t == self.t[j]:
+                return self._row(self.q, j), self._row(self.p, j)
+        for steps in (1, 2, 4, 8):  # which fail where they are long
+            shorter = replace(self.equation, scale=Uniform(self.t[i], (t - self.t[i]) / steps, steps))
+            _, q, p, stopped, _ = shorter._motion(self._history).walk(self._row(self.q, i), "p0", self._row(self.p, i), None, None)
+            if not stopped:
+                return q[-1], p[-1]
+        raise _core.NoConvergence(f"between the points, at t = {t}: {stopped}")
 
     @property
     def method(self) -> str:
