@@ -192,7 +192,9 @@ class Shown(unittest.TestCase):
         shown = (oscillator + h.force("-v/3") + h.damping(0.2, 0.5))._repr_latex_()
         for part in ("$\\displaystyle", "L = \\frac", "\\begin{aligned}", "\\frac{v}{3}", "-0.2 \\, D^{0.5} q"):
             self.assertIn(part, shown)
-        self.assertIn("\\text{verlet", h.variation(oscillator.lagrangian, oscillator.scale, h.verlet)._repr_latex_())
+        of_verlet = h.variation(oscillator.lagrangian, oscillator.scale, h.verlet)
+        self.assertIn("\\text{verlet", of_verlet._repr_latex_())
+        self.assertIn("\nverlet\nbeside ∂L/∂q: -v", repr(of_verlet + h.force(-v)))
 
     def test_names(self):
         for name, shown in (

@@ -40,6 +40,9 @@ public:
             V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
             detail::require_same_dimension(q0, v0, "the initial position and velocity");
             V p0 = self().momentum(T.min(), q0, v0);
+            if (detail::all_finite(q0) and detail::all_finite(v0) and not detail::all_finite(p0))
+                error::raise<error::not_finite>("the momentum dL/dv at the initial position and velocity is NaN or infinity, and they are "
+                                                "finite: L has none there");
             return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
         });
     }

@@ -226,7 +226,8 @@ class Equation:
         if self.material is not None:
             m = self.material
             more += f"material: E₀ = {m.relaxed_modulus}, E∞ = {m.unrelaxed_modulus}, τ = {m.relaxation_time}, α = {m.alpha}\n"
-        return f"{self._lagrangians(False)}\n{self._written(False)}{more}"
+        written = self._written(False)
+        return f"{self._lagrangians(False)}\n{written}{'' if written.endswith(chr(10)) or not more else chr(10)}{more}"
 
     def _lagrangians(self, latex: bool) -> str:
         if not self.besides:

@@ -198,6 +198,12 @@ TEST_CASE("what goes wrong is said, and the trajectory so far is kept") {
     CHECK_THROWS_WITH_AS((void)embed(pendulum, mid_point).along(T, std::nan(""), 0.0),
                          "the initial position and momentum are finite numbers, and these contain NaN or infinity", error::not_finite);
     CHECK_THROWS_AS((void)embed(pendulum, mid_point).along(T, 0.0, infinity), error::not_finite);
+    auto const relativistic = embed(lagrangian{[](auto const&, auto const& v) { return -sqrt(1 - v * v); }}, mid_point);
+    for (double const faster : {1.0, 1.5})
+        CHECK_THROWS_WITH_AS((void)relativistic.along(T, initial_velocity{0.0, faster}),
+                             "the momentum dL/dv at the initial position and velocity is NaN or infinity, and they are finite: L has none "
+                             "there",
+                             error::not_finite);
 
     lagrangian const massless{[](auto const& x, auto const& v) { return x * v; }};
     auto const walk = [&](auto const& L, auto const& scale, double q0, double p0) {
