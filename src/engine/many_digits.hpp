@@ -37,7 +37,7 @@ std::unique_ptr<motion<S>> made_by(Embedding const& how, problem const& what, st
 /// By a Galerkin embedding. @returns nothing for any other method
 template <class S>
 std::unique_ptr<motion<S>> made_with_inner_points(problem const&, std::string const&, points<S> const&) {
-    return nullptr; // irrational nodes
+    return nullptr; // rationals, which the nodes are not
 }
 template <>
 std::unique_ptr<motion<hilger::float50>> made_with_inner_points(problem const& what, std::string const& method,

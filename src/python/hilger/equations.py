@@ -227,7 +227,9 @@ class Equation:
             m = self.material
             more += f"material: E₀ = {m.relaxed_modulus}, E∞ = {m.unrelaxed_modulus}, τ = {m.relaxation_time}, α = {m.alpha}\n"
         written = self._written(False)
-        return f"{self._lagrangians(False)}\n{written}{'' if written.endswith(chr(10)) or not more else chr(10)}{more}"
+        if more and not written.endswith("\n"):  # of a method that is a name
+            written += "\n"
+        return f"{self._lagrangians(False)}\n{written}{more}"
 
     def _lagrangians(self, latex: bool) -> str:
         if not self.besides:
