@@ -200,6 +200,8 @@ class Equation:
     def c_code(self, name: str) -> str:
         """One step as C99 that needs math.h alone, of order_one, order_one_left, midpoint, theta and embeddings of operators:
         ``int NAME_step(double h, double q[d], double p[d], double v[d])``, with ``double t`` first where the time is read."""
+        if not isinstance(name, str):
+            raise TypeError(f"C code has a name, a text, and here is {name!r}")
         return self._stated().c_code(self.method.name, name)
 
     def _motion(self, history: str = "direct"):

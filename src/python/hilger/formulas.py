@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import operator
 import re
-from typing import Iterator, Sequence, Union
+from typing import Iterable, Iterator, Sequence, Union
 
 import numpy as np
 
@@ -55,9 +55,13 @@ class Vector(np.lib.mixins.NDArrayOperatorsMixin):
         return f"{self.name}[{self.size}]"
 
 
-def variables(names: str, size: int = 0) -> "tuple[Expression | Vector, ...] | Expression | Vector":
+def variables(names: "str | Iterable[str]", size: int = 0) -> "tuple[Expression | Vector, ...] | Expression | Vector":
     """Variables by name: ``q, v = variables("q v")`` are numbers, ``variables("q v", 3)`` and ``variables("q[3] v[3]")`` vectors."""
     made = []
+    if not isinstance(names, str):
+        if not np.iterable(names) or not all(isinstance(name, str) for name in names):
+            raise TypeError(f"variables are named in a text, as in 'q v', and here is {names!r}")
+        names = " ".join(names)
     for word in names.replace(",", " ").split():
         found = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", word)
         if found is None:

@@ -130,6 +130,8 @@ class TimeScale:
     def __init__(self, points: Iterable[object]) -> None:
         if isinstance(points, str):
             raise TypeError(f"a time scale is a list of points, and here is the text {points!r}")
+        if not np.iterable(points):
+            raise TypeError(f"a time scale is a list of points, and here is {points!r}; h.uniform(start, step, steps) makes one of equal steps")
         self.points = tuple(points)
         if len(self.points) < 2:
             raise _core.InvalidScale(f"a time scale needs two points, and here are {len(self.points)}")

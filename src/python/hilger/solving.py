@@ -221,4 +221,6 @@ def machine_code(how: str = "on") -> None:
 
     What is compiled is kept in the folder hilger of $XDG_CACHE_HOME or ~/.cache. HILGER_MACHINE_CODE=off in the environment says "off".
     """
+    if not isinstance(how, str):
+        raise TypeError(f'machine code is "on", "off" or "at once", and here is {how!r}')
     _core.set_machine_code(how)
