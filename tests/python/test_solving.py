@@ -68,6 +68,12 @@ class Exact(unittest.TestCase):
             near = x.events(lambda t, q, p: q + 0.9, "falling")
             self.assertEqual(len(near.t), 5)
 
+    def test_what_is_no_number_is_no_larger_or_smaller_one(self):
+        for f in ("max(0, sqrt(q))", "max(sqrt(q), 0)", "min(0, sqrt(q))", "min(sqrt(q), 0)"):
+            EL = h.variation(h.Lagrangian("v^2/2"), h.uniform(0, 0.5, 1), h.order_one) + h.force(f)
+            with self.assertRaisesRegex(h.StepFailure, "NaN"):
+                h.solve(EL, q0=-1.0, v0=0.0)
+
     def test_energies_are_of_the_branches_of_the_steps(self):
         for threshold in ("7/20", "0.35", "7*0.05"):
             EL = h.variation(h.Lagrangian(f"if(t < {threshold}, 1, 3)*v^2/2"), h.uniform(0.35, 0.1, 2))

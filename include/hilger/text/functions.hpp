@@ -97,19 +97,20 @@ T absolute(T const& x) {
     else
         return x < T(0) ? T(-x) : x;
 }
+/// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
 T least_of(T const& x, T const& y) {
     if constexpr (std::same_as<T, symbol>)
         return min(x, y);
     else
-        return y < x ? y : x;
+        return x <= y ? x : y < x ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
     if constexpr (std::same_as<T, symbol>)
         return max(x, y);
     else
-        return x < y ? y : x;
+        return y <= x ? x : x < y ? y : T(x + y);
 }
 
 } // namespace hilger::text

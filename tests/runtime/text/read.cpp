@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Formulas in text: what they mean, in exact rationals, and what is said about those that mean nothing.
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "hilger/multiprecision.hpp"
@@ -19,11 +21,12 @@ std::shared_ptr<text::vocabulary const> words() {
     return made;
 }
 /// At t = 7, x = 2, u = -1, q = (3, 5, -4), v = (1/2, 0, 6), z = 9, s = 8.
-Q value_of(std::string const& formula) {
-    Q const q[] = {2, 3, 5, -4, 9}, v[] = {-1, Q(1, 2), 0, 6, 8};
+template <class S = Q>
+S value_of(std::string const& formula) {
+    S const q[] = {2, 3, 5, -4, 9}, v[] = {-1, S(1) / S(2), 0, 6, 8};
     text::stated const f(text::read(formula), words(), "f");
     return f.value(
-        Q(7), [&](int k) { return q[k]; }, [&](int k) { return v[k]; });
+        S(7), [&](int k) { return q[k]; }, [&](int k) { return v[k]; });
 }
 std::string refusal_of(std::string const& formula) {
     try {
@@ -92,6 +95,8 @@ TEST_CASE("sums, choices and comparisons") {
     CHECK(value_of("if(not x != 2, 1, 2)") == 1);
     CHECK(value_of("if(x <= 2 and not (u == -1), 1, 2)") == 2);
     CHECK(value_of("min(x, u) + 10*max(x, u) + 100*abs(u)") == -1 + 20 + 100);
+    for (char const* none : {"max(0, sqrt(u))", "max(sqrt(u), 0)", "min(0, sqrt(u))", "min(sqrt(u), 0)", "max(1, max(sqrt(u), 0))"})
+        CHECK(std::isnan(value_of<double>(none)));
 }
 TEST_CASE("what means nothing is said, and where") {
     auto const says = [](std::string const& formula, std::string const& sentence) {
