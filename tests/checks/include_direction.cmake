@@ -5,13 +5,14 @@ cmake_minimum_required(VERSION 3.22)
 
 set(order
   "inlining.hpp"
-  "error.hpp error_free.hpp fixed_text.hpp function_view.hpp scalar.hpp version.hpp"
+  "error.hpp error_free.hpp fixed_text.hpp function_view.hpp scalar.hpp simd.hpp version.hpp"
   "whole_number.hpp"
   "scale"
   "function"
   "operator"
   "adjoint"
   "printing"
+  "fourier"
   "history"
   "embedding"
   "linear"

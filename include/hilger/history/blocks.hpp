@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hilger/fourier/transform.hpp"
 #include "hilger/history/direct.hpp"
-#include "hilger/history/fourier.hpp"
 
 namespace hilger {
 

@@ -7,8 +7,8 @@
 
 #include "hilger/error.hpp"
 #include "hilger/fixed_text.hpp"
-#include "hilger/history/simd.hpp"
 #include "hilger/scalar.hpp"
+#include "hilger/simd.hpp"
 
 namespace hilger::detail::memory {
 

@@ -6,8 +6,8 @@
 
 #include <bit>
 
+#include "hilger/fourier/transform.hpp"
 #include "hilger/history/component.hpp"
-#include "hilger/history/fourier.hpp"
 #include "hilger/operator/weights.hpp"
 
 namespace hilger {

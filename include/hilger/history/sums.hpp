@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "hilger/error_free.hpp"
-#include "hilger/history/simd.hpp"
+#include "hilger/simd.hpp"
 
 namespace hilger::detail::memory {
 

@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "hilger/history/modes.hpp"
-#include "hilger/history/simd.hpp"
+#include "hilger/simd.hpp"
 #include "hilger/trajectory/operation_record.hpp"
 
 namespace hilger {

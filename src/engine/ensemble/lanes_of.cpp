@@ -7,6 +7,8 @@ namespace engine {
 
 namespace {
 
+using hilger::detail::symbol_list;
+
 /// The guess of a velocity is the polynomial through those of so many equal steps before, as far as there are; of other steps, through two.
 /// At an end of the step it is the last velocity, as in hilger/step/small/one_node.hpp: a polynomial may lie in the reach of another root.
 constexpr int guesses = 7;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// The passes of the transform of fourier.hpp in the widest packs that fit a block and this processor.
+// The passes of transform.hpp in the widest packs that fit a block and this processor.
 #pragma once
 
-#include "hilger/history/fourier_pass.hpp"
+#include "hilger/fourier/pass.hpp"
 
 namespace hilger::detail::memory {
 

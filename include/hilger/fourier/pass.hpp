@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// One pass of the transform of fourier.hpp, forwards and backwards.
+// One pass of transform.hpp, forwards and backwards.
 #pragma once
 
 #include <cstddef>
 #include <type_traits>
 
-#include "hilger/history/simd.hpp"
+#include "hilger/simd.hpp"
 
 namespace hilger::detail::memory {
 
