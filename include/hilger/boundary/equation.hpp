@@ -72,6 +72,14 @@ public:
         }
         return at;
     }
+    /// From now on the equation is that of (1 - s) v.M v / 2 + s L, M as L has it at the first point of start(), whose solution is start()
+    /// for s = 0.
+    void set_share(S const& share) {
+        share_ = share;
+        if (share == S(1)) return;
+        point const first = start();
+        mass_ = expand(at_time{L_, T_.element(1)}, first.q[0], first.v[0]).vv;
+    }
     /// The positions of `next`. What rounding, times the condition of the problem, has taken from the condition at t_N is given back to its
     /// velocities along g, with the derivatives at `at`.
     void place(point const& at, point& next) const {
@@ -94,6 +102,7 @@ public:
             S const t = T_.element(static_cast<index_type>(i) + 1);
             at.at.push_back(expand(at_time{L_, t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
+            if (not(share_ == S(1))) take_share(e, at.v[i]);
             force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g: lambda takes it up
             forced = forced or magnitude(force.back()) != S(0);
             at.coupled = at.coupled or largest_entry(e.qq) != S(0) or largest_entry(e.qv) != S(0);
@@ -145,6 +154,14 @@ public:
     }
 
 private:
+    void take_share(expansion<V>& e, V const& v) const {
+        S const rest = S(1) - share_;
+        e.by_q = share_ * e.by_q;
+        e.by_v = share_ * e.by_v + rest * V(mass_ * v);
+        e.qq = share_ * e.qq;
+        e.qv = share_ * e.qv;
+        e.vv = share_ * e.vv + rest * mass_;
+    }
     [[nodiscard]] S g(std::size_t i) const { return scale_ * beta_[count_ - 1 - i]; }
     [[nodiscard]] values position(values const& v) const {
         values q = integrated(v);
@@ -185,6 +202,8 @@ private:
     S scale_; ///< h^alpha omega(0)^-alpha
     std::vector<S> beta_;
     toeplitz_triangle<S> inverse_;
+    S share_{1};
+    block_of<V> mass_{};
 };
 
 } // namespace hilger::detail

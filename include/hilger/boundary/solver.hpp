@@ -13,7 +13,7 @@
 namespace hilger {
 
 struct boundary_options {
-    int most_iterations = 50;    ///< of Newton's method
+    int most_iterations = 50;    ///< of Newton's method, for one equation
     int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
     int most_applications = 600; ///< of a derivative, in one linear equation
     std::stop_token stop = {};   ///< who asks it to stop gets an error::no_convergence
@@ -46,30 +46,68 @@ public:
         : action_(action), equation_(action, first, last), options_(options) {}
 
     boundary_solution<Root, V> solve() {
-        point at = equation_.start();
-        equation_.evaluate(at);
-        if (not equation::all_finite(at.rest))
+        point start = equation_.start();
+        equation_.evaluate(start);
+        if (not equation::all_finite(start.rest))
             error::raise<error::not_finite>("L or its derivatives are NaN or infinite at the first guess, the solution for L = v.v / 2");
-        S size(0);
-        int iteration = 0;
-        while (not at_rest(at)) {
-            if (iteration == most()) fail(at, size, iteration);
-            ++iteration;
-            auto const [correction, accuracy] = solve_linear(at);
-            size = relative_size(correction, at.v);
-            // The error left is accuracy times size, for the linear equation, and size^2, for what is not linear.
-            bool const last = not exact and size * std::max(size, accuracy) <= small() * small();
-            branch_path const path = at.path;
-            if (not advance(at, correction, last)) fail(at, size, iteration);
-            if (last and at.path == path) break; // what a correction proves, it proves of the branches it was made on
-        }
-        values all = equation_.whole(at);
+        attempt found = newton(start, most());
+        if constexpr (not exact)
+            if (not found.arrived) found = by_growing_shares(std::move(start), std::move(found));
+        if (not found.arrived) fail(found);
+        values all = equation_.whole(found.at);
         if (not equation::all_finite(all)) error::raise<error::not_finite>("the solution of a boundary value problem is NaN or infinite");
         S const largest = largest_of(convolved_residual(action_, all));
-        return {function_on(action_.T, std::move(all)), largest, iteration, applications_};
+        return {function_on(action_.T, std::move(all)), largest, iterations_, applications_};
     }
 
 private:
+    /// Where Newton's method came to, and the last correction relative to the velocity.
+    struct attempt {
+        point at;
+        S size{0};
+        bool arrived = false;
+    };
+    /// From a point that is evaluated.
+    attempt newton(point at, int most_corrections) {
+        attempt so{std::move(at)};
+        for (int count = 0; not at_rest(so.at); ++count) {
+            if (count == most_corrections) return so;
+            ++iterations_;
+            auto const [correction, accuracy] = solve_linear(so.at);
+            so.size = relative_size(correction, so.at.v);
+            // The error left is accuracy times size, for the linear equation, and size^2, for what is not linear.
+            bool const last = not exact and so.size * std::max(so.size, accuracy) <= small() * small();
+            branch_path const path = so.at.path;
+            if (not advance(so.at, correction, last)) return so;
+            if (last and so.at.path == path) break; // what a correction proves, it proves of the branches it was made on
+        }
+        so.arrived = true;
+        return so;
+    }
+    /// Newton's path ends where its derivative is singular. The solutions of (1 - s) v.M v / 2 + s L, each found from one of a smaller s,
+    /// are another path, which may lead past that to s = 1.
+    attempt by_growing_shares(point at, attempt failed) {
+        for (S share(0), step = S(1) / S(2); share < S(1);) {
+            S const next = std::min(S(1), S(share + step));
+            equation_.set_share(next);
+            attempt one{at};
+            try {
+                equation_.evaluate(one.at);
+                one = newton(std::move(one.at), std::min(8, most()));
+            } catch (error::singular const&) {
+                one.arrived = false;
+            }
+            if (one.arrived) {
+                at = std::move(one.at);
+                share = next;
+                step = S(2) * step;
+            } else {
+                step = step / S(2);
+                if (step < S(1) / S(1000)) return failed;
+            }
+        }
+        return {std::move(at), S(0), true};
+    }
     [[nodiscard]] int most() const { return exact ? most_iterations<S> : options_.most_iterations; }
     static S small() { return square_root_of_epsilon<S>() / S(16); }
     static S largest_of(values const& x) {
@@ -152,12 +190,12 @@ private:
         }
         return false;
     }
-    [[noreturn]] void fail(point const& at, S const& size, int iterations) const {
-        values all = equation_.whole(at);
+    [[noreturn]] void fail(attempt const& last) const {
+        values all = equation_.whole(last.at);
         values rest = convolved_residual(action_, all);
         std::ostringstream message;
-        message << "a boundary value problem did not converge: after " << iterations << " Newton iterations the last correction was "
-                << size
+        message << "a boundary value problem did not converge: after " << iterations_ << " Newton iterations the last correction was "
+                << last.size
                 << (exact ? ". An exact scalar needs an equation that is linear in the unknown"
                           : " of the velocity. It may have no solution, or one far from that of L = v.v / 2");
         throw newton_failure<values>(message.str(), std::move(all), std::move(rest));
@@ -166,7 +204,7 @@ private:
     Action const& action_;
     equation equation_;
     boundary_options options_;
-    int applications_ = 0;
+    int iterations_ = 0, applications_ = 0;
 };
 
 } // namespace detail

@@ -127,6 +127,24 @@ TEST_CASE("steps are shortened where whole ones would not converge, and GMRES ma
         }
 }
 
+TEST_CASE("where Newton's path ends at a singular derivative another one leads to a solution") {
+    auto const stiff = [](auto const& x, auto const& v) { return v * v / 2 + v * v * v * v / 4 - x * x; };
+    struct of {
+        double alpha, h;
+        int steps;
+        double first, last;
+    };
+    for (of const& each : {of{0.3, 0.2, 10, 0.0326, -0.3074}, of{0.3, 0.2, 20, 0.103, 0.579}, of{0.75, 0.2, 40, -1.918, -2.776},
+                           of{1, 0.2, 40, -1.167, -2.289}}) {
+        auto const T = uniform(0.0, each.h, each.steps);
+        auto const x = solve(two_sided(stiff, each.alpha, T), T, boundary_values{each.first, each.last}, boundary_options{});
+        double const v = largest(x.q) * 2 * std::pow(each.h, -each.alpha);
+        CHECK(x.residual <= (1 + 3 * v * v) * rounding(x.q, each.alpha));
+        CHECK(x.q[0] == each.first);
+        CHECK(x.q[each.steps] == each.last);
+    }
+}
+
 TEST_CASE("a problem without a solution ends in an error that has the last iterate and its residual") {
     // x'' = -100 - 60 x^2 with x(0) = x(1) = 0 has no solution: the force is too strong to come back from.
     auto const runaway = [](auto const& x, auto const& v) { return v * v / 2 - 100 * x - 20 * x * x * x; };
