@@ -6,9 +6,11 @@
 // `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
 // should; where they do not, or L has branches, until six do, of which most have their points elsewhere. Over kinks all methods lose their
 // order, and the mid-point embedding, whose steps cost least, takes their place. L itself has no jumps: no derivative sees them.
+// Between the points of its scale the solution is a step of the same embedding: x(t).q, x(t).p.
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <optional>
 #include <stop_token>
 
@@ -37,6 +39,22 @@ struct accurate_solution {
     S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth; elsewhere
                                 ///< four times the largest distance from five other runs, or more
     index_type evaluated_steps; ///< of all runs together
+    std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< a state on T led to a time within the step that it begins
+
+    /// The state at t, as good as those at the points. @throws error::outside_domain, and what steps throw
+    [[nodiscard]] state<S, V> operator()(S const& t) const {
+        auto const& T = q.root();
+        if (not(T.min() <= t) or not(t <= T.max()))
+            error::raise<error::outside_domain>(t, " is outside the interval [", T.min(), ", ", T.max(), "]");
+        index_type before = 0, after = steps; // in the order of time
+        while (after - before > 1) {
+            index_type const middle = before + (after - before) / 2;
+            (t < T.element(middle) ? after : before) = middle;
+        }
+        index_type const i = t == T.element(after) ? after : before;
+        state<S, V> const at{T.element(i), q[i], p[i]};
+        return t == at.t ? at : onward(at, t);
+    }
 };
 
 /// From which accuracy on an embedding is cheaper than the ones of lower order. `hilger trade` measures where they cross. The last is for
@@ -116,7 +134,8 @@ public:
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
                     auto const T = uniform(I_, steps);
-                    return result{function_on(T, std::move(fine)), function_on(T, std::move(momenta)), end, steps, method_, told, walked_};
+                    return result{
+                        function_on(T, std::move(fine)), function_on(T, std::move(momenta)), end, steps, method_, told, walked_, onward()};
                 }
                 bool const is_near = error < largest(fine) / S(64);
                 slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
@@ -170,6 +189,20 @@ private:
             failure_ = std::current_exception();
         }
         return q;
+    }
+    /// What is short within a step may be long for another start: it is cut into more, then.
+    [[nodiscard]] auto onward() const {
+        return [flow = flow_](state<S, V> const& from, S const& t) {
+            for (index_type steps = 1;; steps *= 2) {
+                try {
+                    state<S, V> last = from;
+                    for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
+                    return last;
+                } catch (error::no_convergence const&) {
+                    if (steps == 8) throw;
+                }
+            }
+        };
     }
     static S largest(std::vector<V> const& x) {
         S found(0);

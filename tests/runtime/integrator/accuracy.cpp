@@ -47,6 +47,19 @@ void meets(double wanted) {
         CHECK(magnitude(S(q(0) * p(1) - q(1) * p(0) - S(4) / S(5))) <= S(16) * S(wanted));
     }
     CHECK(x.evaluated_steps >= x.steps + x.steps / 2);
+    for (hilger::index_type i : {hilger::index_type(0), x.steps / 3, x.steps}) {
+        CHECK(x(T.element(i)).q == x.q[i]);
+        CHECK(x(T.element(i)).p == x.p[i]);
+    }
+    for (int k = 1; k < 16; ++k) { // between the points as good as at them
+        S const t = S(10 * k) / S(17);
+        auto const between = x(t);
+        CHECK(between.t == t);
+        CHECK((between.q - ellipse(t)).norm() <= S(wanted));
+        CHECK(magnitude(S(between.q(0) * between.p(1) - between.q(1) * between.p(0) - S(4) / S(5))) <= S(16) * S(wanted));
+    }
+    CHECK_THROWS_AS((void)x(S(-1) / S(1000)), error::outside_domain);
+    CHECK_THROWS_AS((void)x(S(10) + S(1) / S(1000)), error::outside_domain);
 }
 
 } // namespace
