@@ -5,7 +5,7 @@ namespace engine {
 
 template <>
 std::unique_ptr<motion<hilger::Q>> make_motion(problem const& what, std::string const& method, points<hilger::Q> const& T) {
-    return made_in(what, method, T, "rationals");
+    return made_in(what, method, T, "rationals", "verlet, ");
 }
 
 } // namespace engine
