@@ -7,7 +7,7 @@ list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$
 # compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
 # what is in several files the linker takes the first, which is the program's own.
 set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp scenes/cost.cpp
-  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp
+  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp problems/summed_walk.cpp
   problems/stated.cpp engine/methods/lambda.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 add_executable(hilger)

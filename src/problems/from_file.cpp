@@ -2,6 +2,7 @@
 // A problem in TOML:
 //   title = "A pendulum with friction"
 //   lagrangian = "m*l^2*v^2/2 - m*g*l*(1 - cos(q))"
+//                                                    or a list of what adds up, and then embedding is one, or a list of one for each
 //   force = "-0.1*v"                                 one, or a list with one for each coordinate
 //   parameters = { m = 1, g = 9.81, l = "1/3" }      numbers, lists of numbers, digits
 //   coordinates = "q[2]"                             names with lengths; so are velocities; q and v where nothing is said
@@ -27,6 +28,7 @@
 
 #include "engine/methods/lambda.hpp"
 #include "hilger/multiprecision.hpp"
+#include "mechanics_in_file.hpp"
 #include "parts_of_file.hpp"
 
 namespace program {
@@ -44,10 +46,8 @@ public:
         names_ = coordinates("coordinates", "q");
         velocities_ = coordinates("velocities", "v");
         auto const words = vocabulary();
-        stated_problem what(text::stated_lagrangian(file_.formula(file_.required("lagrangian"), words, "lagrangian")));
-        if (auto const* f = file_.get("force")) what.of.force = force(*f, words);
-        if (auto const* d = file_.get("damping")) what.of.damping = damping(*d);
-        if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
+        mechanics_in_file const mechanics(file_, words);
+        stated_problem what = mechanics.read();
         interval(what);
         if (file_.get("first") != nullptr or file_.get("last") != nullptr)
             both_ends(what, words);
@@ -67,12 +67,14 @@ public:
         bool const has_midpoint = std::find(s.embeddings.begin(), s.embeddings.end(), "mid-point") != s.embeddings.end();
         s.usual = {has_midpoint ? "mid-point" : s.embeddings[0], "double", "", file_.count_of(file_.required("steps"), "steps")};
         if (auto const* e = file_.get("embedding")) {
-            std::string const method = file_.text_of(*e, "embedding");
-            if (engine::is_embedding_in_text(method)) (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
+            if (auto const* list = e->as_array(); list != nullptr and list->size() == 1) e = list->get(0);
+            std::string const method = mechanics.embedding(*e, what);
+            if (what.parts.empty() and engine::is_embedding_in_text(method))
+                (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
             if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end() and
                 file_.saying_where(e, [&] { return has_embedding(what, method); }))
                 s.embeddings.push_back(method);
-            s.usual.embedding = file_.chosen(*e, "embedding", s.embeddings);
+            s.usual.embedding = e->is_array() ? method : file_.chosen(*e, "embedding", s.embeddings);
             if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
         }
         if (what.of.has_memory()) {
@@ -151,44 +153,6 @@ private:
             add(*given, file_.text_of(*given, key));
         return all;
     }
-    [[nodiscard]] text::stated_force force(toml::node const& n, std::shared_ptr<text::vocabulary const> const& words) const {
-        std::vector<text::stated> all;
-        if (auto const* list = n.as_array())
-            for (auto const& f : *list) all.push_back(file_.formula(f, words, "force"));
-        else
-            all.push_back(file_.formula(n, words, "force"));
-        return file_.saying_where(&n, [&] { return text::stated_force(all); });
-    }
-    [[nodiscard]] std::vector<engine::problem::damping_term> damping(toml::node const& n) const {
-        auto const* list = n.as_array();
-        if (list == nullptr or list->empty()) file_.refuse(&n, "damping is a list, as [ { rho = 0.2, alpha = 0.5 } ]");
-        std::vector<engine::problem::damping_term> terms;
-        for (auto const& term : *list) {
-            auto const* t = term.as_table();
-            if (t == nullptr or t->size() != 2 or not t->contains("rho") or not t->contains("alpha"))
-                file_.refuse(&term, "a term of the damping is { rho = 0.2, alpha = 0.5 }");
-            terms.push_back({exactly(*t->get("rho")), exactly(*t->get("alpha"))});
-            if (not(terms.back().alpha > 0 and terms.back().alpha < 2)) file_.refuse(t->get("alpha"), "alpha lies between 0 and 2");
-        }
-        return terms;
-    }
-    [[nodiscard]] engine::problem::zener_material material(toml::node const& n, engine::problem const& of) const {
-        auto const& t =
-            file_.table_of(n, "a material is { relaxed_modulus = 1e6, unrelaxed_modulus = 5e7, relaxation_time = 1e-3, alpha = 0.5 }");
-        constexpr std::array<std::string_view, 4> known{"relaxed_modulus", "unrelaxed_modulus", "relaxation_time", "alpha"};
-        file_.require_known(t, known);
-        for (auto const& key : known)
-            if (not t.contains(key)) file_.refuse(&n, "a material has " + std::string(key) + ", and this one has not");
-        if (not of.damping.empty()) file_.refuse(&n, "there is a material or damping, and here are both");
-        engine::problem one = of;
-        one.material = {exactly(*t.get("relaxed_modulus")), exactly(*t.get("unrelaxed_modulus")), exactly(*t.get("relaxation_time")),
-                        exactly(*t.get("alpha"))};
-        file_.saying_where(&n, [&] {
-            require_structure(one);
-            return 0;
-        });
-        return *one.material;
-    }
     void interval(stated_problem& what) const {
         auto const& n = file_.required("interval");
         auto const* list = n.as_array();
@@ -201,8 +165,6 @@ private:
         what.start = ends[0];
         what.end = ends[1];
     }
-    /// What digits in a file spell.
-    [[nodiscard]] hilger::float100 exactly(toml::node const& n) const { return *text::number_in<hilger::float100>(file_.digits_of(n)); }
     void initial(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
         values_in_file(file_, words)
             .read("initial", "initial values are a table, as { q = 1, v = 0 }",

@@ -34,6 +34,7 @@ struct stated_problem {
     explicit stated_problem(engine::problem what) : of(std::move(what)) {}
     explicit stated_problem(hilger::text::stated_lagrangian L) : of{std::move(L), {}, {}, "", {}} {}
     engine::problem of;
+    std::vector<hilger::text::stated_lagrangian> parts;               ///< whose sum is the Lagrangian, where there are several
     std::vector<std::string> q, v;                                    ///< initial, one for each coordinate
     std::vector<std::string> last;                                    ///< instead of v, where q is given at both ends
     std::vector<initial_formula> q_formulas, v_formulas;              ///< where members of an ensemble have other parameters
@@ -60,12 +61,16 @@ bool has_embedding(stated_problem const& what, std::string const& method);
 /// @throws hilger::error::invalid_parameter that says why it is no linear structure with one fractional term or material
 void require_structure(engine::problem const& of);
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
-/// Of structures that remember, by Newmark's scheme; of what is damped; and of what is given at both ends.
+/// Of structures that remember, by Newmark's scheme; of what is damped; of parts read in different ways; of what is given at both ends.
 template <class S>
 std::unique_ptr<walk> begin_with_memory(stated_problem const& what, configuration const& c);
 extern template std::unique_ptr<walk> begin_with_memory<double>(stated_problem const&, configuration const&);
 extern template std::unique_ptr<walk> begin_with_memory<hilger::float50>(stated_problem const&, configuration const&);
 std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration const& c);
+std::unique_ptr<walk> begin_summed(stated_problem const& what, configuration const& c);
+/// Whether a method is one for each of several parts: "mid-point + order-one". @throws hilger::error::invalid_parameter where one of them
+/// is no embedding in one step, or there are not as many as parts
+bool is_for_parts(stated_problem const& what, std::string const& method);
 std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
 /// What digits of numbers spell.
 template <class S = double>

@@ -43,6 +43,11 @@ bool has_embedding(stated_problem const& what, std::string const& method) {
         return true;
     }
     if (not what.last.empty() and engine::between_two_ends(what.of, method, points_of(what, 2))) return true;
+    if (is_for_parts(what, method)) {
+        if (not what.last.empty())
+            hilger::error::raise<hilger::error::invalid_parameter>("between two ends all parts of a Lagrangian are read by one embedding");
+        return true;
+    }
     return not what.of.has_memory() and engine::lambda_of<double>(what.of, method).has_value();
 }
 
@@ -56,6 +61,9 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
     stated_problem its(one);
     its.start = what.start;
     its.end = what.end;
+    auto const words = std::make_shared<hilger::text::vocabulary const>(one.lagrangian.formula().words());
+    for (auto const& part : what.parts)
+        its.parts.emplace_back(hilger::text::stated(part.formula().formula(), words, part.formula().source()));
     return [its, c](engine::initial<double> const& from, auto const& keep) {
         stated_problem mine = its;
         mine.known[typeid(beginning<double>)] = std::make_shared<beginning<double>>(beginning_from<double>(mine, from.q0, from.other));
@@ -72,6 +80,7 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
     engine::prepare_machine_code();
     if (not what.last.empty()) return begin_between(what, c);
+    if (is_for_parts(what, c.embedding)) return begin_summed(what, c);
     bool const in_50_digits = c.scalar == "50-digits";
     if (engine::is_newmark(c.embedding))
         return in_50_digits ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);

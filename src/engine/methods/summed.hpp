@@ -187,21 +187,28 @@ std::string summed_motion<S, Force, Scale>::equation(bool latex_wanted) const {
         return equation_in_double(what_, method_, uniform_, latex_wanted);
 }
 
-/// The motion of a sum of actions, each in one step. @throws hilger::error::invalid_parameter, hilger::error::mismatch
+/// How each Lagrangian of a sum is read. @throws hilger::error::invalid_parameter, hilger::error::mismatch
 template <class S>
-std::unique_ptr<motion<S>> summed(problem const& what, std::string const& method, points<S> const& T) {
+embedding_list<S> embeddings_of_sum(problem const& what, std::string const& method) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is beside one Lagrangian, and here are ",
                                                                what.besides.size() + 1);
-    summed_lagrangian const sum(what);
     embedding_list<S> how{{hilger::text::embedding_at(lambda_of_part<S>(what, method))}};
-    int const d = sum.formula().words().dimension();
+    int const d = what.lagrangian.formula().words().dimension();
     for (auto const& part : what.besides) {
         if (int const other = part.lagrangian.formula().words().dimension(); other != d)
             hilger::error::raise<hilger::error::mismatch>("Lagrangians add up of the same coordinates, and here are ones of ", d,
                                                           " and of ", other);
         how.parts.push_back(hilger::text::embedding_at(lambda_of_part<S>(alone(part), part.method)));
     }
+    return how;
+}
+
+/// The motion of a sum of actions, each in one step. @throws hilger::error::invalid_parameter, hilger::error::mismatch
+template <class S>
+std::unique_ptr<motion<S>> summed(problem const& what, std::string const& method, points<S> const& T) {
+    embedding_list<S> const how = embeddings_of_sum<S>(what, method);
+    summed_lagrangian const sum(what);
     auto const on = [&]<class Scale>(auto const& flow, Scale const& scale) -> std::unique_ptr<motion<S>> {
         using force = std::remove_cvref_t<decltype(flow.mechanics().force)>;
         return std::make_unique<summed_motion<S, force, Scale>>(flow, scale, what, method, T.is_uniform());

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSL-1.0
+# cmake -D hilger=<program> -D out=<directory> -P summed.cmake
+# Lagrangians that add up are read by one embedding each. A kinetic energy is read alike by all, so that the embedding of the potential is
+# that of the sum.
+file(REMOVE_RECURSE ${out})
+function(run name embedding)
+  file(WRITE ${out}/${name}.toml "lagrangian = [\"m*v^2/2\", \"-q^2/2 - q^4/4\"]\nembedding = ${embedding}\nparameters = { m = 2 }\ninterval = [0, 5]\nsteps = 50\ninitial = { q = 1, v = \"1/3\" }\n${ARGN}")
+  execute_process(COMMAND ${hilger} run ${name}.toml --out rows WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said
+    ERROR_VARIABLE said)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${name}: ${said}")
+  endif()
+  file(STRINGS ${out}/rows/${name}.csv rows)
+  list(GET rows -1 last)
+  string(REPLACE "," ";" last "${last}")
+  list(SUBLIST last 1 3 numbers) # q, p and the error of the energy
+  set(${name} "${numbers}" PARENT_SCOPE)
+endfunction()
+function(compare a b wanted)
+  foreach(x y IN ZIP_LISTS ${a} ${b})
+    execute_process(COMMAND awk "BEGIN { d = (${x}) - (${y}); exit d * d > 1e-26 }" RESULT_VARIABLE differs)
+    if(differs EQUAL 0 AND wanted STREQUAL "different" OR NOT differs EQUAL 0 AND wanted STREQUAL "the same")
+      message(SEND_ERROR "${a} and ${b} are not ${wanted}: ${x} and ${y}")
+    endif()
+  endforeach()
+endfunction()
+run(implicit "[\"order-one\", \"mid-point\"]")
+run(explicit "[\"mid-point\", \"order-one\"]")
+run(whole_implicit "\"mid-point\"")
+run(whole_explicit "[\"order-one\"]")
+compare(implicit whole_implicit "the same")
+compare(explicit whole_explicit "the same")
+compare(implicit explicit "different")
+# A force is read where the first of them is.
+run(rubbed "[\"mid-point\", \"mid-point\"]" "force = \"-v/5\"\n")
+run(whole_rubbed "\"mid-point\"" "force = \"-v/5\"\n")
+compare(rubbed whole_rubbed "the same")
+compare(rubbed implicit "different")
+# Members have their own parameters in each part.
+file(WRITE ${out}/members.csv "m\n2\n3\n")
+execute_process(COMMAND ${hilger} run implicit.toml --ensemble members.csv --out members WORKING_DIRECTORY ${out} RESULT_VARIABLE result
+  OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(NOT said MATCHES "members 0 to 1 of 2, order-one \\+ mid-point, double, 50 steps.*; 0 failed")
+  message(SEND_ERROR "the members were not walked: ${said}")
+endif()
+execute_process(COMMAND od -A n -t f8 -w8 -j 128 ${out}/members/implicit.npy OUTPUT_VARIABLE numbers)
+string(REGEX MATCHALL "[^ \n]+" numbers "${numbers}")
+list(LENGTH numbers count)
+if(NOT count EQUAL 8) # q and p of two members at two points
+  message(FATAL_ERROR "there are ${count} numbers: ${numbers}")
+endif()
+list(SUBLIST numbers 2 2 first)
+list(SUBLIST implicit 0 2 alone)
+compare(first alone "the same")
+list(SUBLIST numbers 6 2 second)
+compare(second alone "different")
