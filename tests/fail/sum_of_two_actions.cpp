@@ -4,6 +4,8 @@
 // expect 3: actions add up of functions that live on the same points
 // expect 4: a Hamiltonian form is of one position and one velocity, and a sum of actions has several of them
 // expect 5: a coupling damps one action, and this is a sum of several that read T in different ways
+// expect 6: actions of Lagrangians add up, and one here is that of a Hamiltonian
+// expect 7: actions of Lagrangians have multiples, and this is that of a Hamiltonian
 // What one sentence has to say instead of the operators inside.
 #include <iostream>
 
@@ -27,6 +29,15 @@ int main() {
     (void)(S + equation_of(embed(L, galerkin<2, gauss>), T).action());
 #else
     (void)(S + equation_of(embed(L, theta<1, 3>), T).action());
+#endif
+    lagrangian const of_H{lagrangian_of([](auto const& p, auto const& x) { return p * p / 2 + x * x / 2; })};
+    auto const R = integral(of_H(q, Delta_plus[q]), T);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 6
+    (void)(S + R);
+#elif defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 7
+    (void)(2.0 * R);
+#else
+    (void)variation(R);
 #endif
     constexpr unknown<"y"> y;
     auto const friction = 0.1 * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T);

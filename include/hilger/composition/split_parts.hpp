@@ -106,9 +106,17 @@ public:
         if constexpr (std::is_empty_v<Sum>)
             x += w * y;
         else
-            for (int k = 0; k < shape<V>::dimension(x); ++k) sum.add(x(k), S(w * y(k)), k);
+            for (int k = 0; k < s::dimension(x); ++k) sum.add(s::component(x, k), S(w * s::component(y, k)), k);
     }
-    static bool are_finite(V const& q, V const& p) { return is_finite(S(q.sum() + p.sum())) or (all_finite(q) and all_finite(p)); }
+    static bool are_finite(V const& q, V const& p) {
+        if constexpr (s::is_scalar)
+            return is_finite(q) and is_finite(p);
+        else
+            return is_finite(S(q.sum() + p.sum())) or (all_finite(q) and all_finite(p));
+    }
+
+private:
+    using s = shape<V>;
 };
 /// The same of a system that says so, of a formula that is traced, and of a Lagrangian with derivatives of its own (step/separable.hpp).
 template <class Problem, class S, class V>

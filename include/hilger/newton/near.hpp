@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 // A root near a first guess, of equations with several. Whole corrections of Newton's method may leap to a far one, where the derivative is
 // nearly singular on the way: between the ends of T, behind the time at which neighbouring motions meet again. Corrections that are
-// shortened do not leap, but need not arrive. Where they do not, the equation is also changed into an easier one and back in steps, each of
-// which starts from the root of the one before (continuation; Allgower and Georg, Introduction to Numerical Continuation Methods, 2003),
-// and of what is found the nearest to the guess is taken.
+// shortened do not leap, but need not arrive. Where they do not, or arrive far away, their path is followed behind the places where it
+// turns (arc.hpp), the equation is also changed into an easier one and back in steps, each of which starts from the root of the one before
+// (continuation; Allgower and Georg, Introduction to Numerical Continuation Methods, 2003), and of what is found the nearest to the guess
+// is taken.
 #pragma once
 
 #include <algorithm>
 #include <exception>
 #include <optional>
 
+#include "hilger/newton/arc.hpp"
 #include "hilger/newton/newton.hpp"
 
 namespace hilger::detail {
@@ -114,16 +116,35 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const*
     std::optional<V> found;
     std::exception_ptr failure;
     auto const distance = [&](V const& x) { return S(magnitude(V(x - guess))); };
+    // Far away, where L and its derivatives tend to nothing, corrections are small beside x, and go on without end.
+    S const reach = magnitude(guess);
+    auto const solves = [&](V const& x) {
+        part = S(1);
+        auto at = in_part(x);
+        if (magnitude(at.residual) <= S(1024) * epsilon<S>() * magnitude(given)) return true;
+        V correction = zero_like(x);
+        return not solve_linear(at.jacobian, at.residual, correction) or
+               magnitude(correction) <= square_root_of_epsilon<S>() * (reach == S(0) ? S(magnitude(x)) : reach);
+    };
     auto const attempt = [&](auto const& way, V const& from) {
+        part = S(1);
         try {
             V x = way(from);
+            if (not solves(x)) give_up_on_branches(what, branch_search::lost_on_one, x, in_part(x).residual, by);
             if (not found or distance(x) < distance(*found)) found = std::move(x);
         } catch (error::exception const&) {
             if (stop.stop_requested()) throw;
             failure = std::current_exception();
         }
     };
+    auto const along_the_arc = [&](V const& x) -> V {
+        if constexpr (not std::numeric_limits<S>::is_exact)
+            if (auto y = arc<V, Jacobian>(in_part, x).end()) return by_shortened_ones(*y);
+        give_up_on_branches(what, branch_search::lost_on_one, x, in_part(x).residual, by);
+    };
     attempt(by_shortened_ones, guess);
+    bool const is_far = found and S(4) * reach < distance(*found);
+    if (not found or is_far) attempt(along_the_arc, guess);
     if (not found) {
         attempt(by_whole_corrections, guess);
         auto const why = failure;

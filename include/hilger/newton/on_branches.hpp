@@ -174,15 +174,29 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
 }
 
 /// The root of a step's equation near `last`, what the step before was solved for, once whole corrections from the guess x do not do. Where
-/// the equation is not defined at `last`, as behind a wall that the body has left, there is only the guess.
+/// the equation is not defined at `last`, as behind a wall, there is the guess; and what is shorter than `last` may not reach the wall.
 template <class X>
 branch_search search_near(bool has_branches, X& x, X const& last, X& residual, equation_on_branches<X> const& evaluate,
                           correction_on_branches<X> const& correct, scalar_of<X> const& small) {
     if (has_branches) return search_branches_twice(x, last, residual, evaluate, correct, small);
     (void)evaluate(last, residual);
-    if (not all_finite(residual)) return search_branches(x, residual, evaluate, correct, small);
-    x = last;
-    return follow_newton(x, residual, evaluate, correct, small);
+    if (all_finite(residual)) {
+        x = last;
+        return follow_newton(x, residual, evaluate, correct, small);
+    }
+    branch_search const how = search_branches(x, residual, evaluate, correct, small);
+    if (how == branch_search::found or std::numeric_limits<scalar_of<X>>::is_exact) return how;
+    X const iterate = x, rest = residual;
+    scalar_of<X> part(1);
+    for (int halvings = 0; halvings < 20 and not all_finite(residual); ++halvings) {
+        part = part / scalar_of<X>(2);
+        x = last * part;
+        (void)evaluate(x, residual);
+    }
+    if (all_finite(residual) and follow_newton(x, residual, evaluate, correct, small) == branch_search::found) return branch_search::found;
+    x = iterate;
+    residual = rest;
+    return how;
 }
 
 /// Says that a search on branches has failed. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>;

@@ -12,39 +12,53 @@
 
 namespace hilger {
 
+namespace detail {
+// Called with the numbers that carry derivatives, as everywhere: max(q, 0.0) of plain numbers wants std:: before it.
+template <class H, class V>
+concept is_hamiltonian = requires(H const& h, typename jets_for<V>::position const& p, typename jets_for<V>::velocity const& q) {
+    h(p, q);
+};
+template <class H, class S, class V>
+concept is_hamiltonian_of_time = requires(H const& h, S const& t, typename jets_for<V>::position const& p,
+                                          typename jets_for<V>::velocity const& q) {
+    h(t, p, q);
+};
+} // namespace detail
+
 template <class H>
 class legendre_transform {
 public:
+    static constexpr bool has_derivatives_alone = true; ///< and no formula that jets pass through
     constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
 
     /// p with dH/dp(p, q) = v, and v = dH/dp(p, q). H may depend on the time.
     /// @throws error::singular where d2H/dp2 is, error::no_convergence
     template <class V>
-        requires std::invocable<H const&, V const&, V const&>
+        requires detail::is_hamiltonian<H, V>
     [[nodiscard]] V momentum(V const& q, V const& v) const { return momentum_for(hamiltonian_, q, v); }
     template <class S, class V>
-        requires std::invocable<H const&, S const&, V const&, V const&>
+        requires detail::is_hamiltonian_of_time<H, S, V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const { return momentum_for(detail::at_time{hamiltonian_, t}, q, v); }
     template <class V>
-        requires std::invocable<H const&, V const&, V const&>
+        requires detail::is_hamiltonian<H, V>
     [[nodiscard]] V velocity(V const& q, V const& p) const { return gradient_first(hamiltonian_, p, q); }
     template <class S, class V>
-        requires std::invocable<H const&, S const&, V const&, V const&>
+        requires detail::is_hamiltonian_of_time<H, S, V>
     [[nodiscard]] V velocity(S const& t, V const& q, V const& p) const { return gradient_first(detail::at_time{hamiltonian_, t}, p, q); }
     /// L(q, v), a number, and L(t, q, v) where H depends on the time.
     template <class V>
-        requires std::invocable<H const&, V const&, V const&>
+        requires detail::is_hamiltonian<H, V>
     [[nodiscard]] scalar_of<V> operator()(V const& q, V const& v) const { return value_of(hamiltonian_, q, v); }
     template <class S, class V>
-        requires std::invocable<H const&, S const&, V const&, V const&>
+        requires detail::is_hamiltonian_of_time<H, S, V>
     [[nodiscard]] scalar_of<V> operator()(S const& t, V const& q, V const& v) const {
         return value_of(detail::at_time{hamiltonian_, t}, q, v);
     }
     template <class V>
-        requires std::invocable<H const&, V const&, V const&>
+        requires detail::is_hamiltonian<H, V>
     [[nodiscard]] expansion<V> expand(V const& q, V const& v) const { return expand_with(hamiltonian_, q, v); }
     template <class S, class V>
-        requires std::invocable<H const&, S const&, V const&, V const&>
+        requires detail::is_hamiltonian_of_time<H, S, V>
     [[nodiscard]] expansion<V> expand(S const& t, V const& q, V const& v) const {
         return expand_with(detail::at_time{hamiltonian_, t}, q, v);
     }
@@ -63,10 +77,22 @@ private:
         V const p = momentum_for(h, q, v);
         return scalar_of<V>(dot_product(p, v) - detail::number_from(h, p, q));
     }
+    /// NaN where no momentum has this velocity, as one beyond that of light: L is not defined there, which steps know to avoid.
+    template <class F, class V>
+    static V momentum_or_nan(F const& h, V const& q, V const& v) {
+        if constexpr (std::numeric_limits<scalar_of<V>>::is_exact)
+            return momentum_for(h, q, v);
+        else
+            try {
+                return momentum_for(h, q, v);
+            } catch (error::no_convergence const&) {
+                return V(v * std::numeric_limits<scalar_of<V>>::quiet_NaN());
+            }
+    }
     template <class F, class V>
     static expansion<V> expand_with(F const& h, V const& q, V const& v) {
         using s = detail::shape<V>;
-        V const p = momentum_for(h, q, v);
+        V const p = momentum_or_nan(h, q, v);
         auto const e = hilger::expand(h, p, q); // by_q, qq: by p; qv: by p, then q; by_v, vv: by q
         expansion<V> l;
         l.by_q = -e.by_v;

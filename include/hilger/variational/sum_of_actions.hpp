@@ -77,6 +77,12 @@ template <class First, class Second>
 inline constexpr bool is_action_sum<action_sum<First, Second>> = true;
 template <class S>
 concept some_action = is_action<S>;
+/// Of a Hamiltonian: such a Lagrangian is no function that could be added up, or multiplied.
+template <class S>
+inline constexpr bool has_derivatives_alone = false;
+template <class F, linear_map A, linear_map B, class W, class Root>
+    requires requires { requires F::has_derivatives_alone; }
+inline constexpr bool has_derivatives_alone<action<F, A, B, W, Root>> = true;
 
 template <class S>
 constexpr auto const& scale_of(S const& s) {
@@ -117,7 +123,9 @@ constexpr auto sum_of(S const& s, R const& r) {
 /// @throws error::mismatch for two scales
 template <detail::some_action S, detail::some_action R>
 constexpr auto operator+(S const& s, R const& r) {
-    if constexpr (not std::same_as<typename S::root_type, typename R::root_type>)
+    if constexpr (detail::has_derivatives_alone<S> or detail::has_derivatives_alone<R>)
+        return does_not_compile<"actions of Lagrangians add up, and one here is that of a Hamiltonian, lagrangian_of(H)", S>{};
+    else if constexpr (not std::same_as<typename S::root_type, typename R::root_type>)
         return does_not_compile<"actions add up on one scale, and these are on two kinds of scales", S>{};
     else {
         if (not(detail::scale_of(s) == detail::scale_of(r)))
@@ -130,7 +138,9 @@ constexpr auto operator+(S const& s, R const& r) {
 template <detail::some_action S>
 constexpr auto operator*(std::type_identity_t<typename S::root_type::scalar_type> const& c, S const& s) {
     using C = typename S::root_type::scalar_type;
-    if constexpr (detail::is_action_sum<S>) {
+    if constexpr (detail::has_derivatives_alone<S>)
+        return does_not_compile<"actions of Lagrangians have multiples, and this is that of a Hamiltonian, lagrangian_of(H)", S>{};
+    else if constexpr (detail::is_action_sum<S>) {
         auto first = c * s.first;
         auto second = c * s.second;
         return action_sum<decltype(first), decltype(second)>{std::move(first), std::move(second)};

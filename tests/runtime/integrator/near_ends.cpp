@@ -74,6 +74,45 @@ TEST_CASE("ends that Newton's method from the straight line leaves, or does not 
     CHECK(largest_residual(EL, y) <= 1e-11);
 }
 
+TEST_CASE("behind the place where Newton's path turns back there are motions, and no zigzags") {
+    lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 - x * x * x * x; }};
+    for (double const length : {1.5, 2.0, 2.5, 3.0}) {
+        auto const largest = [&](auto const& equation, index_type steps) {
+            auto const T = uniform(interval{0.0, length}, steps);
+            auto const EL = equation(T);
+            auto const x = solve(EL, T, {.q0 = 0.0, .qN = -1.0});
+            double most = 0;
+            for (double const y : x) most = std::max(most, std::abs(y));
+            CHECK(largest_residual(EL, x) <= 64 * epsilon<double>() * most / (T.h() * T.h()));
+            return most;
+        };
+        auto const one = [&](auto const& T) { return variation(integral(L(q, Delta_plus[q]), T)); };
+        auto const middle = [&](auto const& T) { return variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T))); };
+        double const few = largest(one, 40), many = largest(one, 160);
+        CHECK(many < 3); // shooting finds motions of 1.05 to 1.55, and 2.65, here
+        CHECK(std::abs(few - many) < 0.02 * many);
+        CHECK(std::abs(largest(middle, 160) - many) < 0.02 * many); // the motion of any step, and of any calculus
+    }
+}
+
+TEST_CASE("at infinity, where derivatives vanish, nothing is solved") {
+    lagrangian const L{[](auto const& x, auto const& v) { return v.squaredNorm() / (x(1) * x(1)) / 2; }};
+    for (index_type const steps : {16, 20, 24}) { // half a circle, geodesic of the half-plane
+        auto const T = uniform(interval{0.0, 1.0}, steps);
+        auto const EL = variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)));
+        try {
+            for (V2 const& x : solve(EL, T, boundary_values{V2(-1, 0.2), V2(1, 0.2)})) CHECK(x.norm() < 1.1);
+        } catch (error::no_convergence const&) {
+            CHECK(steps == 20); // from half a circle it is found
+            auto const circle = function_on(T, [](double t) {
+                double const s = std::asinh(5.0) * (2 * t - 1), R = std::sqrt(1.04);
+                return V2(R * std::tanh(s), R / std::cosh(s));
+            });
+            CHECK(distance(solve(EL, T, boundary_values{V2(-1, 0.2), V2(1, 0.2)}, no_force{}, circle), circle) < 0.01);
+        }
+    }
+}
+
 TEST_CASE("a wall between two states, which may be anywhere, is solved to rounding") {
     auto const T = uniform(0.0, 1.0 / 100, 100);
     lagrangian const two_wells{[](auto const& x, auto const& v) { return v * v / 2 + 500 * (x * x - 1) * (x * x - 1); }};

@@ -31,12 +31,33 @@ TEST_CASE("a fast body stops at the wall of a logarithm, beyond which its slope 
     auto const behind_log1p = [](auto const& x, auto const& v) { return v * v / 2 + log1p(-x); };
     auto const of_six = [](auto const& x, auto const& v) { return v.squaredNorm() / 2 + log(1 - x(0)) + log1p(-x(5)); };
     Eigen::VectorXd const origin = Eigen::VectorXd::Zero(6), fast = 9 * Eigen::VectorXd::Unit(6, 0);
-    stops_after(0, behind_log, mid_point, 0.0, 9.0);
+    stops_after(1, behind_log, mid_point, 0.0, 9.0); // the middle of its first step is before the wall
     stops_after(1, behind_log, order_one, 0.0, 9.0);
-    stops_after(0, behind_log1p, mid_point, 0.0, 9.0);
-    stops_after(0, of_six, mid_point, origin, fast);
+    stops_after(1, behind_log1p, mid_point, 0.0, 9.0);
+    stops_after(1, of_six, mid_point, origin, fast);
     stops_after(1, of_six, order_one, origin, fast);
     stops_after(1, of_six, order_one, origin, Eigen::VectorXd(fast.reverse()));
+}
+
+TEST_CASE("a step that begins before a wall and whose last velocity leads behind it has the solution before it") {
+    auto const one = [](auto const& x, auto const& v) { return v * v / 2 + log(1 - x); };
+    auto const all = [](auto const& x, auto const& v) { return v.squaredNorm() / 2 + log(1 - x(0)); };
+    double const h = 0.25;
+    auto const is_solved = [&](double p0, double q1, double p1) { // from q = 0, the middle m in m = h/2 (p0 - h/2 / (1 - m))
+        double const m = q1 / 2, force = -1 / (1 - m);
+        CHECK(m < 1);
+        CHECK(std::abs(q1 / h - (p0 + h / 2 * force)) <= 64 * epsilon<double>() * (p0 - h * force / (1 - m)));
+        CHECK(std::abs(p1 - (p0 + h * force)) <= 64 * epsilon<double>() * (p0 - h * force / (1 - m)));
+    };
+    for (double const p0 : {7.0, 9.0, 30.0, 1000.0}) {
+        auto const x = record(embed(lagrangian{one}, mid_point).along(uniform(0.0, h, 1), 0.0, p0)).states.back();
+        is_solved(p0, x.q, x.p);
+        for (int const d : {2, 6}) {
+            Eigen::VectorXd const origin = Eigen::VectorXd::Zero(d), fast = p0 * Eigen::VectorXd::Unit(d, 0);
+            auto const y = record(embed(lagrangian{all}, mid_point).along(uniform(0.0, h, 1), origin, fast)).states.back();
+            is_solved(p0, y.q(0), y.p(0));
+        }
+    }
 }
 
 TEST_CASE("a drag |v| v, whose second derivatives are infinite at rest, acts from rest on") {

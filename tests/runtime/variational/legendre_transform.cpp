@@ -5,9 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/flow.hpp"
-#include "hilger/trajectory/diagnostics.hpp"
-#include "hilger/variational/legendre_transform.hpp"
+#include "hilger/hilger.hpp"
 
 namespace legendre_transform_tests {
 
@@ -67,6 +65,45 @@ TEST_CASE("p_i = -d_1 L_h and p_{i+1} = d_2 L_h, also where the position of a co
     CHECK(std::abs(x.p - (by_v - h * 0.75 * by_q)) <= 16 / h * epsilon<double>());
     CHECK(std::abs(y.p - (by_v + h * 0.75 * by_q)) <= 16 / h * epsilon<double>());
     CHECK(std::abs(y.p - x.p) > 0.1);
+}
+
+TEST_CASE("a Hamiltonian whose velocities are bounded steps as its Lagrangian does, where guesses go beyond them too") {
+    auto const H = [](auto const& p, auto const& x) { return sqrt(1 + p * p) + x * x * x * x; };
+    auto const L = [](auto const& x, auto const& v) { return -sqrt(1 - v * v) - x * x * x * x; };
+    for (double const h : {0.1, 0.05}) {
+        auto const T = uniform(0.0, h, static_cast<index_type>(std::lround(10 / h)));
+        auto const of_H = record(embed(lagrangian_of(H), mid_point).along(T, 1.0, 3.0)).states.back();
+        auto const of_L = record(embed(L, mid_point).along(T, 1.0, 3.0)).states.back();
+        CHECK(std::abs(of_H.q - of_L.q) <= 1e-11);
+        CHECK(std::abs(of_H.p - of_L.p) <= 1e-10);
+    }
+    CHECK_THROWS_AS((void)lagrangian_of(H).momentum(0.0, 1.5), error::no_convergence);
+}
+
+TEST_CASE("a Hamiltonian may branch as a Lagrangian may, without std:: before max") {
+    auto const H = [](auto const& p, auto const& x) { return p * p / 2 + 5 * max(x, 0.0) * max(x, 0.0) + x * x / 2; };
+    auto const L = [](auto const& x, auto const& v) { return v * v / 2 - 5 * max(x, 0.0) * max(x, 0.0) - x * x / 2; };
+    auto const T = uniform(0.0, 0.1, 40);
+    auto const of_H = record(embed(lagrangian_of(H), mid_point).along(T, 1.0, 0.3)).states.back();
+    auto const of_L = record(embed(L, mid_point).along(T, 1.0, 0.3)).states.back();
+    CHECK(std::abs(of_H.q - of_L.q) <= 1e-13);
+    CHECK(std::abs(of_H.p - of_L.p) <= 1e-13);
+}
+
+TEST_CASE("compositions of a Hamiltonian of numbers, and of vectors") {
+    auto const H = [](auto const& p, auto const& x) { return p * p / 2 + x * x * x * x / 4; };
+    auto const of_vectors = [](auto const& p, auto const& x) { return p.dot(p) / 2 + x(0) * x(0) * x(0) * x(0) / 4 + x(1) * x(1); };
+    auto const L = [](auto const& x, auto const& v) { return v * v / 2 - x * x * x * x / 4; };
+    auto const T = uniform(0.0, 0.1, 30);
+    auto const end = [&](auto const& flow, auto const& q0, auto const& p0) { return record(flow.along(T, q0, p0)).states.back(); };
+    auto const of_H = end(stoermer_verlet(lagrangian_of(H)), 1.0, 0.3), of_L = end(stoermer_verlet(L), 1.0, 0.3);
+    CHECK(std::abs(of_H.q - of_L.q) <= 1e-14);
+    CHECK(std::abs(of_H.p - of_L.p) <= 1e-14);
+    auto const composed = [&](auto const& l) { return compose_with_adjoint(blanes_moan<4>, embed(l, order_one)); };
+    auto const fourth = end(composed(lagrangian_of(H)), 1.0, 0.3);
+    CHECK(std::abs(fourth.q - end(composed(L), 1.0, 0.3).q) <= 1e-14);
+    auto const plane = end(stoermer_verlet(lagrangian_of(of_vectors)), Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0.3, 0));
+    CHECK(std::abs(plane.q(0) - of_L.q) <= 1e-14);
 }
 
 } // namespace legendre_transform_tests
