@@ -31,6 +31,15 @@ CLI::Validator count() {
             "COUNT"};
 }
 
+CLI::Validator positive() {
+    return {[](std::string& given) -> std::string {
+                auto const number = hilger::text::number_in<double>(given);
+                if (not number or not(*number > 0)) return "a positive number is wanted, as 0.5 or 1e-3, and here is " + given;
+                return {};
+            },
+            "NUMBER"};
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -48,7 +57,7 @@ int main(int argc, char** argv) {
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
     run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
     run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
-    run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits");
+    run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits, 100-digits");
     run_command->add_option("--steps", run.choice.steps, "number of steps")->transform(count());
     run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct, window:LENGTH");
     run_command->add_option("--every", run.every, "write a row at every so many points")->transform(count());
@@ -61,10 +70,11 @@ int main(int argc, char** argv) {
     run_command->add_flag("--anew", run.anew, "do not continue an interrupted run");
     program::trade_options trade;
     auto* trade_command = app.add_subcommand("trade", "measure a scene's accuracy against its cost, beside other libraries");
-    trade_command->add_option("scene", trade.scene, "one of those that `hilger scenes` lists")->required();
-    trade_command->add_option("--accuracy", trade.accuracy, "say what to use for this accuracy");
+    trade_command->add_option("scene", trade.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
+    trade_command->add_option("--accuracy", trade.accuracy, "say what to use for this accuracy")->check(positive());
     trade_command->add_option("--budget", trade.budget, "seconds that one run may take (ten times that in many digits)")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(positive());
     trade_command->add_option("--out", trade.out, "directory for the CSV file and the picture")->capture_default_str();
     program::papers_options about;
     auto* papers = app.add_subcommand("papers", "the tables, figures and theorems of the four papers, theirs beside ours");

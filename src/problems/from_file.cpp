@@ -70,11 +70,12 @@ public:
             if (auto const* list = e->as_array(); list != nullptr and list->size() == 1) e = list->get(0);
             std::string const method = mechanics.embedding(*e, what);
             if (what.parts.empty() and engine::is_embedding_in_text(method))
-                (void)text::embedding_in(method, words, file_.path(), file_.begin_of_text(*e));
+                (void)text::embedding_in(file_.text_of(*e, "embedding"), words, file_.path(), file_.begin_of_text(*e));
             if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end() and
                 file_.saying_where(e, [&] { return has_embedding(what, method); }))
                 s.embeddings.push_back(method);
-            s.usual.embedding = e->is_array() ? method : file_.chosen(*e, "embedding", s.embeddings);
+            bool const is_known = std::find(s.embeddings.begin(), s.embeddings.end(), method) != s.embeddings.end();
+            s.usual.embedding = is_known ? method : file_.chosen(*e, "embedding", s.embeddings);
             if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
         }
         if (what.of.has_memory()) {
@@ -92,6 +93,9 @@ public:
                 for (auto const& [name, size] : names_)
                     for (int k = 0; k < std::max(size, 1); ++k)
                         s.columns.push_back(momentum + name + (size > 0 ? "_" + std::to_string(k) : ""));
+        for (auto column = s.columns.begin(); column != s.columns.end(); ++column)
+            if (std::find(s.columns.begin(), column, *column) != column)
+                file_.refuse(file_.get("coordinates"), "two columns of the rows would be called '" + *column + "'");
         observe(file_, words, what, s);
         s.stated = std::make_shared<stated_problem const>(what);
         s.begin = [stated = s.stated, name = s.name](configuration const& c) {

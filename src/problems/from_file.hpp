@@ -72,11 +72,19 @@ std::unique_ptr<walk> begin_summed(stated_problem const& what, configuration con
 /// is no embedding in one step, or there are not as many as parts
 bool is_for_parts(stated_problem const& what, std::string const& method);
 std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
-/// What digits of numbers spell.
+/// What digits of a number spell, rounded to what S has. @throws hilger::error::invalid_parameter beyond its largest number
+template <class S = double>
+S number_of(std::string const& digits) {
+    if (auto const x = hilger::text::number_in<S>(digits)) return *x;
+    auto const x = static_cast<S>(*hilger::text::number_in<hilger::float100>(digits));
+    if (not hilger::is_finite(x))
+        hilger::error::raise<hilger::error::invalid_parameter>("the number ", digits, " is beyond the largest one of the scalar");
+    return x;
+}
 template <class S = double>
 engine::vector<S> numbers_of(std::vector<std::string> const& digits) {
     engine::vector<S> x(static_cast<Eigen::Index>(digits.size()));
-    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = *hilger::text::number_in<S>(digits[k]);
+    for (std::size_t k = 0; k < digits.size(); ++k) x(static_cast<Eigen::Index>(k)) = number_of<S>(digits[k]);
     return x;
 }
 /// T with so many steps.

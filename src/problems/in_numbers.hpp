@@ -40,10 +40,9 @@ private:
 };
 template <class S>
 beginning<S> beginning_from(stated_problem const& what, engine::vector<S> const& q, engine::vector<S> const& v) {
-    auto const number = [](std::string const& digits) { return *hilger::text::number_in<S>(digits); };
-    S const start = number(what.start);
+    S const start = number_of<S>(what.start);
     auto const p = hilger::momentum_of(hilger::detail::at_time{what.of.lagrangian, start}, q, v);
-    return {start, number(what.end), q, v, p, observed<S>(std::make_shared<observation_of<S> const>(what))};
+    return {start, number_of<S>(what.end), q, v, p, observed<S>(std::make_shared<observation_of<S> const>(what))};
 }
 
 template <class S, class WithFlow>

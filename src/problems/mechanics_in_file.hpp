@@ -24,9 +24,9 @@ public:
     /// A list has one for each part of the Lagrangian.
     [[nodiscard]] std::string embedding(toml::node const& n, stated_problem const& what) const {
         auto const* list = n.as_array();
-        if (list == nullptr) return file_.text_of(n, "embedding");
+        if (list == nullptr) return on_one_line(file_.text_of(n, "embedding"));
         std::string all;
-        for (auto const& one : *list) all += (all.empty() ? "" : " + ") + file_.text_of(one, "embedding");
+        for (auto const& one : *list) all += (all.empty() ? "" : " + ") + on_one_line(file_.text_of(one, "embedding"));
         if (what.parts.size() != list->size() or not file_.saying_where(&n, [&] { return is_for_parts(what, all); }))
             file_.refuse(&n, "a list of embeddings has one for each Lagrangian of a list, and here are " + std::to_string(list->size()) +
                                  " for " + std::to_string(std::max<std::size_t>(what.parts.size(), 1)));
@@ -55,6 +55,7 @@ private:
     }
     [[nodiscard]] hilger::text::stated_force force(toml::node const& n) const {
         std::vector<hilger::text::stated> const all = formulas(n, "force");
+        if (all.empty()) file_.refuse(&n, "a force has one formula for each coordinate, and this list is empty");
         return file_.saying_where(&n, [&] { return hilger::text::stated_force(all); });
     }
     [[nodiscard]] std::vector<engine::problem::damping_term> damping(toml::node const& n) const {

@@ -95,7 +95,10 @@ public:
             for (double& x : largest_) {
                 std::string word;
                 std::getline(in, word);
-                x = std::strtod(word.c_str(), nullptr);
+                char* end = nullptr;
+                x = std::strtod(word.c_str(), &end);
+                if (word.empty() or *end != '\0')
+                    hilger::error::raise<hilger::error::unreadable>(source, " is damaged: '", word, "' is no number");
             }
             resumed_.emplace(path_.resume(hilger::read_checkpoint(in, path_, source)));
             at_ = std::as_const(*resumed_).begin();

@@ -72,5 +72,7 @@ scene const& scene_named(std::string const& name);
 /// What is empty in a configuration, as the scene usually has it. @throws hilger::error::invalid_parameter that says what can be chosen
 configuration completed(scene const& what, configuration choice);
 std::string description(configuration const& c);
+/// A method without the comments and the ends of lines that a text of operators may have: it stands in titles and in names.
+std::string on_one_line(std::string_view method);
 
 } // namespace program

@@ -52,8 +52,7 @@ bool has_embedding(stated_problem const& what, std::string const& method) {
 }
 
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {
-    auto const number = [](std::string const& digits) { return *hilger::text::number_in<double>(digits); };
-    auto const T = hilger::uniform(hilger::interval<double>{number(what.start), number(what.end)}, steps);
+    auto const T = hilger::uniform(hilger::interval<double>{number_of(what.start), number_of(what.end)}, steps);
     return {T.min(), T.h(), steps, {}};
 }
 

@@ -100,6 +100,7 @@ public:
     [[nodiscard]] std::string chosen(toml::node const& n, char const* key, std::vector<std::string> const& choices,
                                      bool with_numbers = false) const {
         std::string const name = text_of(n, key);
+        if (choices.empty()) refuse(&n, "there is no " + std::string(key) + " to choose here");
         std::string known;
         for (auto const& c : choices) known += (known.empty() ? "" : ", ") + c;
         auto const kind = name.substr(0, name.find(':') + 1);

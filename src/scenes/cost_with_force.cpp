@@ -11,7 +11,9 @@ hilger::requirements requirements_with_force(stated_problem const& what, hilger:
     hilger::initial_velocity<engine::vector<double>> const from{numbers_of(what.q), numbers_of(what.v)};
     auto const forced = engine::with_any_force(what.of);
     if (not what.of.has_memory()) return hilger::requirements_of(hilger::embed(forced, hilger::mid_point).along(T, from));
-    auto const damped = hilger::with_fractional_damping(forced, engine::fractional_terms_of(what.of), hilger::exponentials{0.0, steps + 1});
+    // it is walked for some steps whatever T is
+    auto const damped =
+        hilger::with_fractional_damping(forced, engine::fractional_terms_of(what.of), hilger::exponentials{0.0, steps + 40});
     return hilger::requirements_of(hilger::embed(damped, hilger::mid_point).along(T, from));
 }
 

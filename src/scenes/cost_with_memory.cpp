@@ -18,8 +18,8 @@ hilger::requirements requirements_of_structure(stated_problem const& what, hilge
     };
     if (whole)
         structure.with_weights<hilger::bdf<2>>(hilger::direct{}, count);
-    else
-        structure.with_weights<hilger::bdf<2>>(hilger::exponentials{0.0, steps + 1}, count);
+    else // it is walked for some steps whatever T is
+        structure.with_weights<hilger::bdf<2>>(hilger::exponentials{0.0, steps + 40}, count);
     return needs;
 }
 

@@ -96,7 +96,7 @@ private:
             int component = 0;
             if (bracket != std::string::npos) component = std::atoi(field.c_str() + bracket + 1);
             std::string const full = means->size > 0 ? name + '[' + std::to_string(component) + ']' : name;
-            if (field != full or (means->size > 0 and not(component < means->size)))
+            if (field != full or (means->size > 0 and not(0 <= component and component < means->size)))
                 refuse("'" + field + "' is none of the components of " + name + ", " +
                        (means->size > 0 ? name + "[0] to " + name + '[' + std::to_string(means->size - 1) + ']' : name));
             if (std::count(names.begin(), names.end(), field) > 1) refuse("'" + field + "' is there twice");

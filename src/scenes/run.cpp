@@ -40,7 +40,7 @@ public:
         if (options.anew) files::remove(checkpoint_);
     }
     /// Puts the walk where the interrupted run was, if there is one. @throws hilger::error::mismatch when it was another run
-    bool continues(walk& w, hilger::index_type every, progress_bar& bar) {
+    bool continues(walk& w, hilger::index_type every, hilger::index_type steps, progress_bar& bar) {
         std::ifstream in(checkpoint_);
         if (not in) return false;
         std::string head, fingerprint;
@@ -57,9 +57,11 @@ public:
             error::raise<error::mismatch>("'", checkpoint_.string(),
                                           "' is of an interrupted run of another problem of this name, or of what the "
                                           "file said before; give --anew or another --out");
-        if (not files::exists(rows_) or files::file_size(rows_) < bytes)
-            error::raise<error::unreadable>("'", rows_.string(),
-                                            "' is shorter than when its run was interrupted, or not there; --anew starts again");
+        if (point < 0 or point > steps)
+            error::raise<error::unreadable>("'", checkpoint_.string(), "' is damaged: it is of point ", point, " of ", steps,
+                                            "; --anew starts again without it");
+        if (not files::exists(rows_) or files::file_size(rows_) < bytes or not ends_a_line(bytes))
+            error::raise<error::unreadable>("'", rows_.string(), "' is not what it was when its run was interrupted; --anew starts again");
         files::resize_file(rows_, bytes);
         if (state)
             w.load(in, "'" + checkpoint_.string() + "'");
@@ -72,6 +74,11 @@ public:
         out_.open(rows_, std::ios::app | std::ios::binary);
         return true;
     }
+    /// Whether so many bytes of the rows are whole rows.
+    [[nodiscard]] bool ends_a_line(std::uintmax_t bytes) const {
+        std::ifstream rows(rows_, std::ios::binary);
+        return bytes > 0 and rows.seekg(static_cast<std::streamoff>(bytes) - 1) and rows.get() == '\n';
+    }
     void begin(std::vector<std::string> const& columns) {
         out_ = create(rows_.parent_path().string(), rows_.filename().string());
         out_ << "# ";
@@ -79,7 +86,7 @@ public:
         out_ << '\n';
     }
     void write(std::string const& row) {
-        out_ << row << '\n';
+        if (not(out_ << row << '\n')) refuse();
         if (not is_not_finite(row)) return;
         std::istringstream numbers(row);
         std::string number;
@@ -90,7 +97,7 @@ public:
     [[nodiscard]] std::set<std::size_t> const& not_finite() const { return not_finite_; }
     /// Never half a checkpoint: it is moved to its place when it is whole.
     void keep(walk const& w) {
-        out_.flush();
+        if (not out_.flush()) refuse();
         auto const beside = checkpoint_.string() + ".new";
         {
             std::ofstream out(beside, std::ios::binary);
@@ -105,27 +112,39 @@ public:
     }
     void finish() {
         out_.close();
+        if (not out_) refuse();
         files::remove(checkpoint_);
     }
     [[nodiscard]] std::string rows() const { return rows_.string(); }
 
 private:
+    [[noreturn]] void refuse() const { error::raise<error::unreadable>("cannot write '", rows_.string(), "': is there no room?"); }
     std::string fingerprint_, head_;
     files::path rows_, checkpoint_;
     std::ofstream out_;
     std::set<std::size_t> not_finite_;
 };
 
+/// In quotation marks of JSON.
+std::string in_json(std::string const& text) {
+    std::string all = "\"";
+    for (char const c : text) {
+        if (c == '"' or c == '\\') all += '\\';
+        all += c;
+    }
+    return all + '"';
+}
+
 std::string write_summary(scene const& what, run_options const& options, configuration const& c, walk const& w, double seconds) {
     auto const name = what.name + ".json";
     std::ofstream out = create(options.out, name);
-    out << std::setprecision(6) << "{\n  \"scene\": \"" << what.name << "\",\n  \"hilger\": \"" << HILGER_VERSION_MAJOR << '.'
-        << HILGER_VERSION_MINOR << '.' << HILGER_VERSION_PATCH << "\",\n  \"embedding\": \"" << c.embedding << "\",\n  \"scalar\": \""
+    out << std::setprecision(6) << "{\n  \"scene\": " << in_json(what.name) << ",\n  \"hilger\": \"" << HILGER_VERSION_MAJOR << '.'
+        << HILGER_VERSION_MINOR << '.' << HILGER_VERSION_PATCH << "\",\n  \"embedding\": " << in_json(c.embedding) << ",\n  \"scalar\": \""
         << c.scalar << "\",\n  \"history\": \"" << c.history << "\",\n  \"interval\": [" << hilger::round_trip(what.t0) << ", "
         << hilger::round_trip(what.t1) << "],\n  \"steps\": " << c.steps << ",\n  \"seconds\": " << seconds << ",\n  \"largest error\": {";
     auto const drift = w.drift();
     for (std::size_t k = 0; k < what.invariants.size(); ++k) {
-        out << (k > 0 ? ", " : "") << '"' << what.invariants[k] << "\": ";
+        out << (k > 0 ? ", " : "") << in_json(what.invariants[k]) << ": ";
         if (std::isfinite(drift[k]))
             out << drift[k];
         else
@@ -137,6 +156,7 @@ std::string write_summary(scene const& what, run_options const& options, configu
         out << (is_not_finite(number) ? "null" : number) << (last.eof() ? "" : ", ");
     }
     out << "]\n}\n";
+    if (not out.flush()) error::raise<error::unreadable>("cannot write '", (files::path(options.out) / name).string(), "'");
     return (files::path(options.out) / name).string();
 }
 
@@ -163,7 +183,7 @@ int run_scene(run_options const& options) {
     std::cout << what.title << '\n';
     {
         progress_bar bar(what.name, c.steps);
-        if (record.continues(*w, every, bar))
+        if (record.continues(*w, every, c.steps, bar))
             std::cout << "continued at step " << w->number() << '\n';
         else {
             record.begin(what.columns);
@@ -173,12 +193,14 @@ int run_scene(run_options const& options) {
         hilger::index_type rows = 0;
         while (w->number() < c.steps) {
             try {
-                w->advance(std::min(every, c.steps - w->number()));
+                // In parts, for who asks it to stop. What continues goes on to the next row.
+                hilger::index_type const row = std::min(c.steps, (w->number() / every + 1) * every);
+                while (w->number() < row and stop_asked == 0) w->advance(std::min<hilger::index_type>(row - w->number(), 1 << 16));
             } catch (error::exception const&) {
                 record.keep(*w);
                 throw;
             }
-            record.write(w->row());
+            if (w->number() % every == 0 or w->number() == c.steps) record.write(w->row());
             bar.advance_to(w->number());
             if (++rows == options.stop_after) stop_asked = 1;
             if (stop_asked != 0 or clock::now() - kept > std::chrono::seconds(2)) {

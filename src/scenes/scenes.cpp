@@ -59,7 +59,23 @@ scene const& scene_named(std::string const& name) {
                                                            ", and files as my.toml");
 }
 
+std::string on_one_line(std::string_view method) {
+    std::string line;
+    bool in_comment = false, after_space = false;
+    for (char const c : method) {
+        in_comment = c != '\n' and (in_comment or c == '#');
+        bool const is_space = c == ' ' or c == '\t' or c == '\r' or c == '\n';
+        if (not in_comment and not is_space) {
+            if (after_space and not line.empty()) line += ' ';
+            line += c;
+        }
+        after_space = in_comment ? after_space : is_space;
+    }
+    return line;
+}
+
 configuration completed(scene const& what, configuration c) {
+    c.embedding = on_one_line(c.embedding);
     complete(c.scalar, what.usual.scalar, what.scalars, what, "scalar");
     if (c.embedding.empty() or not has_embedding(*what.stated, c.embedding))
         complete(c.embedding, what.usual.embedding, what.embeddings, what, "embedding");

@@ -49,6 +49,7 @@ struct truth {
 truth find_truth(scene const& what) {
     if (what.exact) return {what.exact(), what.exact_error, what.exact_source};
     configuration c = what.reference;
+    c.steps += c.steps % 2; // between two ends the position is that in the middle, which is a point then
     numbers const coarse = position_at_end(what, c);
     c.steps *= 2;
     numbers fine = position_at_end(what, c);
@@ -138,6 +139,12 @@ void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
     if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
 }
 
+/// Within single quotes of gnuplot's.
+std::string quoted(std::string const& text) {
+    std::string all;
+    for (char const c : text) all += c == '\'' ? "''" : std::string(1, c);
+    return all;
+}
 /// All that was measured on the left, and the two fronts on the right; what double reaches of the fronts as text, too.
 void picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
              std::vector<point> const& theirs) {
@@ -158,7 +165,7 @@ void picture(std::string const& out, scene const& what, std::vector<point> const
     for (auto const& p : points) {
         if (std::find(known.begin(), known.end(), p.method) != known.end()) continue;
         everything += (known.empty() ? "" : ", ") + write(points, p.method) + "linespoints pt 7 ps 0.5 dt " + (p.ours ? "1" : "3") +
-                      " title '" + p.method + "'";
+                      " title '" + quoted(p.method) + "'";
         known.push_back(p.method);
     }
     std::string fronts = "\nset title 'What is reached in a time'; set key inside top right font ',12'\nplot ", letters = "plot ";
@@ -173,7 +180,7 @@ void picture(std::string const& out, scene const& what, std::vector<point> const
     };
     add(ours, "hilger", "steps lw 3", 'h');
     add(theirs, "the fastest peer", "steps lw 2 dt 3", 'p');
-    rows.close();
+    if (not rows.flush()) hilger::error::raise<hilger::error::unreadable>("cannot write '", name, ".csv'");
     std::string const axes = "set logscale xy; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n";
     std::cout << '\n'
               << sketch(out, name,

@@ -157,7 +157,7 @@ TEST_CASE("a checkpoint of another problem does not go on in silence") {
     CHECK(complaint(shortly(9.81), shortly(9.81)) == "");
     CHECK(complaint(shortly(9.81), shortly(9.80665)) != "");
     // Where a step fails it tells nothing, and what is read back fails where the run did.
-    auto const pole = [](auto const& q, auto const& v) { return v * v / 2 + log(q); };
+    auto const pole = [](auto const& q, auto const& v) { return v * v / 2 - log(q); };
     auto const falling = embed(pole, mid_point).along(uniform(0.0, 4.0, 3), 1e-3, -9.0);
     std::stringstream lost;
     write_checkpoint(lost, falling, falling.begin().checkpoint());
