@@ -71,11 +71,12 @@ public:
             std::string const method = mechanics.embedding(*e, what);
             if (what.parts.empty() and engine::is_embedding_in_text(method))
                 (void)text::embedding_in(file_.text_of(*e, "embedding"), words, file_.path(), file_.begin_of_text(*e));
-            if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end() and
-                file_.saying_where(e, [&] { return has_embedding(what, method); }))
+            if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end()) {
+                if (not file_.saying_where(e, [&] { return has_embedding(what, method); }))
+                    (void)file_.chosen(*e, "embedding", s.embeddings); // says which there are
                 s.embeddings.push_back(method);
-            bool const is_known = std::find(s.embeddings.begin(), s.embeddings.end(), method) != s.embeddings.end();
-            s.usual.embedding = is_known ? method : file_.chosen(*e, "embedding", s.embeddings);
+            }
+            s.usual.embedding = method;
             if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
         }
         if (what.of.has_memory()) {

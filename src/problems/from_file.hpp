@@ -68,8 +68,9 @@ extern template std::unique_ptr<walk> begin_with_memory<double>(stated_problem c
 extern template std::unique_ptr<walk> begin_with_memory<hilger::float50>(stated_problem const&, configuration const&);
 std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration const& c);
 std::unique_ptr<walk> begin_summed(stated_problem const& what, configuration const& c);
-/// Whether a method is one for each of several parts: "mid-point + order-one". @throws hilger::error::invalid_parameter where one of them
-/// is no embedding in one step, or there are not as many as parts
+/// Whether a method is one for each of several parts, "mid-point + order-one"; and the same, once it is looked at.
+/// @throws hilger::error::invalid_parameter where one of them is no embedding in one step, or there are not as many as parts
+bool names_parts(stated_problem const& what, std::string const& method);
 bool is_for_parts(stated_problem const& what, std::string const& method);
 std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
 /// What digits of a number spell, rounded to what S has. @throws hilger::error::invalid_parameter beyond its largest number

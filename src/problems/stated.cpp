@@ -79,7 +79,7 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
     engine::prepare_machine_code();
     if (not what.last.empty()) return begin_between(what, c);
-    if (is_for_parts(what, c.embedding)) return begin_summed(what, c);
+    if (names_parts(what, c.embedding)) return begin_summed(what, c);
     bool const in_50_digits = c.scalar == "50-digits";
     if (engine::is_newmark(c.embedding))
         return in_50_digits ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);

@@ -25,6 +25,9 @@ std::vector<std::string> summands(std::string const& text) {
     return all;
 }
 engine::problem read_by(stated_problem const& what, std::vector<std::string> const& methods) {
+    if (methods.size() != what.parts.size())
+        hilger::error::raise<hilger::error::invalid_parameter>("there is one embedding for all or one for each of the ", what.parts.size(),
+                                                               " Lagrangians, and here are ", methods.size());
     engine::problem sum = what.of;
     sum.lagrangian = what.parts[0];
     for (std::size_t k = 1; k < methods.size(); ++k) sum.besides.push_back({what.parts[k], methods[k]});
@@ -33,12 +36,15 @@ engine::problem read_by(stated_problem const& what, std::vector<std::string> con
 
 } // namespace
 
-bool is_for_parts(stated_problem const& what, std::string const& method) {
+bool names_parts(stated_problem const& what, std::string const& method) {
+    if (what.parts.empty()) return false;
     std::vector<std::string> const methods = summands(method);
-    if (what.parts.empty() or methods.size() < 2 or methods.back().empty()) return false; // mid-point+ has another meaning
-    if (methods.size() != what.parts.size())
-        hilger::error::raise<hilger::error::invalid_parameter>("there is one embedding for all or one for each of the ", what.parts.size(),
-                                                               " Lagrangians, and here are ", methods.size());
+    return methods.size() > 1 and not methods.back().empty(); // mid-point+ has another meaning
+}
+
+bool is_for_parts(stated_problem const& what, std::string const& method) {
+    if (not names_parts(what, method)) return false;
+    std::vector<std::string> const methods = summands(method);
     (void)engine::embeddings_of_sum<double>(read_by(what, methods), methods[0]);
     return true;
 }

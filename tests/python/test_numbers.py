@@ -190,29 +190,6 @@ class Failures(unittest.TestCase):
         for given in (0.25, mpmath.mpf("0.25")):
             self.assertAlmostEqual(x(given), x("0.25"), delta=1e-50)
 
-    def test_verlet_on_fractions(self):
-        times, F, step = [Fraction(0), Fraction(1, 3), Fraction(1, 2), Fraction(2)], lambda x: -x - x**3 / 3, Fraction(1, 10)
-        L = h.Lagrangian(v**2 / 2 - q**2 / 2 - q**4 / 12, q, v)
-        for T, steps in ((h.uniform(0, step, 4), [step] * 4), (h.TimeScale(times), [b - a for a, b in zip(times, times[1:])])):
-            x = h.solve(h.variation(L, T, h.verlet), q0=Fraction(1, 2), v0=Fraction(1, 3))
-            y, p = Fraction(1, 2), Fraction(1, 3)
-            for i, t in enumerate(steps):  # half of a kick, a drift, half of a kick
-                p += t / 2 * F(y)
-                y += t * p
-                p += t / 2 * F(y)
-                self.assertEqual((x.q[i + 1], x.p[i + 1]), (y, p))
-            self.assertEqual(x.residual(), 0)
-
-    @unittest.skipIf(mpmath is None, "mpmath is not here")
-    def test_compositions_in_fifty_digits(self):
-        swung = h.Lagrangian(v**2 / 2 - (1 - h.cos(q)), q, v)
-        with mpmath.workdps(50):
-            end = lambda method, n: h.solve(h.variation(swung, h.uniform(mpmath.mpf(0), mpmath.mpf(1) / n, n), method), q0=1, v0=0).q[-1]
-            best = end(h.gauss(8), 64)
-            for method, order, n in ((h.verlet, 2, 64), (h.kahan_li_8, 8, 48)):
-                a, b = abs(end(method, n) - best), abs(end(method, 2 * n) - best)
-                self.assertAlmostEqual(float(mpmath.log(a / b, 2)), order, delta=0.02)
-
     def test_what_is_no_number(self):
         x = h.solve(oscillator, q0=1, v0=0)
         exact = h.solve(h.variation(oscillator.lagrangian, h.uniform(0, Fraction(1, 2), 4)), q0=1, v0=0)

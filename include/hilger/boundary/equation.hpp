@@ -72,14 +72,10 @@ public:
         }
         return at;
     }
-    /// From now on the equation is that of (1 - s) v.M v / 2 + s L, M as L has it at the first point of start(), whose solution is start()
-    /// for s = 0.
-    void set_share(S const& share) {
-        share_ = share;
-        if (share == S(1)) return;
-        point const first = start();
-        mass_ = expand(at_time{L_, T_.element(1)}, first.q[0], first.v[0]).vv;
-    }
+    /// From now on the equation is that of (1 - s) v.M v / 2 + s L, whose solution is start() for s = 0; M is what L has at its first point
+    /// `at` start().
+    void set_mass(point const& at) { mass_ = expand(at_time{L_, T_.element(1)}, at.q[0], at.v[0]).vv; }
+    void set_share(S const& share) { share_ = share; }
     /// The positions of `next`. What rounding, times the condition of the problem, has taken from the condition at t_N is given back to its
     /// velocities along g, with the derivatives at `at`.
     void place(point const& at, point& next) const {

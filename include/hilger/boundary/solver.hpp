@@ -87,6 +87,7 @@ private:
     /// Newton's path ends where its derivative is singular. The solutions of (1 - s) v.M v / 2 + s L, each found from one of a smaller s,
     /// are another path, which may lead past that to s = 1.
     attempt by_growing_shares(point at, attempt failed) {
+        equation_.set_mass(at);
         for (S share(0), step = S(1) / S(2); share < S(1);) {
             S const next = std::min(S(1), S(share + step));
             equation_.set_share(next);

@@ -23,9 +23,9 @@ public:
         auto at = system_(from_);
         if (not all_finite(at.residual)) return {};
         first_ = at.residual;
-        V b = from_;
-        if (magnitude(first_) == S(0) or not solve_linear(at.jacobian, first_, b)) return {};
-        unit_ = length(magnitude(from_) == S(0) ? b : from_);
+        V unit = from_;
+        if (magnitude(first_) == S(0) or (magnitude(from_) == S(0) and not solve_linear(at.jacobian, first_, unit))) return {};
+        unit_ = length(unit);
         place here{from_, S(0)}, along{zero_like(from_), S(1)};
         if (not(S(0) < unit_) or not is_finite(unit_) or not put_tangent(at, along)) return {};
         S step = S(1) / S(16);
