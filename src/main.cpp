@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -94,6 +95,9 @@ int main(int argc, char** argv) {
         if (*papers) return program::run_papers(about);
         if (*extremes) return program::report_extremes(std::cout, quick) ? 0 : 1;
         if (*identities) return program::prove_identities(std::cout) ? 0 : 1;
+    } catch (std::bad_alloc const&) {
+        std::fprintf(stderr, "hilger: there is not enough memory for this: fewer steps, or histories of exponentials, take less\n");
+        return 1;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "hilger: %s\n", e.what());
         return 1;

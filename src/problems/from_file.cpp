@@ -26,6 +26,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/methods/histories.hpp"
 #include "engine/methods/lambda.hpp"
 #include "hilger/multiprecision.hpp"
 #include "mechanics_in_file.hpp"
@@ -87,6 +88,7 @@ public:
         if (auto const* h = file_.get("history")) {
             if (not what.of.has_memory()) file_.refuse(h, "a history is for fractional damping, and there is none");
             s.usual.history = file_.chosen(*h, "history", s.histories, true);
+            file_.saying_where(h, [&] { engine::require_history(s.usual.history); });
         }
         s.columns = {"t"};
         for (char const* momentum : {"", "p_"})
@@ -99,16 +101,27 @@ public:
                 file_.refuse(file_.get("coordinates"), "two columns of the rows would be called '" + *column + "'");
         observe(file_, words, what, s);
         s.stated = std::make_shared<stated_problem const>(what);
-        s.begin = [stated = s.stated, name = s.name](configuration const& c) {
+        s.begin = [stated = s.stated, name = s.name, embeddings = s.embeddings](configuration const& c) {
             auto begun = begin_stated(*stated, c);
             if (not begun)
-                hilger::error::raise<hilger::error::invalid_parameter>("the scene ", name, " has no ", c.embedding, " in ", c.scalar);
+                hilger::error::raise<hilger::error::invalid_parameter>("the scene ", name, " has no ", c.embedding, " in ", c.scalar,
+                                                                       ", and has ", listed_in(*stated, c, embeddings));
             return begun;
         };
         return s;
     }
 
 private:
+    /// Which of the embeddings there are in the scalar of c.
+    static std::string listed_in(stated_problem const& what, configuration c, std::vector<std::string> const& embeddings) {
+        std::string text;
+        c.steps = 1;
+        for (auto const& e : embeddings) {
+            c.embedding = e;
+            if (begin_stated(what, c)) text += (text.empty() ? "" : ", ") + e;
+        }
+        return text;
+    }
     static constexpr std::array<std::string_view, 21> keys{"title",    "lagrangian", "force",   "parameters", "coordinates", "velocities",
                                                            "interval", "steps",      "initial", "first",      "last",        "embedding",
                                                            "damping",  "material",   "history", "units",      "conserved",   "observed",

@@ -92,6 +92,7 @@ public:
                              "a position has " + std::to_string(s_.dimension) + " numbers, and here are " + std::to_string(digits.size()));
             auto const* error = e.get("error");
             s_.exact_error = error != nullptr ? file_.number(file_.digits_of(*error)) : 1e-15;
+            if (not(s_.exact_error >= 0)) file_.refuse(error, "the error of what is exact is not negative");
             auto const* source = e.get("source");
             s_.exact_source = source != nullptr ? file_.text_of(*source, "source") : "what " + file_.path() + " says";
             s_.exact = [digits] {

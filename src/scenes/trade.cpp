@@ -45,6 +45,10 @@ struct truth {
     numbers position;
     double own_error;
     std::string how;
+    /// What is as far away as the position is long, or by 1 where that is shorter, is no approximation.
+    [[nodiscard]] double largest_error() const {
+        return std::max(1.0, static_cast<double>(distance(position, numbers(position.size(), float100(0)))));
+    }
 };
 truth find_truth(scene const& what) {
     if (what.exact) return {what.exact(), what.exact_error, what.exact_source};
@@ -71,6 +75,7 @@ void keep(std::vector<point>& points, point p) {
 /// rounding has the last word. Many digits begin where steps are short enough for the iterations of high orders.
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
     double best = 1e300, fine = reference.own_error * 4, before = 1e300;
+    double const most = reference.largest_error();
     int worse = 0, slower = 0;
     bool const many_digits = c.scalar.ends_with("digits");
     hilger::index_type first = what.histories.empty() ? 8 : 64;
@@ -83,7 +88,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
             numbers end;
             double const seconds = fastest([&] { end = position_at_end(what, c); }, std::min(0.2, 50 * budget));
             double const error = static_cast<double>(distance(end, reference.position));
-            if (std::isfinite(error) and error < 1)
+            if (std::isfinite(error) and error < most)
                 keep(points, {c.embedding + (c.history.empty() ? "" : ", " + c.history) + (c.scalar == "double" ? "" : ", " + c.scalar),
                               std::to_string(c.steps), seconds, std::max(error, reference.own_error)});
             worse = error < best / 1.05 ? 0 : worse + 1;
@@ -91,7 +96,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
             // Where few steps are so long that they need Newton's method, more steps take less.
             slower += seconds > budget and seconds > before;
             before = seconds;
-            if (slower > 1 or (best < 1 and worse > 6) or error < fine) return;
+            if (slower > 1 or (best < most and worse > 6) or error < fine) return;
         } catch (hilger::error::exception const&) { // steps that are too long
         }
     }
@@ -147,7 +152,7 @@ std::string quoted(std::string const& text) {
 }
 /// All that was measured on the left, and the two fronts on the right; what double reaches of the fronts as text, too.
 void picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
-             std::vector<point> const& theirs) {
+             std::vector<point> const& theirs, double largest_error) {
     auto const name = "trade_" + what.name;
     std::ofstream rows = create(out, name + ".csv");
     rows
@@ -184,8 +189,8 @@ void picture(std::string const& out, scene const& what, std::vector<point> const
     std::string const axes = "set logscale xy; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n";
     std::cout << '\n'
               << sketch(out, name,
-                        axes + "unset grid; set format '1e%L'; set yrange [1e-16:1]; set xrange [:" + std::to_string(2 * longest) + "]\n" +
-                            letters + '\n');
+                        axes + "unset grid; set format '1e%L'; set yrange [1e-16:" + std::to_string(largest_error) +
+                            "]; set xrange [:" + std::to_string(2 * longest) + "]\n" + letters + '\n');
     std::cout << "Written: " << draw(out, name, axes + "set format '10^{%L}'\n" + everything + fronts + '\n') << '\n';
 }
 
@@ -212,7 +217,7 @@ int run_trade(trade_options const& options) {
             for (auto const& run : run_peers(what)) {
                 numbers const end(run.position.begin(), run.position.end());
                 double const error = static_cast<double>(distance(end, reference.position));
-                if (error < 1)
+                if (error < reference.largest_error())
                     keep(points, {"peer " + run.method, (std::ostringstream() << run.parameter).str(), run.seconds,
                                   std::max(error, reference.own_error), false});
             }
@@ -229,7 +234,7 @@ int run_trade(trade_options const& options) {
         auto const best = cheapest(ours, options.accuracy);
         std::cout << "\nfor " << options.accuracy << ": " << (best ? told(best) : std::string("nothing here is as accurate")) << '\n';
     }
-    picture(options.out, what, points, ours, theirs);
+    picture(options.out, what, points, ours, theirs, reference.largest_error());
     return 0;
 }
 

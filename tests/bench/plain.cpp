@@ -74,7 +74,7 @@ auto stepped(auto const& how) {
 }
 template <class System, class V>
 void race_of(std::string const& name, long steps) {
-    race(name + ", order one", steps, 7,
+    race(name + ", order one", 10 * steps, 7, // to trace a chain takes as long as a thousand of its steps
          {{"hilger, a plain lambda", stepped<System, V>(hilger::order_one)}, {"symplectic Euler", symplectic_euler<System>, true}});
     race(name + ", mid-point", steps, 7,
          {{"hilger, a plain lambda", stepped<System, V>(hilger::mid_point)},

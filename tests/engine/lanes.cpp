@@ -117,6 +117,31 @@ TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all
     for (auto const& method : all_methods) check_lanes(in_time, method, uneven(), 0.5);
 }
 
+TEST_CASE("lanes start from rest with a drag, and where a norm is 0") {
+    kept_here const cache;
+    for (std::string const method : {"mid-point", "order-one", "order-one-left"}) {
+        CAPTURE(method);
+        auto const dragged = stated("dot(v, v)/2 - dot(q, q)/2 - norm(q)*dot(q, q)", 2, {"-0.3*norm(v)*v[0]", "-0.3*norm(v)*v[1]"});
+        auto const code = lanes::of(dragged, method, equal);
+        REQUIRE(bool(code != nullptr));
+        auto from = starts(*code, 2, 0.5);
+        for (std::size_t m = 0; m < from.size(); ++m) (m % 2 == 0 ? from[m].q : from[m].v).setZero();
+        auto const together = walked(*code, from, steps);
+        auto const alone = engine::embedded_in_one_step(dragged, method, equal);
+        for (std::size_t m = 0; m < from.size(); ++m) {
+            CHECK(together[m].is_well.back());
+            std::size_t i = 0;
+            double worst = 0;
+            alone->walk({from[m].q, engine::second_datum::velocity, from[m].v}, [&](double, vector const& q, vector const&) {
+                worst = std::max(worst, (q - together[m].q[i++]).cwiseAbs().maxCoeff());
+                return true;
+            });
+            CHECK(i == static_cast<std::size_t>(steps) + 1);
+            CHECK(worst <= 16 * static_cast<double>(steps) * epsilon<double>());
+        }
+    }
+}
+
 TEST_CASE("small components beside large ones keep their digits") {
     kept_here const cache;
     auto const what = stated("v[0]^2/2 + v[1]^2*(1 + q[1]^2*1e16)/2 - q[0]^4/4 - q[1]^2/2 - q[1]^4*1e16/4", 2);

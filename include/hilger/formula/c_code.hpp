@@ -18,6 +18,17 @@ public:
     c_writer(node_evaluation what, tableau<symbol> b, symbol h, std::string name)
         : N(what.dimension), what_(std::move(what)), b_(std::move(b)), h_(std::move(h)), name_(std::move(name)) {}
 
+    [[nodiscard]] std::string all() const {
+        return "/* L */\n" + lagrangian() + "\n/* p = dL/dv */\n" + momentum() +
+               "\n/* r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2), zero on solutions */\n" + residual() + '\n' +
+               (N > 1 ? c_solve(name_, N) + '\n' : "") +
+               "/* One step (q_i, p_i) -> (q_{i+1}, p_{i+1}); v is the guess of the velocity at the node and becomes that velocity.\n"
+               "   Of several solutions of a long step it is the one that Newton's method comes to from v.\n"
+               "   On failure all three are left as they were. */\n" +
+               step();
+    }
+
+private:
     [[nodiscard]] std::string lagrangian() const {
         c_statements body("    ");
         body.add("return", here().L);
@@ -69,8 +80,6 @@ public:
         std::string const text = body.text();
         return function("int", "step", {"h", "q", "p", "v"}, text, body.read());
     }
-
-private:
     [[nodiscard]] node_formulas here() const { return what_.at(symbol::variable("t"), c_array("q", N), c_array("v", N)); }
     /// Arguments: "h" is a number, "const q" an array that is read, "r" one that is written. Those that are not read are said to be unused.
     [[nodiscard]] std::string function(std::string const& type, std::string const& suffix, std::vector<std::string> const& arguments,
@@ -121,6 +130,23 @@ std::string written_lagrangian(F const& lagrangian, int d) {
     return out.str();
 }
 
+/// The text, and before it those functions that it calls and math.h does not have: fmax and fmin pass over what is no number.
+inline std::string with_functions(std::string text, std::string const& name) {
+    struct {
+        char const *call, *what, *value;
+    } const all[] = {{"over_norm(", "a / b, and 0 where b is: the slope of a norm at 0", "b == 0.0 ? a * b : a / b"},
+                     {"larger(", "the larger one, or what is no number", "a > b || a != a ? a : b"},
+                     {"smaller(", "the smaller one, or what is no number", "a < b || a != a ? a : b"}};
+    std::string before;
+    for (auto const& f : all) {
+        if (text.find(f.call) == std::string::npos) continue;
+        std::string const call = name + '_' + f.call;
+        before += std::string("/* ") + f.what + " */\nstatic double " + call + "double a, double b)\n{\n    return " + f.value + ";\n}\n\n";
+        text = filled(text, {{f.call, call}});
+    }
+    return before + text;
+}
+
 inline void require_c_name(std::string const& name) {
     auto const letter = [](char c) { return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z') or c == '_'; };
     bool good = not name.empty() and letter(name[0]);
@@ -160,15 +186,8 @@ std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string con
         << detail::written_equations(method.mechanics().lagrangian, method.embedding(), " *   ") << " * One node in a step h: weight "
         << b.w(0) << ", position " << b.a(0, 0) * from + b.a(0, 1) * to << ", velocity " << b.b(0, 1) * to + b.b(0, 0) * from << ". */\n"
         << "#include <math.h>\n\nenum {\n    " << name << "_ok,\n    " << name << "_singular,\n    " << name << "_no_convergence,\n    "
-        << name << "_not_finite\n};\n\n/* L */\n"
-        << write.lagrangian() << "\n/* p = dL/dv */\n"
-        << write.momentum() << "\n/* r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2), zero on solutions */\n"
-        << write.residual() << '\n';
-    if (d > 1) out << detail::c_solve(name, d) << '\n';
-    out << "/* One step (q_i, p_i) -> (q_{i+1}, p_{i+1}); v is the guess of the velocity at the node and becomes that velocity.\n"
-           "   Of several solutions of a long step it is the one that Newton's method comes to from v.\n"
-           "   On failure all three are left as they were. */\n"
-        << write.step();
+        << name << "_not_finite\n};\n\n"
+        << detail::with_functions(write.all(), name);
     return out.str();
 }
 

@@ -37,6 +37,7 @@ struct c_spelling {
     static written quotient(written const& a, written const& b) {
         return {a.in(written::product) + " / " + b.in(written::factor), written::product};
     }
+    static written over_norm(written const& a, written const& b) { return {"over_norm(" + a.text + ", " + b.text + ")"}; }
     static written power(written const& a, double n) {
         if (n != std::floor(n) or n > longest_product) return {"pow(" + a.text + ", " + number(n) + ")"};
         std::string text = a.in(written::factor);
@@ -45,7 +46,8 @@ struct c_spelling {
     }
     static written call(operation op, std::string const& arguments) {
         if (op == operation::abs) return {"fabs(" + arguments + ")"};
-        if (op == operation::maximum or op == operation::minimum) return {std::string("f") + name_of(op) + "(" + arguments + ")"};
+        if (op == operation::maximum or op == operation::minimum)
+            return {(op == operation::maximum ? "larger(" : "smaller(") + arguments + ")"};
         if (op == operation::sign) return {"copysign(1.0, " + arguments + ")"};
         return {name_of(op) + ("(" + arguments + ")")};
     }

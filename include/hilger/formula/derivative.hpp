@@ -40,6 +40,10 @@ private:
             auto const [z, n] = whole_power(f.second());
             return da / f.second() - n * a * of(z) / pow(z, n + 1);
         }
+        case operation::over_norm:
+            return symbol::over_norm(da - f * of(f.second()), f.second());
+        case operation::sqrt:
+            return is_sum_of_squares(a) ? symbol::over_norm(da / 2, f) : da / (2 * f);
         case operation::atan2: {
             symbol const x = f.second();
             return (x * da - a * of(x)) / (x * x + a * a);
@@ -50,6 +54,21 @@ private:
             return of_the_first_where(f.second() - a, da, of(f.second()));
         default:
             return da.is(0) ? da : slope(f, a) * da;
+        }
+    }
+    /// What is never negative by its form has no slope where it is 0.
+    static bool is_sum_of_squares(symbol const& f) {
+        switch (f.op()) {
+        case operation::number:
+            return f.value() >= 0;
+        case operation::power:
+            return f.value() == 2 * std::floor(f.value() / 2);
+        case operation::plus:
+            return is_sum_of_squares(f.first()) and is_sum_of_squares(f.second());
+        case operation::times:
+            return f.first().is_number() and is_sum_of_squares(f.first()) and is_sum_of_squares(f.second());
+        default:
+            return false;
         }
     }
     /// da where x >= 0, else db.
@@ -74,8 +93,6 @@ private:
             return f;
         case operation::log:
             return 1 / a;
-        case operation::sqrt:
-            return 1 / (2 * f);
         case operation::sinh:
             return cosh(a);
         case operation::cosh:

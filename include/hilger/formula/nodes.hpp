@@ -22,6 +22,7 @@ enum class operation : unsigned char {
     minus,
     times,
     over,
+    over_norm, ///< x/y, and 0 where y is, but for an x without bounds: the slope of a norm at 0 is taken for 0, as everywhere
     negative,
     power, ///< the exponent is a number, in `value`
     atan2,
@@ -115,7 +116,16 @@ inline double call(operation op, double x) {
 
 /// The same of two arguments.
 inline double call(operation op, double x, double y) {
-    return op == operation::atan2 ? std::atan2(x, y) : op == operation::maximum ? std::max(x, y) : std::min(x, y);
+    switch (op) {
+    case operation::atan2:
+        return std::atan2(x, y);
+    case operation::over_norm:
+        return y == 0 ? x * y : x / y;
+    case operation::maximum:
+        return std::max(x, y);
+    default:
+        return std::min(x, y);
+    }
 }
 /// What is not one formula: it has branches, and so have its derivatives.
 constexpr bool has_branches(operation op) {

@@ -112,6 +112,11 @@ struct formula_writer {
             return spelling.product(write(f.first()), write(f.second()));
         case operation::over:
             return spelling.quotient(write(f.first()), write(f.second()));
+        case operation::over_norm:
+            if constexpr (requires(written const& x) { spelling.over_norm(x, x); })
+                return spelling.over_norm(write(f.first()), write(f.second()));
+            else
+                return spelling.quotient(write(f.first()), write(f.second()));
         case operation::power:
             return spelling.power(write(f.first()), f.value());
         case operation::atan2:

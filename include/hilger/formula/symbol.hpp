@@ -58,7 +58,7 @@ public:
         auto const [c, z] = factor(x);
         auto const [d, w] = factor(y);
         if (z.same_as(w)) return symbol(c + d) * z;
-        if (x.shares_denominator(y)) return (x.first() + y.first()) / x.second();
+        if (x.shares_denominator(y)) return x.with_numerator(x.first() + y.first());
         if (x.has_factor() and y.has_factor() and c == d) return symbol(c) * (z + w);
         return make(operation::plus, x, y);
     }
@@ -72,7 +72,7 @@ public:
         auto const [c, z] = factor(x);
         auto const [d, w] = factor(y);
         if (z.same_as(w)) return symbol(c - d) * z;
-        if (x.shares_denominator(y)) return (x.first() - y.first()) / x.second();
+        if (x.shares_denominator(y)) return x.with_numerator(x.first() - y.first());
         if (x.has_factor() and y.has_factor() and c == d) return symbol(c) * (z - w);
         return make(operation::minus, x, y);
     }
@@ -86,6 +86,11 @@ public:
         if (y.op() == operation::negative) return -(x * y.first());
         if (x.op() == operation::over) return x.first() * y / x.second();
         if (y.op() == operation::over) return x * y.first() / y.second();
+        if (x.op() == operation::over_norm and y.op() != operation::over_norm) return y * x;
+        if (y.op() == operation::over_norm and not x.is_number()) {
+            if (common(x, y.second())) return x / y.second() * y.first();
+            return over_norm(x * y.first(), y.second());
+        }
         if (y.has_factor()) return (x.is_number() ? symbol(x.value() * y.first().value()) : y.first()) * made_product(x, y);
         if (x.has_factor()) return x.first() * (x.second() * y);
         if (auto const c = common(x, y)) return pow(symbol(c->base), c->m + c->n);
@@ -104,6 +109,8 @@ public:
         if (y.op() == operation::negative) return -(x / y.first());
         if (y.op() == operation::over) return x * y.second() / y.first();
         if (x.op() == operation::over) return x.first() / (x.second() * y);
+        if (auto const [c, z] = factor(x); z.op() == operation::over_norm and common(z.second(), y))
+            return symbol(c) * z.first() / (z.second() * y);
         if (y.is_number() and x.has_factor()) return symbol(x.first().value() / y.value()) * x.second();
         if (y.has_factor() and (x.is_number() or x.has_factor())) {
             auto const [c, z] = factor(x);
@@ -129,6 +136,14 @@ public:
         if (whole and x.op() == operation::negative) return even ? pow(x.first(), y) : -pow(x.first(), y);
         if (whole and x.op() == operation::power and x.value() == std::floor(x.value())) return pow(x.first(), x.value() * n);
         return symbol(node({operation::power, n, {}, 0, x.node_, nullptr}));
+    }
+    /// x / y, where a derivative is divided by a norm (operation::over_norm).
+    static symbol over_norm(symbol const& x, symbol const& y) {
+        if (x.is(0)) return x;
+        if (x.op() == operation::negative) return -over_norm(x.first(), y);
+        if (x.has_factor()) return x.first() * over_norm(x.second(), y);
+        bool const is_multiple = x.op() == operation::times and (common(x.first(), y) or common(x.second(), y));
+        return is_multiple or common(x, y) ? x / y : call(operation::over_norm, x, y);
     }
     /// x as z^n, n a whole number.
     friend std::pair<symbol, double> whole_power(symbol const& x) {
@@ -190,8 +205,9 @@ private:
     /// c z with a number c before a z that is none.
     [[nodiscard]] bool has_factor() const { return op() == operation::times and node_->a->op == operation::number; }
     [[nodiscard]] bool shares_denominator(symbol const& y) const {
-        return op() == operation::over and y.op() == operation::over and second().same_as(y.second());
+        return (op() == operation::over or op() == operation::over_norm) and y.op() == op() and second().same_as(y.second());
     }
+    [[nodiscard]] symbol with_numerator(symbol const& x) const { return op() == operation::over ? x / second() : over_norm(x, second()); }
     static std::pair<double, symbol> factor(symbol const& x) {
         if (x.is_number()) return {x.value(), 1};
         if (x.has_factor()) return {x.first().value(), x.second()};

@@ -74,6 +74,18 @@ public:
             x = solution(weight_.cwiseProduct(x));
     }
 
+    /// x = K^-1 r
+    template <class R, class X>
+    void solve(R const& r, X& x) const {
+        if (how_ == solver::diagonal) {
+            tally<S>::add(work::solve);
+            for (int k = 0; k < d_; ++k) x(k) = r(k) * weight_(k);
+        } else {
+            x = r;
+            solve(x);
+        }
+    }
+
 private:
     S* data() { return how_ == solver::sparse ? sparse_.valuePtr() : how_ == solver::elimination ? few_.data().data() : data_.data(); }
     std::ptrdiff_t length() {

@@ -133,7 +133,12 @@ public:
     /// In any number type, as every Lagrangian.
     template <class X, class Y>
     auto operator()(X const& q, Y const& v) const {
-        if constexpr (is_matrix)
+        static_assert(
+            requires { v.dot(v); }, "mechanical(mass, U) is for states that are Eigen vectors: for numbers write "
+                                    "[](auto const& q, auto const& v) { return mass * v * v / 2 - U(q); }");
+        if constexpr (not requires { v.dot(v); })
+            return v;
+        else if constexpr (is_matrix)
             return v.dot(mass_ * v) / 2 - potential_(q);
         else if constexpr (requires { mass_.size(); })
             return v.dot(mass_.cwiseProduct(v)) / 2 - potential_(q);

@@ -38,18 +38,20 @@ public:
         if (place_ == place::end) {
             parts_.velocity(x.p, v_);
             moved = w_ * v_;
-            parts_.force(what, x.q + moved, v_, [&](int c, S const& f) { gained(c) = w_ * f; });
+            parts_.force(what, x.q + moved, v_, w_, gained);
             return true;
         }
         if (parts_.reads_velocity()) return steps_with_friction(what, x, moved, gained);
-        // Short vectors in one loop: reading as vectors what was just written one by one takes longer.
-        bool const diagonal = shape<V>::size != Eigen::Dynamic and parts_.is_diagonal();
-        parts_.force(what, x.q, [&](int c, S const& f) {
-            S const more = w_ * f;
-            gained(c) = more;
-            if (diagonal) moved(c) = w_ * parts_.velocity(c, x.p(c) + more);
-        });
-        if (diagonal) return true;
+        if (shape<V>::size != Eigen::Dynamic and parts_.is_diagonal()) {
+            // Short vectors in one loop: reading as vectors what was just written one by one takes longer.
+            parts_.force(what, x.q, [&](int c, S const& f) {
+                S const more = w_ * f;
+                gained(c) = more;
+                moved(c) = w_ * parts_.velocity(c, x.p(c) + more);
+            });
+            return true;
+        }
+        parts_.force(what, x.q, w_, gained);
         parts_.velocity(x.p + gained, v_);
         moved = w_ * v_;
         return true;
@@ -61,7 +63,7 @@ private:
     bool steps_with_friction(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (not parts_.has_constant_friction()) return false;
         if (not resisted_.is_factorized() and not parts_.factorize(resisted_, S(-w_))) return false;
-        parts_.force(what, x.q, [&](int c, S const& f) { gained(c) = w_ * f; });
+        parts_.force(what, x.q, w_, gained);
         v_ = x.p + gained - parts_.at_rest();
         resisted_.solve(v_);
         moved = w_ * v_;

@@ -234,8 +234,7 @@ private:
     }
     static S small_correction() { return square_root_of_epsilon<S>() / S(Compensated ? 1024 : 4); }
     void correct(matrix& K) {
-        correction_ = e_.residual;
-        K.solve(correction_);
+        K.solve(e_.residual, correction_);
         corrected_ = corrected::in_all;
         for (int c = 0; c < e_.unknowns(); ++c) u::component(e_.moved, c) = u::component(e_.moved, c) - correction_(c);
     }

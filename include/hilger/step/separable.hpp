@@ -112,27 +112,36 @@ public:
     }
     template <class R>
     void velocity(R const& p, V& v) {
-        v = p - at_rest_;
-        divide(v);
+        solve(p - at_rest_, v);
     }
-    void solve(V const& f, V& v) {
-        v = f;
-        divide(v);
+    /// M^-1 f, for f other than v.
+    template <class F>
+    void solve(F const& f, V& v) {
+        if (is_diagonal_)
+            v = inverse_.cwiseProduct(f);
+        else {
+            v = f;
+            mass_.solve(v);
+        }
     }
     /// Calls use(c, component c of dL/dq at q), where a force is the one at v = 0, or at v.
     template <class Use>
     void force(given_problem<V> const& what, V const& q, Use const& use) {
-        int const d = s::dimension(q);
-        std::copy_n(q.data(), d, node_.arguments());
-        (void)node_.evaluate_here(what, S(0), d, wanted::forces_only);
+        evaluate(what, q);
         S const* const values = node_.values().data();
         int const* const place = node_.places().by_q.data();
-        for (int c = 0; c < d; ++c) use(c, values[place[c]]);
+        for (int c = 0, d = s::dimension(q); c < d; ++c) use(c, values[place[c]]);
     }
-    template <class Use>
-    void force(given_problem<V> const& what, V const& q, V const& v, Use const& use) {
-        if (reads_velocity()) std::copy_n(v.data(), v.size(), node_.arguments() + v.size());
-        force(what, q, use);
+    /// f = w dL/dq
+    template <class F>
+    void force(given_problem<V> const& what, V const& q, S const& w, F& f) {
+        evaluate(what, q);
+        node_.put_by_q(w, f);
+    }
+    template <class F>
+    void force(given_problem<V> const& what, V const& q, V const& v, S const& w, F& f) {
+        if (reads_velocity()) Eigen::Map<V>(node_.arguments() + v.size(), v.size()) = v;
+        force(what, q, w, f);
     }
     [[nodiscard]] V const& at_rest() const { return at_rest_; }
     /// What a force changes by with the velocity, at the places of the formula.
@@ -162,11 +171,9 @@ public:
     [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
 
 private:
-    void divide(V& v) {
-        if (is_diagonal_)
-            v.array() *= inverse_.array();
-        else
-            mass_.solve(v);
+    void evaluate(given_problem<V> const& what, V const& q) {
+        Eigen::Map<V>(node_.arguments(), q.size()) = q;
+        (void)node_.evaluate_here(what, S(0), s::dimension(q), wanted::forces_only);
     }
     /// At v = 0, where the arguments of the formula stay.
     void learn(given_problem<V> const& what, V const& q) {
@@ -208,7 +215,7 @@ public:
     static constexpr bool has_forces = false;
     bool inspect(what_type const& what, state<S, V> const& x) { return formula::inspect(given<what_type, V>(what), x.q); }
     bool force(what_type const& what, S const&, V const& q, V& f) {
-        formula::force(given<what_type, V>(what), q, [&](int c, S const& x) { f(c) = x; });
+        formula::force(given<what_type, V>(what), q, S(1), f);
         return true;
     }
 };

@@ -50,6 +50,8 @@ static inline lanes either(mask m, lanes a, lanes b) { return (lanes)((m & (mask
 static inline lanes size_of(lanes x) { return (lanes)((mask)x & 0x7fffffffffffffffLL); }
 static inline lanes larger(lanes a, lanes b) { return either(a > b, a, b); }
 static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
+static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0.0), a * b, a / b); }
+#define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
 static inline int are_all(mask m)
 {
     long long all_of_them = -1;

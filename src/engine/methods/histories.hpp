@@ -28,4 +28,12 @@ void with_history(std::string const& name, hilger::index_type steps, Use const& 
         "histories are direct, blocks, exponentials, exponentials:1e-8 and window:1000, and not '", name, "'");
 }
 
+/// @throws hilger::error::invalid_parameter where there is no history of that name, or not with that parameter
+inline void require_history(std::string const& name) {
+    with_history(name, 1, []<class Policy>(Policy const& policy) {
+        if constexpr (std::same_as<Policy, hilger::exponentials>)
+            (void)hilger::detail::memory::exponential_weights<hilger::bdf<1>, double>(0.5, policy);
+    });
+}
+
 } // namespace engine

@@ -46,6 +46,10 @@ constexpr auto one_sided = [](auto const& x, auto const& v) {
     return v * v / 2 - 4 * x * max(x, 0.0) - abs(x) * x * x / 3 - erf(x) * x / 8 - hypot(x, 3.0) - cbrt(2 + x * x) - log1p(x * x) -
            pow(2.0, -x * x);
 };
+constexpr auto oscillator = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) / 2; };
+constexpr auto drag = [](auto const&, auto const& v) { return -0.3 * v.norm() * v; };
+constexpr auto norm_cubed = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.norm() * q.squaredNorm(); };
+constexpr auto root_or_nothing = [](auto const& x, auto const& v) { return v * v / 2 - max(sqrt(x), 0.0) + min(0.0, sqrt(x)); };
 constexpr auto free_particle = [](auto const&, auto const& v) { return v * v / 2; };
 using driven_with_friction = problem<std::remove_const_t<decltype(driven)>, std::remove_const_t<decltype(friction)>>;
 
@@ -60,6 +64,9 @@ std::string all_the_code() {
            c_code<vector>(embed(rigid, mid_point), "rigid") + c_code(embed(cubic, mid_point), "cubic") +
            c_code(embed(driven_with_friction{driven, friction}, theta<1, 3>), "driven") + c_code(embed(one_sided, mid_point), "one_sided") +
            c_code(embed(one_sided, order_one_left), "one_sided_left") + c_code(embed(free_particle, mid_point), "free_particle") +
+           c_code<vector>(embed(with_force(oscillator, drag), mid_point), "dragged") +
+           c_code<vector>(embed(norm_cubed, order_one), "norm_cubed") + c_code<vector>(embed(norm_cubed, mid_point), "norm_cubed_between") +
+           c_code(embed(root_or_nothing, mid_point), "root_or_nothing") +
            c_code<vector>(embed(one_large_one_small, mid_point), "one_large_one_small") + detail::c_solve("three", 3) +
            "int three(double K[3][3], double x[3]);\n" + "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
 }
@@ -176,6 +183,19 @@ TEST_CASE("1000 steps of the C are those of the flow") {
     CHECK(distance_after_1000_steps("one_sided", embed(one_sided, mid_point), 1.0, 0.5, 0.2) < bound);
     CHECK(distance_after_1000_steps("one_sided_left", embed(one_sided, order_one_left), 1.0, 0.5, 0.05) < bound);
     CHECK(distance_after_1000_steps("free_particle", embed(free_particle, mid_point), 1.0, 0.5, 0.05) < bound);
+}
+
+TEST_CASE("C starts from rest with a drag, and where a norm is 0") {
+    if (not there_is_a_c_compiler()) return;
+    double const bound = 32;
+    vector const at_rest(0, 0), somewhere(0.5, -0.25);
+    CHECK(distance_after_1000_steps("dragged", embed(with_force(oscillator, drag), mid_point), somewhere, at_rest, 0.05) < bound);
+    CHECK(distance_after_1000_steps("norm_cubed", embed(norm_cubed, order_one), at_rest, somewhere, 0.05) < bound);
+    CHECK(distance_after_1000_steps("norm_cubed_between", embed(norm_cubed, mid_point), at_rest, somewhere, 0.05) < bound);
+    double const behind = -1, still = 0; // fmax passes over what is no number
+    CHECK(std::isnan(generated().get<lagrangian_in_c>("root_or_nothing_lagrangian")(&behind, &still)));
+    double const before = 4;
+    CHECK(generated().get<lagrangian_in_c>("root_or_nothing_lagrangian")(&before, &still) == -2);
 }
 
 TEST_CASE("small components beside large ones keep their digits in C") {

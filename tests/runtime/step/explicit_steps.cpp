@@ -55,6 +55,32 @@ TEST_CASE("explicit steps solve the derived equation, exactly") {
     solves_its_equation<5>(coupled_masses, time_scale<Q>{Q(0), Q(1, 3), Q(1, 2), Q(1, 2) + Q(1, 7)});
 }
 
+TEST_CASE("of many components whose values stand together, and of those that stand apart, the equation is solved") {
+    auto const many = [](auto const& q, auto const& v) {
+        auto L = v.dot(v) / 2 - q(0) * q(0);
+        for (int k = 1; k < q.size(); ++k) {
+            auto const r = q(k) - q(k - 1);
+            L = L - r * r / 2 - r * r * r * r / 4;
+            if (k % 10 == 0) L = L - q(k) * q(k) * q(k) / 3; // what breaks the row
+        }
+        return L;
+    };
+    int const d = 40;
+    vector<Q, Eigen::Dynamic> q(d), p(d);
+    for (int k = 0; k < d; ++k) q(k) = Q(k % 7, 8), p(k) = Q(3 - k % 5, 4);
+    auto const friction = [](auto const& q_, auto const& v) { return plain_t<decltype(q_ + v)>(-v / 4 + 0 * q_); };
+    auto const T = uniform(Q(0), Q(1, 4), 2);
+    for (auto const& r :
+         {largest_residual(embed(many, order_one).along(T, q, p)), largest_residual(embed(many, order_one_left).along(T, q, p)),
+          largest_residual(embed(with_force(many, friction), order_one).along(T, q, p)),
+          largest_residual(embed(with_force(many, friction), order_one_left).along(T, q, p))})
+        CHECK(r == 0);
+    Eigen::VectorXd const x = q.cast<double>(), y = p.cast<double>();
+    double const h = 0.125, rounding = 16 * std::numeric_limits<double>::epsilon() / (h * h);
+    CHECK(largest_residual(embed(many, mid_point).along(uniform(0.0, h, 40), x, y)) <= rounding);
+    CHECK(largest_residual(embed(many, galerkin<2, gauss>).along(uniform(0.0, h, 20), x, y)) <= rounding);
+}
+
 TEST_CASE("explicit steps take forces, exactly") {
     auto const T = time_scale<Q>{Q(0), Q(1, 3), Q(1, 2), Q(1, 2) + Q(1, 7)};
     auto const of_position = [](auto const& q, auto const& v) { return plain_t<decltype(q + v)>(q.cwiseProduct(q) / 3 + 0 * v); };

@@ -235,10 +235,13 @@ struct jet : detail::keeps_its_derivatives<S> {
     HILGER_ALWAYS_INLINE constexpr jet& assigned(Z const& z) {
         constexpr bool is_of_this_type = std::is_same_v<Z, jet>;
         static_assert(is_of_this_type, "L and forces are called with q and v as jets of two types, and what q and v make is of a third: "
-                                       "instead of v += q, give the sum a name of its own, auto const w = v + q");
+                                       "instead of v += q or v = v + q, give the sum a name of its own, auto const w = v + q");
         if constexpr (is_of_this_type) *this = z;
         return *this;
     }
+    template <int F, int C>
+        requires(not(F >= First and F + C <= First + Count))
+    constexpr jet& operator=(jet<S, F, C, Order> const& x) { return assigned(x); }
     template <class Y>
     HILGER_ALWAYS_INLINE constexpr jet& operator+=(Y const& y) {
         return assigned(*this + y);

@@ -146,6 +146,7 @@ traced<S> operator+(traced<S> const& x, traced<S> const& y) {
     if (detail::makes_derivatives<S>() and not x.is_constant() and not y.is_constant()) {
         detail::multiple_of<S> const l(x), r(y);
         if (l.rest.node == r.rest.node) return traced<S>(S(l.factor + r.factor)) * l.rest;
+        if (not(l.factor == S(1)) and l.factor == r.factor) return traced<S>(l.factor) * (l.rest + r.rest);
         if (r.rest.node != y.node and r.factor == S(-1)) return detail::make_traced<detail::minus_traced>(x, r.rest);
         if (l.rest.node != x.node and l.factor == S(-1)) return detail::make_traced<detail::minus_traced>(y, l.rest);
     }

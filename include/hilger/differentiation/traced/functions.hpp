@@ -41,6 +41,8 @@ struct function_of_one {
 namespace detail {
 /// x/y, and 0 where y is, but for an x without bounds: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of
 /// jets is.
+template <class S>
+traced<S> over_norm(traced<S> const& x, traced<S> const& y);
 struct over_norm_traced {
     static constexpr char const* name = "over_norm";
     static constexpr bool commutes = false;
@@ -50,10 +52,16 @@ struct over_norm_traced {
     }
     template <class T>
     static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {
-        T const by_x = make_traced<over_norm_traced>(adjoint, y);
+        T const by_x = over_norm(adjoint, y);
         return {by_x, -(by_x * result)};
     }
 };
+template <class S>
+traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
+    if (makes_derivatives<S>() and not x.is_constant())
+        if (multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(m.factor) * over_norm(m.rest, y);
+    return make_traced<over_norm_traced>(x, y);
+}
 /// What is never negative by its form has no slope where it is 0.
 template <class S>
 bool is_sum_of_squares(traced<S> const& x) {
@@ -80,8 +88,8 @@ bool is_sum_of_squares(traced<S> const& x) {
 }
 template <class T>
 T slope_of_root(T const& x, T const& root, T const& adjoint) {
-    T const twice = T(2) * root;
-    return is_sum_of_squares(x) ? make_traced<over_norm_traced>(adjoint, twice) : adjoint / twice;
+    T const half = T(1) / T(2);
+    return half * (is_sum_of_squares(x) ? over_norm(adjoint, root) : adjoint / root);
 }
 struct slope_of_log_traced : function_of_one {
     static constexpr char const* name = "slope_of_log";
@@ -131,7 +139,7 @@ struct hypot_traced {
     }
     template <class T>
     static std::pair<T, T> pull_back(T const& x, T const& y, T const& result, T const& adjoint) {
-        T const each = make_traced<over_norm_traced>(adjoint, result);
+        T const each = over_norm(adjoint, result);
         return {each * x, each * y};
     }
 };

@@ -22,13 +22,35 @@ struct derivative_places {
     struct second {
         int row, column, place;
     };
-    std::vector<int> by_q, by_v; ///< with the force in by_q
+    /// Components from one on whose places stand one after the other.
+    struct stretch {
+        int component, place, count;
+    };
+    std::vector<int> by_q, by_v;                 ///< with the force in by_q
+    std::vector<stretch> by_q_whole, by_v_whole; ///< the same in stretches; none where they are short
     std::array<std::vector<second>, blocks> entries;
     std::array<bool, blocks> constant{}; ///< no value of the block ever changes
+    void find_stretches() {
+        by_q_whole = stretches_of(by_q);
+        by_v_whole = stretches_of(by_v);
+    }
     /// In the argument that a block is of twice.
     [[nodiscard]] int degree(block_number b) const {
         auto const k = static_cast<std::size_t>(b);
         return entries[k].empty() ? 1 : constant[k] ? 2 : dependence::no_polynomial;
+    }
+
+private:
+    static std::vector<stretch> stretches_of(std::vector<int> const& places) {
+        constexpr std::size_t worth_it = 8;
+        std::vector<stretch> made;
+        for (int c = 0; c < static_cast<int>(places.size()); ++c) {
+            int const p = places[static_cast<std::size_t>(c)];
+            if (made.empty() or p != made.back().place + made.back().count) made.push_back({c, p, 0});
+            ++made.back().count;
+        }
+        if (made.size() * worth_it > places.size()) made.clear();
+        return made;
     }
 };
 
@@ -152,6 +174,7 @@ traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L,
     made.how = evaluation<S>(g, g.arguments(d), asked);
     for (auto* list : {&made.places.by_q, &made.places.by_v})
         for (int& k : *list) k = made.how.place(k);
+    made.places.find_stretches();
     for (auto& block : made.places.entries)
         for (auto& e : block) e.place = made.how.place(e.place);
     for (auto const& w : g.guards())

@@ -74,6 +74,7 @@ private:
             made.by_q.push_back(k);
             made.by_v.push_back(d + k);
         }
+        made.find_stretches();
         for (int b = 0; b < blocks; ++b) {
             made.constant[at(b)] = says_all_ and is_constant[b];
             if (not is_there[b]) continue;

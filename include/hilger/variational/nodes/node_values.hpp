@@ -28,12 +28,15 @@ public:
     /// to = c dL/dq, force included; to += a dL/dq + b dL/dv
     template <class X>
     void put_by_q(S const& c, X& to) const {
-        S const* const x = values_.data();
-        int const* const place = places_->by_q.data();
-        for (int k = 0, d = static_cast<int>(places_->by_q.size()); k < d; ++k) to(k) = c * x[place[k]];
+        put(places_->by_q, places_->by_q_whole, to, [&](auto const&, auto const& x) { return c * x; });
     }
     template <class X>
     void add_both(S const& a, S const& b, X& to) const {
+        if (can_add_whole(to)) {
+            add_by_q(a, to);
+            add_by_v(b, to);
+            return;
+        }
         S const* const x = values_.data();
         int const *const place = places_->by_q.data(), *const other = places_->by_v.data();
         for (int k = 0, d = static_cast<int>(places_->by_q.size()); k < d; ++k) to(k) = to(k) + a * x[place[k]] + b * x[other[k]];
@@ -41,11 +44,11 @@ public:
     /// to += c dL/dq, force included; to += c dL/dv
     template <class X>
     void add_by_q(S const& c, X& to) const {
-        add(places_->by_q, c, to);
+        put(places_->by_q, places_->by_q_whole, to, [&](auto const& before, auto const& x) { return before + c * x; });
     }
     template <class X>
     void add_by_v(S const& c, X& to) const {
-        add(places_->by_v, c, to);
+        put(places_->by_v, places_->by_v_whole, to, [&](auto const& before, auto const& x) { return before + c * x; });
     }
 
 protected:
@@ -54,11 +57,27 @@ protected:
     bool has_branches_ = false;
 
 private:
+    using whole = Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, 1> const>;
     template <class X>
-    void add(std::vector<int> const& from, S const& c, X& to) const {
+    static constexpr bool stands_together = std::is_base_of_v<Eigen::PlainObjectBase<X>, X>;
+    template <class X>
+    [[nodiscard]] bool can_add_whole(X const&) const {
+        return stands_together<X> and not places_->by_q_whole.empty() and not places_->by_v_whole.empty();
+    }
+    /// to = use(to, x), component by component, where x is at these places: as vectors where that makes fewer of them.
+    template <class X, class Use>
+    void put(std::vector<int> const& places, std::vector<derivative_places::stretch> const& stretches, X& to, Use const& use) const {
         S const* const x = values_.data();
-        int const* const place = from.data();
-        for (int k = 0, d = static_cast<int>(from.size()); k < d; ++k) to(k) = to(k) + c * x[place[k]];
+        if constexpr (stands_together<X>)
+            if (not stretches.empty()) {
+                for (auto const& e : stretches) {
+                    auto&& part = to.segment(e.component, e.count);
+                    part = use(part, whole(x + e.place, e.count));
+                }
+                return;
+            }
+        int const* const place = places.data();
+        for (int k = 0, d = static_cast<int>(places.size()); k < d; ++k) to(k) = use(to(k), x[place[k]]);
     }
 };
 
