@@ -129,6 +129,8 @@ TEST_CASE("the slope of a norm at 0 is 0 in formulas as it is in jets") {
     CHECK(printed(partial(partial(q.norm() * q.squaredNorm(), q(0)), q(1))) == "3·(q₀·q₁/√(q₀² + q₁²))");
     CHECK(std::isinf(value_at(1 / q.norm(), {{"q₀", 0}, {"q₁", 0}}))); // what somebody divided by is divided by
     CHECK(std::isnan(value_at(partial(1 / q.norm(), q(0)), {{"q₀", 0}, {"q₁", 0}})));
+    CHECK(std::isnan(value_at(partial(sqrt(pow(q(0), 3)), q(0)), {{"q₀", 0}}))); // no norm
+    CHECK(value_at(partial(q.norm(), q(0)) + partial(q.norm(), q(1)), {{"q₀", 0}, {"q₁", 0}}) == 0);
 }
 
 TEST_CASE("a Lagrangian and its derivatives, written out") {

@@ -61,7 +61,7 @@ TEST_CASE("of many components whose values stand together, and of those that sta
         for (int k = 1; k < q.size(); ++k) {
             auto const r = q(k) - q(k - 1);
             L = L - r * r / 2 - r * r * r * r / 4;
-            if (k % 10 == 0) L = L - q(k) * q(k) * q(k) / 3; // what breaks the row
+            if (k == 20) L = L - q(k) * q(k) * q(k) / 3; // what breaks the row
         }
         return L;
     };
@@ -78,7 +78,7 @@ TEST_CASE("of many components whose values stand together, and of those that sta
     Eigen::VectorXd const x = q.cast<double>(), y = p.cast<double>();
     double const h = 0.125, rounding = 16 * std::numeric_limits<double>::epsilon() / (h * h);
     CHECK(largest_residual(embed(many, mid_point).along(uniform(0.0, h, 40), x, y)) <= rounding);
-    CHECK(largest_residual(embed(many, galerkin<2, gauss>).along(uniform(0.0, h, 20), x, y)) <= rounding);
+    CHECK(largest_residual(embed(many, galerkin<2, gauss>).along(uniform(0.0, h, 20), x, y)) <= 4 * rounding); // points at h/2
 }
 
 TEST_CASE("explicit steps take forces, exactly") {
