@@ -81,6 +81,8 @@ auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, 
 template <class F, class Order, ordered_scalar S, index_type Steps, class V>
 auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S, Steps>>> const& equation,
                   boundary_values<V> const& ends, int levels, boundary_options const& options = {}) {
+    if (levels < 0)
+        error::raise<error::invalid_parameter>("a solution is extrapolated from T and some levels beyond it, not from ", levels);
     return extrapolated(equation, ends, error_exponents(equation.action().velocity.order.template as<S>(), levels), options);
 }
 

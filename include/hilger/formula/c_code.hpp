@@ -136,7 +136,10 @@ inline std::string with_functions(std::string text, std::string const& name) {
         char const *call, *what, *value;
     } const all[] = {{"over_norm(", "a / b, and 0 where b is: the slope of a norm at 0", "b == 0.0 ? a * b : a / b"},
                      {"larger(", "the larger one, or what is no number", "a > b || a != a ? a : b"},
-                     {"smaller(", "the smaller one, or what is no number", "a < b || a != a ? a : b"}};
+                     {"smaller(", "the smaller one, or what is no number", "a < b || a != a ? a : b"},
+                     {"sign_of(", "b with the sign of a, which a zero has not", "a < 0.0 ? -b : a >= 0.0 ? b : a"},
+                     {"if_not_negative(", "b where a is not negative, else 0", "a >= 0.0 ? b : a < 0.0 ? 0.0 : a"},
+                     {"if_negative(", "b where a is negative, else 0", "a < 0.0 ? b : a >= 0.0 ? 0.0 : a"}};
     std::string before;
     for (auto const& f : all) {
         if (text.find(f.call) == std::string::npos) continue;

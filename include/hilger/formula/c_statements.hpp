@@ -38,6 +38,9 @@ struct c_spelling {
         return {a.in(written::product) + " / " + b.in(written::factor), written::product};
     }
     static written over_norm(written const& a, written const& b) { return {"over_norm(" + a.text + ", " + b.text + ")"}; }
+    static written where(bool not_negative, written const& c, written const& x) {
+        return {(not_negative ? "if_not_negative(" : "if_negative(") + c.text + ", " + x.text + ")"};
+    }
     static written power(written const& a, double n) {
         if (n != std::floor(n) or n > longest_product) return {"pow(" + a.text + ", " + number(n) + ")"};
         std::string text = a.in(written::factor);
@@ -48,7 +51,7 @@ struct c_spelling {
         if (op == operation::abs) return {"fabs(" + arguments + ")"};
         if (op == operation::maximum or op == operation::minimum)
             return {(op == operation::maximum ? "larger(" : "smaller(") + arguments + ")"};
-        if (op == operation::sign) return {"copysign(1.0, " + arguments + ")"};
+        if (op == operation::sign) return {"sign_of(" + arguments + ", 1.0)"};
         return {name_of(op) + ("(" + arguments + ")")};
     }
 };

@@ -43,7 +43,10 @@ private:
         case operation::over_norm:
             return symbol::over_norm(da - f * of(f.second()), f.second());
         case operation::sqrt:
-            return is_sum_of_squares(a) ? symbol::over_norm(da / 2, f) : da / (2 * f);
+            return is_never_negative(a) ? symbol::over_norm(da / 2, f) : da / (2 * f);
+        case operation::power:
+            if (f.value() < 1 and is_never_negative(a)) return symbol::over_norm(f.value() * f * da, a);
+            return slope(f, a) * da;
         case operation::atan2: {
             symbol const x = f.second();
             return (x * da - a * of(x)) / (x * x + a * a);
@@ -52,21 +55,26 @@ private:
             return of_the_first_where(a - f.second(), da, of(f.second()));
         case operation::minimum:
             return of_the_first_where(f.second() - a, da, of(f.second()));
+        case operation::where:
+        case operation::elsewhere:
+            return part(f.op(), a, of(f.second()));
         default:
             return da.is(0) ? da : slope(f, a) * da;
         }
     }
     /// What is never negative by its form has no slope where it is 0.
-    static bool is_sum_of_squares(symbol const& f) {
+    static bool is_never_negative(symbol const& f) {
         switch (f.op()) {
         case operation::number:
             return f.value() >= 0;
         case operation::power:
-            return f.value() == 2 * std::floor(f.value() / 2);
+            return f.value() == 2 * std::floor(f.value() / 2) or is_never_negative(f.first());
+        case operation::sqrt:
+            return true;
         case operation::plus:
-            return is_sum_of_squares(f.first()) and is_sum_of_squares(f.second());
         case operation::times:
-            return f.first().is_number() and is_sum_of_squares(f.first()) and is_sum_of_squares(f.second());
+        case operation::over:
+            return is_never_negative(f.first()) and is_never_negative(f.second());
         default:
             return false;
         }
@@ -74,7 +82,12 @@ private:
     /// da where x >= 0, else db.
     static symbol of_the_first_where(symbol const& x, symbol const& da, symbol const& db) {
         if (da.same_as(db)) return da;
-        return (da + db) / 2 + symbol::call(operation::sign, x) * ((da - db) / 2);
+        return part(operation::where, x, da) + part(operation::elsewhere, x, db);
+    }
+    static symbol part(operation op, symbol const& x, symbol const& d) {
+        if (d.is(0)) return d;
+        if (x.is_number()) return (x.value() >= 0) == (op == operation::where) ? d : 0;
+        return symbol::call(op, x, d);
     }
     /// g'(a) of f = g(a)
     static symbol slope(symbol const& f, symbol const& a) {

@@ -28,6 +28,8 @@ enum class operation : unsigned char {
     atan2,
     maximum,
     minimum,
+    where,     ///< y where x >= 0, else 0: what is not taken may be infinite
+    elsewhere, ///< y where x < 0, else 0
     sin,
     cos,
     tan,
@@ -121,6 +123,10 @@ inline double call(operation op, double x, double y) {
         return std::atan2(x, y);
     case operation::over_norm:
         return y == 0 ? x * y : x / y;
+    case operation::where:
+        return x >= 0 ? y : x < 0 ? 0 : x;
+    case operation::elsewhere:
+        return x < 0 ? y : x >= 0 ? 0 : x;
     case operation::maximum:
         return std::max(x, y);
     default:
@@ -129,7 +135,17 @@ inline double call(operation op, double x, double y) {
 }
 /// What is not one formula: it has branches, and so have its derivatives.
 constexpr bool has_branches(operation op) {
-    return op == operation::maximum or op == operation::minimum or op == operation::abs or op == operation::sign;
+    switch (op) {
+    case operation::maximum:
+    case operation::minimum:
+    case operation::where:
+    case operation::elsewhere:
+    case operation::abs:
+    case operation::sign:
+        return true;
+    default:
+        return false;
+    }
 }
 
 /// The thread's nodes, held as long as somebody holds them.

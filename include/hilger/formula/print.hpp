@@ -119,6 +119,9 @@ struct formula_writer {
                 return spelling.quotient(write(f.first()), write(f.second()));
         case operation::power:
             return spelling.power(write(f.first()), f.value());
+        case operation::where:
+        case operation::elsewhere:
+            return spelling.where(f.op() == operation::where, write(f.first()), write(f.second()));
         case operation::atan2:
         case operation::maximum:
         case operation::minimum:
@@ -151,6 +154,10 @@ struct terminal_spelling {
     }
     static written quotient(written const& a, written const& b) {
         return {a.in(written::product) + "/" + b.in(written::factor), written::product};
+    }
+    /// In Iverson's brackets.
+    static written where(bool not_negative, written const& c, written const& x) {
+        return product({"[" + c.text + (not_negative ? " ≥ 0]" : " < 0]")}, x);
     }
     static written power(written const& a, double n) {
         std::string const raised = n == 2 ? "²" : n == 3 ? "³" : n == 4 ? "⁴" : "^" + round_trip(n);
@@ -198,6 +205,9 @@ struct latex_spelling {
         return {a.in(written::product) + " \\, " + b.in(written::product), written::product};
     }
     static written quotient(written const& a, written const& b) { return {"\\frac{" + a.text + "}{" + b.text + "}", written::product}; }
+    static written where(bool not_negative, written const& c, written const& x) {
+        return product({"[" + c.text + (not_negative ? " \\ge 0]" : " < 0]")}, x);
+    }
     static written power(written const& a, double n) { return {"{" + a.in(written::atom) + "}^{" + round_trip(n) + "}", written::factor}; }
     static written call(operation op, std::string const& arguments) {
         if (op == operation::abs) return {"\\left|" + arguments + "\\right|"};

@@ -40,17 +40,6 @@ struct impulse_options {
 
 namespace detail {
 
-/// omega(-1)^beta h^{2 - beta}: times rho / M it is 4 at the limit of stability; infinite for a pole at -1. In double, which is enough to
-/// say on which side of it something is.
-template <generating_function G>
-double explicit_stiffness(double beta, double h) {
-    double p = 0, q = 0, sign = 1;
-    for (double const x : G::template numerator<double>()) p += sign * x, sign = -sign;
-    sign = 1;
-    for (double const x : G::template denominator<double>()) q += sign * x, sign = -sign;
-    return std::pow(std::abs(p / q), beta) * std::pow(std::abs(h), 2 - beta);
-}
-
 /// h rho (Delta q)_k along one trajectory, for the components that have a rho, and whether it stays within bounds.
 template <class Damping, class S, class V>
 class damping_impulse {
@@ -60,9 +49,11 @@ class damping_impulse {
 
 public:
     damping_impulse(Damping const& d, S const& h, damping_at at, V const& like)
-        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h),
-          stiffness_(
-              explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()), static_cast<double>(h))) {}
+        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at),
+          has_lost_jump_(at != damping_at::start and d.history == initial_history::riemann_liouville and
+                         not(d.order.template as<S>() < S(1))),
+          h_(h), stiffness_(explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()),
+                                                                             static_cast<double>(h))) {}
     [[nodiscard]] on const& components() const { return on_; }
     /// @throws error::invalid_parameter where the mass of a component (`mass(j)`, NaN where it is not known) says that no run can be stable
     template <class Mass>
@@ -75,6 +66,10 @@ public:
                     reached, " for component ", on_.at(k), ": take shorter steps, or with_fractional_damping, which has no limit");
         }
         if (on_.count() == 0) return;
+        if (has_lost_jump_ and not(magnitude(on_.of(q0)) == S(0)))
+            error::raise<error::invalid_parameter>(
+                "impulses at the ends of steps, of an order of 1 or more with initial_history::riemann_liouville, begin at q0 = 0: "
+                "the jump from 0 at the first point is in no step. damping_at::start and with_fractional_damping begin anywhere");
         kept const velocity = on_.of(v0);
         on_.history().begin(on_.of(q0), velocity);
         take(q0);
@@ -127,6 +122,7 @@ private:
     on on_;
     kept rho_, now_, before_, impulse_, began_;
     damping_at at_;
+    bool has_lost_jump_; ///< h^{1 - beta} x_0, which does not vanish with h
     S h_;
     double stiffness_;
 };

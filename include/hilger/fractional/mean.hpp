@@ -241,7 +241,7 @@ auto damped_by_mean(damped_problem<L, mean_over_step<Others...>> const& l, Dampi
 /// what is damped already is damped again.
 ///
 /// Embedded by mid-point it is of order two, also for q0 != 0 and v0 != 0; in the first steps, where the solution is like t^{3 - beta},
-/// momenta are of order 2 - beta only. It adds no limit to the length of steps: the work of the mean along the steps is never positive.
+/// momenta are of order 2 - beta only. It adds no limit to the length of steps.
 /// @throws error::invalid_parameter when beta or rho is out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
 auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}, damping_options options = {}) {

@@ -56,6 +56,7 @@ public:
             if (not(h == h_))
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
+            require_stable(f);
             response_.begin(x.q, f.velocity(x.p));
             force(f, x.t, x.q, zero_, true);
             r_ = d_;
@@ -85,6 +86,43 @@ public:
         [[nodiscard]] std::size_t history_bytes() const { return response_.history().bytes(); }
 
     private:
+        /// The root -1 of a step's equation: h^2 M^-1 (C tau^alpha h^-alpha omega(-1)^alpha + K) (1 - 4 beta) has eigenvalues below 4, or
+        /// it is beyond -1. @throws error::invalid_parameter
+        void require_stable(newmark_flow const& f) const {
+            if constexpr (4 * Beta::numerator < Beta::denominator and requires { f.structure_.damping, f.structure_.order; }) {
+                constexpr double rest = 1 - 4.0 * Beta::numerator / Beta::denominator;
+                auto const number = [](auto const& x) { return static_cast<double>(x); };
+                double const h = number(h_), tau = number(S(f.structure_.relaxation_time));
+                double const alpha = number(detail::checked_order(f.structure_.order).template as<S>());
+                double const stiff = detail::explicit_stiffness<G>(alpha, h) * std::pow(tau, alpha);
+                double most = 0;
+                if constexpr (s::is_scalar) {
+                    double const C = number(f.structure_.damping);
+                    most = std::abs(((C == 0 ? 0 : C * stiff) + number(f.structure_.stiffness) * h * h) / number(f.structure_.mass));
+                } else {
+                    Eigen::MatrixXd const C = f.structure_.damping.unaryExpr(number);
+                    Eigen::MatrixXd A = f.structure_.stiffness.unaryExpr(number) * (h * h);
+                    if (not C.isZero(0)) A += C * stiff;
+                    Eigen::MatrixXd const all = Eigen::MatrixXd(f.structure_.mass.unaryExpr(number)).partialPivLu().solve(A);
+                    if (not all.allFinite())
+                        most = std::numeric_limits<double>::infinity();
+                    else { // by the power method, which comes to it from below
+                        Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(all.rows(), [](auto k) { return k % 2 == 0 ? 1.0 : -0.9; });
+                        for (int k = 0; k < 50 and x.norm() > 0; ++k) {
+                            Eigen::VectorXd const y = all * x;
+                            most = y.norm() / x.norm();
+                            x = y / std::max(y.norm(), std::numeric_limits<double>::min());
+                        }
+                    }
+                }
+                if (rest * most >= 4.001)
+                    error::raise<error::invalid_parameter>("Newmark's scheme with beta below 1/4 is stable where (1 - 4 beta) h^2 M^-1 (C "
+                                                           "tau^alpha h^-alpha omega(-1)^alpha + K) "
+                                                           "is below 4, and here it is ",
+                                                           rest * most,
+                                                           ": take shorter steps, or average_acceleration, which has no limit");
+            }
+        }
         void move(newmark_flow const& f, state<S, V>& x) {
             S const beta = Beta::template as<S>();
             S const t = x.t + h_, hh = h_ * h_, half_h = h_ / S(2);

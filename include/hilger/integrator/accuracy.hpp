@@ -6,16 +6,20 @@
 // `hilger trade` measure. The number of steps is doubled until two solutions agree, as closely as the order of the method says that they
 // should; where they do not, or L has branches, until six do, of which most have their points elsewhere. Over kinks all methods lose their
 // order, and the mid-point embedding, whose steps cost least, takes their place. L itself has no jumps: no derivative sees them.
-// Between the points of its scale the solution is a step of the same embedding: x(t).q, x(t).p.
+// Between the points of its scale the solution is a step of the same embedding, x(t).q, x(t).p; with a history, which such a step has not,
+// the cubic polynomial of dense_output.
 #pragma once
 
 #include <exception>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/flow.hpp"
+#include "hilger/trajectory/dense_output.hpp"
 
 namespace hilger {
 
@@ -41,7 +45,8 @@ struct accurate_solution {
     index_type evaluated_steps; ///< of all runs together
     std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< a state on T led to a time within the step that it begins
 
-    /// The state at t, as good as those at the points. @throws error::outside_domain, and what steps throw
+    /// The state at t, as good as those at the points, or with a history within h^4 of them. @throws error::outside_domain, and what steps
+    /// throw
     [[nodiscard]] state<S, V> operator()(S const& t) const {
         auto const& T = q.root();
         if (not(T.min() <= t) or not(t <= T.max()))
@@ -134,8 +139,14 @@ public:
                 if (told <= wanted and is_third) {
                     state<S, V> end = end_;
                     auto const T = uniform(I_, steps);
-                    return result{
-                        function_on(T, std::move(fine)), function_on(T, std::move(momenta)), end, steps, method_, told, walked_, onward()};
+                    return result{function_on(T, std::move(fine)),
+                                  function_on(T, std::move(momenta)),
+                                  end,
+                                  steps,
+                                  method_,
+                                  told,
+                                  walked_,
+                                  onward(steps)};
                 }
                 bool const is_near = error < largest(fine) / S(64);
                 slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
@@ -191,18 +202,29 @@ private:
         return q;
     }
     /// What is short within a step may be long for another start: it is cut into more, then.
-    [[nodiscard]] auto onward() const {
-        return [flow = flow_](state<S, V> const& from, S const& t) {
-            for (index_type steps = 1;; steps *= 2) {
-                try {
-                    state<S, V> last = from;
-                    for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
-                    return last;
-                } catch (error::no_convergence const&) {
-                    if (steps == 8) throw;
+    [[nodiscard]] auto onward(index_type all) const {
+        if constexpr (has_history<Flow>) {
+            struct walked_again {
+                std::once_flag once;
+                std::optional<dense_output<S, V>> path;
+            };
+            return [flow = flow_, T = uniform(I_, all), start = start_, kept = std::make_shared<walked_again>()](state<S, V> const&,
+                                                                                                                 S const& t) {
+                std::call_once(kept->once, [&] { kept->path.emplace(flow.along(T, start)); });
+                return (*kept->path)(t);
+            };
+        } else
+            return [flow = flow_](state<S, V> const& from, S const& t) {
+                for (index_type steps = 1;; steps *= 2) {
+                    try {
+                        state<S, V> last = from;
+                        for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
+                        return last;
+                    } catch (error::no_convergence const&) {
+                        if (steps == 8) throw;
+                    }
                 }
-            }
-        };
+            };
     }
     static S largest(std::vector<V> const& x) {
         S found(0);

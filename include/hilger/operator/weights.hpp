@@ -105,11 +105,12 @@ class weight_sequence {
     static constexpr std::size_t Q = std::tuple_size_v<decltype(G::template denominator<wide>())>, taps = P + Q - 1;
 
 public:
-    /// @throws error::invalid_parameter when alpha is not finite.
+    /// @throws error::invalid_parameter when alpha is not finite, or omega no generating function of a derivative.
     constexpr explicit weight_sequence(S const& alpha) {
         if (not is_finite(alpha)) error::raise<error::invalid_parameter>("the order of a fractional difference is a finite number");
         auto const p = G::template numerator<wide>();
         auto const q = G::template denominator<wide>();
+        require_consistent();
         for (std::size_t i = 0; i < P; ++i)
             for (std::size_t j = 0; j < Q; ++j) {
                 wide const both = p[i] * q[j], slope = wide(static_cast<int>(i)) - wide(static_cast<int>(j));
@@ -138,6 +139,26 @@ public:
     }
 
 private:
+    /// That omega(z) is (1 - z) + O((1 - z)^2), and has a power where z = 0.
+    static constexpr void require_consistent() {
+        auto const p = G::template numerator<S>();
+        auto const q = G::template denominator<S>();
+        S value(0), slope(0), below(0), size(0);
+        for (std::size_t i = 0; i < P; ++i) {
+            S const x = p[i];
+            value = value + x;
+            slope = slope + x * S(static_cast<int>(i));
+            size = size + (x < S(0) ? S(-x) : x) * S(static_cast<int>(i + 1));
+        }
+        for (std::size_t j = 0; j < Q; ++j) below = below + q[j];
+        S const rounding = S(64) * epsilon<S>() * size;
+        auto const is_zero = [&](S const& x) { return not(rounding < x) and not(rounding < -x); };
+        if (not is_zero(value) or not is_zero(S(slope + below)) or not(S(0) < p[0] / q[0]))
+            error::raise<error::invalid_parameter>(
+                "a generating function is omega(z) = (1 - z) + O((1 - z)^2), and positive at z = 0; here "
+                "omega(1) is ",
+                S(value / below), ", omega'(1) ", S(slope / below), " and omega(0) ", S(p[0] / q[0]));
+    }
     std::array<wide, taps> a_{}, b_{}, last_{}; // last_[j - 1] = w_{n-j}
     index_type n_ = 0;
 };

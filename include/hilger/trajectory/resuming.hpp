@@ -39,11 +39,21 @@ public:
         template <class X>
         void operator()(char const*, X& x) {
             std::size_t& next = std::is_integral_v<X> ? whole : std::is_same_v<X, S> ? wide : real;
-            x = static_cast<X>(from.of<X>().at(next++));
+            auto const& all = from.of<X>();
+            if (next == all.size()) refuse();
+            x = static_cast<X>(all[next++]);
+        }
+        /// That all were read. @throws error::mismatch
+        void require_end() const {
+            if (whole != from.whole_.size() or real != from.real_.size() or wide != from.wide_.size()) refuse();
         }
     };
 
 private:
+    [[noreturn]] static void refuse() {
+        error::raise<error::mismatch>("a trajectory resumes from a checkpoint of its own method, and the one of this checkpoint remembers "
+                                      "another number of values: it had another history or order, or was made for other numbers of steps");
+    }
     template <class X>
     using kept = std::conditional_t<std::is_integral_v<X>, long long, X>;
     template <class X>
@@ -72,22 +82,22 @@ Memory taken_over(Memory from, Method const& method, S const& h, V const& like) 
         Memory own(method, h, like);
         typename numbers_of_memory<S>::reader read{numbers};
         own.visit(method, read);
+        read.require_end();
         return own;
     } else
         return from;
 }
-/// That a step of length h with what is remembered leads where one without it does. @throws error::mismatch
-template <class S, class V, class Memory, class Method>
-void require_its_own(Memory remembered, Method const& method, state<S, V> const& at, S const& h) {
+/// That a step of length h leads where another memory leads that knows more, or nothing, of another problem. @throws error::mismatch
+template <class S, class V, class Method, class Memory, class Other>
+void require_same_step(Memory remembered, Other const& other, Method const& method, state<S, V> const& at, S const& h) {
     std::optional<state<S, V>> with, without;
     try {
         state<S, V> x = at;
         remembered.advance(method, x, h);
         with = x;
-        Memory nothing(method, h, at.q);
-        if constexpr (requires(V const& v) { nothing.start_with(method, at, v); }) nothing.start_with(method, at, mean_velocity(at, x));
+        Memory another = other(at, x);
         x = at;
-        nothing.advance(method, x, h);
+        another.advance(method, x, h);
         without = x;
     } catch (std::exception const&) { // then it tells nothing
     }
@@ -96,6 +106,19 @@ void require_its_own(Memory remembered, Method const& method, state<S, V> const&
             "a trajectory resumes from a checkpoint of its own problem and method, and a step from this one, at t = ", at.t,
             ", leads elsewhere. With another Lagrangian, force or damping a new trajectory begins at that "
             "state");
+}
+/// That a step of length h with what is remembered leads where one without it does. @throws error::mismatch
+template <class S, class V, class Memory, class Method>
+void require_its_own(Memory const& remembered, Method const& method, state<S, V> const& at, S const& h) {
+    require_same_step(
+        remembered,
+        [&](state<S, V> const& from, state<S, V> const& to) {
+            Memory nothing(method, h, from.q);
+            if constexpr (requires(V const& v) { nothing.start_with(method, from, v); })
+                nothing.start_with(method, from, mean_velocity(from, to));
+            return nothing;
+        },
+        method, at, h);
 }
 
 } // namespace hilger::detail

@@ -172,8 +172,13 @@ public:
         detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
         if (from.number < T_.last()) {
             S const h = step(from.number);
-            from.memory = detail::taken_over(std::move(from.memory), method_, h, from.at.q);
-            if constexpr (not detail::has_history<Method>) detail::require_its_own(from.memory, method_, from.at, h);
+            auto own = detail::taken_over(from.memory, method_, h, from.at.q);
+            if constexpr (detail::has_history<Method>) // the other one knows its orders and coefficients
+                detail::require_same_step(
+                    own, [&](auto const&, auto const&) { return from.memory; }, method_, from.at, h);
+            else
+                detail::require_its_own(own, method_, from.at, h);
+            from.memory = std::move(own);
         }
         return {*this, std::move(from)};
     }

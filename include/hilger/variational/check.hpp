@@ -12,6 +12,11 @@ template <class J, class F, class... X>
 inline constexpr bool gives = requires(F const& f, X const&... x) {
     requires std::constructible_from<J, plain_t<decltype(f(x...))>>;
 };
+/// A callable that is no template takes one type of numbers: vectors of Eigen's say that they can be made of others, and cannot.
+template <class F>
+concept takes_one_type = requires {
+    &F::operator();
+};
 /// Whether F is a Lagrangian of states V at times S. L is called here before it is called anywhere else, so that what is wrong inside of it
 /// is reported with few lines around it.
 template <class F, class S, class V>
@@ -24,6 +29,8 @@ consteval bool is_lagrangian() {
     else if constexpr (
         requires(F const& f, V const& x) { f.expand(x, x); } or requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); })
         return true;
+    else if constexpr (takes_one_type<F>)
+        return false;
     else if constexpr (requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); })
         return gives<J, F, S, X, Y>;
     else if constexpr (requires(F const& f, X const& x, Y const& y) { f(x, y); })
@@ -35,6 +42,8 @@ template <class Force, class S, class V>
 consteval bool is_force() {
     if constexpr (std::same_as<Force, no_force>)
         return true;
+    else if constexpr (takes_one_type<Force>)
+        return false;
     else {
         using X = typename jets_for<V>::of_force;
         return requires(Force const& f, S const& t, X const& x) { f(t, x, x); }
@@ -47,12 +56,14 @@ constexpr void refuse_mechanics() {
     using X = typename jets_for<V>::position;
     using Y = typename jets_for<V>::velocity;
     if constexpr (not is_lagrangian<F, S, V>()) {
-        constexpr bool takes_states = requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); }
-        or requires(F const& f, X const& x, Y const& y) { f(x, y); };
+        constexpr bool takes_states =
+            not takes_one_type<F> and (
+                                          requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); } or
+                                          requires(F const& f, X const& x, Y const& y) { f(x, y); });
         if constexpr (takes_states)
             static_assert(not takes_states, "a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
         else {
-            constexpr bool time_first = not requires(F const& f, S const& t, X const& x, Y const& y) { f(x, y, t); };
+            constexpr bool time_first = takes_one_type<F> or not requires(F const& f, S const& t, X const& x, Y const& y) { f(x, y, t); };
             static_assert(time_first, "the time stands before the states, L(t, q, v), and this Lagrangian takes it behind them");
             static_assert(not time_first,
                           "a Lagrangian takes two states of any number type, as [](auto const& q, auto const& v) does, or the time before "
@@ -61,7 +72,7 @@ constexpr void refuse_mechanics() {
         }
     } else {
         using Z = typename jets_for<V>::of_force;
-        constexpr bool time_first = not requires(Force const& f, S const& t, Z const& x) { f(x, x, t); };
+        constexpr bool time_first = takes_one_type<Force> or not requires(Force const& f, S const& t, Z const& x) { f(x, x, t); };
         static_assert(time_first, "the time stands before the states, f(t, q, v), and this force takes it behind them");
         static_assert(not time_first, "a force takes two states of any number type, as [](auto const& q, auto const& v) does, or the time "
                                       "before them: derivatives pass through it");

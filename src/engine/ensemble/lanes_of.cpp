@@ -28,6 +28,8 @@ bool is_everywhere_smooth(symbol_list const& formulas) {
         case atan2:
         case maximum:
         case minimum:
+        case where:
+        case elsewhere:
         case abs:
         case sign:
             return false;

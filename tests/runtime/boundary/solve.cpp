@@ -169,6 +169,7 @@ TEST_CASE("what is no boundary value problem is refused") {
                          "in an exact scalar a fractional difference of order 1/2 takes steps of length 1, and this one is 1/2",
                          error::invalid_parameter);
     CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.5, T), boundary_values{0, 1}, 3), error::invalid_parameter);
+    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.75, T), boundary_values{0, 1}, -1), error::invalid_parameter);
     CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.75, T), boundary_values{0.1, 1}, 3), error::invalid_parameter);
 }
 

@@ -49,6 +49,8 @@ constexpr auto one_sided = [](auto const& x, auto const& v) {
 constexpr auto oscillator = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) / 2; };
 constexpr auto drag = [](auto const&, auto const& v) { return -0.3 * v.norm() * v; };
 constexpr auto norm_cubed = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.norm() * q.squaredNorm(); };
+constexpr auto capped = [](auto const& x, auto const& v) { return v * v / 2 - min(1 / pow(x, 12), 100.0 - x); };
+constexpr auto floor_of_minus = [](auto const& x, auto const& v) { return v * v / 2 - 1000.0 * max(-x, 0.0) - 5.0 * abs(-x) - 9.81 * x; };
 constexpr auto root_or_more = [](auto const& x, auto const& v) { return v * v / 2 - max(sqrt(x), 0.0); };
 constexpr auto root_or_less = [](auto const& x, auto const& v) { return v * v / 2 - min(sqrt(x), 1.0); };
 constexpr auto free_particle = [](auto const&, auto const& v) { return v * v / 2; };
@@ -67,6 +69,7 @@ std::string all_the_code() {
            c_code(embed(one_sided, order_one_left), "one_sided_left") + c_code(embed(free_particle, mid_point), "free_particle") +
            c_code<vector>(embed(with_force(oscillator, drag), mid_point), "dragged") +
            c_code<vector>(embed(norm_cubed, order_one), "norm_cubed") + c_code<vector>(embed(norm_cubed, mid_point), "norm_cubed_between") +
+           c_code(embed(capped, order_one), "capped") + c_code(embed(floor_of_minus, order_one), "floor_of_minus") +
            c_code(embed(root_or_more, mid_point), "root_or_more") + c_code(embed(root_or_less, mid_point), "root_or_less") +
            c_code<vector>(embed(one_large_one_small, mid_point), "one_large_one_small") + detail::c_solve("three", 3) +
            "int three(double K[3][3], double x[3]);\n" + "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
@@ -193,6 +196,10 @@ TEST_CASE("C starts from rest with a drag, and where a norm is 0") {
     CHECK(distance_after_1000_steps("dragged", embed(with_force(oscillator, drag), mid_point), somewhere, at_rest, 0.05) < bound);
     CHECK(distance_after_1000_steps("norm_cubed", embed(norm_cubed, order_one), at_rest, somewhere, 0.05) < bound);
     CHECK(distance_after_1000_steps("norm_cubed_between", embed(norm_cubed, mid_point), at_rest, somewhere, 0.05) < bound);
+    CHECK(distance_after_1000_steps("capped", embed(capped, order_one), 0.0, 0.0, 1e-4) < bound); // the other one is 1e27 and more
+    double height = 0, p = 0, v = 0; // at the kink, which is written with a minus
+    CHECK(generated().get<step_of>("floor_of_minus_step")(0.1, &height, &p, &v) == 0);
+    CHECK(height == doctest::Approx(embed(floor_of_minus, order_one).step(state<double, double>{0, 0, 0}, 0.1).q).epsilon(1e-14));
     double const behind = -1, before = 4, still = 0; // fmax and fmin pass over what is no number
     for (std::string const name : {"root_or_more_lagrangian", "root_or_less_lagrangian"}) {
         auto* const L = generated().get<lagrangian_in_c>(name);

@@ -44,6 +44,8 @@ double value_at(symbol const& f, std::map<std::string, double> const& at) {
     case operation::power:
         return std::pow(a(), f.value());
     case operation::over_norm:
+    case operation::where:
+    case operation::elsewhere:
     case operation::atan2:
     case operation::maximum:
     case operation::minimum:
@@ -71,6 +73,8 @@ constexpr auto all_functions = [](auto const& x, auto const& v) {
 constexpr auto norms = [](auto const& q, auto const& v) {
     auto const r = q.norm();
     return v.dot(v) / 2 * (1 + r) - (r - 1) * (r - 1) - q.squaredNorm() * r / 3 - pow(r, 3) - pow(q.squaredNorm(), 2.5) -
+           sqrt(2.0 * q(0) * q(0) + 3.0 * q(1) * q(1)) - sqrt(q.squaredNorm() / 4.0) * v(0) - pow(q.squaredNorm(), 1.5) -
+           sqrt(q.squaredNorm() * q.squaredNorm() * q.squaredNorm()) - pow(q.squaredNorm(), 0.5) * q.squaredNorm() -
            hypot(q(0), 2 * q(1)) * v(0) - r * v.norm() - r * r * r * v(1) + sqrt(3 * q(0) * q(0) + q(1) * q(1) / 2) * cos(r);
 };
 
@@ -131,6 +135,19 @@ TEST_CASE("the slope of a norm at 0 is 0 in formulas as it is in jets") {
     CHECK(std::isnan(value_at(partial(1 / q.norm(), q(0)), {{"q₀", 0}, {"q₁", 0}})));
     CHECK(std::isnan(value_at(partial(sqrt(pow(q(0), 3)), q(0)), {{"q₀", 0}}))); // no norm
     CHECK(value_at(partial(q.norm(), q(0)) + partial(q.norm(), q(1)), {{"q₀", 0}, {"q₁", 0}}) == 0);
+}
+
+TEST_CASE("of the larger one of two the derivative is that of the one, whatever the other is") {
+    auto const q = variables<double>("q");
+    symbol const cap = min(1 / pow(q, 12), 100 - q), well = max(q * q * q, 0.0);
+    CHECK(value_at(partial(cap, q), {{"q", 1e-2}}) == -1); // beside 1e27
+    CHECK(value_at(partial(cap, q), {{"q", 0}}) == -1);    // beside infinity
+    CHECK(value_at(partial(cap, q), {{"q", 2}}) == -12 * std::pow(2, -13));
+    CHECK(value_at(partial(partial(well, q), q), {{"q", 2}}) == 12);
+    CHECK(value_at(partial(partial(well, q), q), {{"q", -2}}) == 0);
+    CHECK(std::isnan(value_at(partial(max(sqrt(q), 2.0), q), {{"q", -1}})));
+    CHECK(printed(partial(well, q)) == "[q³ ≥ 0]·(3·q²)");
+    CHECK(latex(partial(max(q, 2.0), q)) == "[q - 2 \\ge 0] \\, 1");
 }
 
 TEST_CASE("a Lagrangian and its derivatives, written out") {

@@ -218,4 +218,38 @@ TEST_CASE("a Lagrangian of second degree is a structure, exactly, and what is no
     CHECK(refusal(text::lagrangian_in("v^2/2 - q^2/2 + q*sin(t)", words)) == "the time: what drives a structure is a force");
 }
 
+TEST_CASE("with beta below 1/4 a damping limits the steps") {
+    auto const walked = [](auto const& method, double h) {
+        double last = 0;
+        for (auto const& x : method.along(uniform(0.0, h, 2000), 1.0, 0.0)) last = std::max(last, std::abs(x.q));
+        return last;
+    };
+    auto const none = [](double) { return 0.0; };
+    // bdf<2> of order 3/2: h^(1/2) 4^(3/2) C (1 - 4 beta) + h^2 K (1 - 4 beta) < 4
+    auto const damped = [&](double C, auto beta) { return newmark<bdf<2>>(fractional_structure{1.0, C, 1.0, 1.0, 1.5}, none, beta); };
+    for (double const h : {0.01, 0.0025}) {
+        double const limit = (4 - h * h) / (8 * std::sqrt(h));
+        CHECK(walked(damped(0.99 * limit, central_difference), h) < 2);
+        CHECK_THROWS_AS((void)walked(damped(1.01 * limit, central_difference), h), error::invalid_parameter);
+        CHECK(walked(damped(2.9 * limit, linear_acceleration), h) < 2);
+        CHECK_THROWS_AS((void)walked(damped(3.03 * limit, linear_acceleration), h), error::invalid_parameter);
+        CHECK(walked(damped(30 * limit, average_acceleration), h) < 2);
+    }
+    auto const unlimited = newmark<trapezoid>(fractional_structure{1.0, 0.01, 1.0, 1.0, 1.5}, none, linear_acceleration);
+    CHECK_THROWS_AS((void)walked(unlimited, 0.01), error::invalid_parameter); // omega(-1) is infinite
+    Eigen::MatrixXd const M = Eigen::Vector2d(1, 2).asDiagonal(), K = Eigen::Matrix2d::Identity();
+    auto const two = [&](double C) {
+        Eigen::MatrixXd const damping = Eigen::Vector2d(0, C).asDiagonal();
+        auto const nothing = [](double) { return Eigen::VectorXd(Eigen::Vector2d::Zero()); };
+        auto const method = newmark<bdf<2>>(fractional_structure{M, damping, K, 1.0, 1.5}, nothing, central_difference);
+        double most = 0;
+        for (auto const& x :
+             method.along(uniform(0.0, 0.01, 2000), Eigen::VectorXd(Eigen::Vector2d(1, 1)), Eigen::VectorXd(Eigen::Vector2d::Zero())))
+            most = std::max(most, x.q.norm());
+        return most;
+    };
+    CHECK(two(9.8) < 3); // 2 * 4 / (8 * 0.1) = 10
+    CHECK_THROWS_AS((void)two(10.2), error::invalid_parameter);
+}
+
 } // namespace fractional_newmark_tests

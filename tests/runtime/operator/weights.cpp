@@ -13,15 +13,15 @@ using namespace hilger;
 
 namespace {
 
-/// A user's own: ((1 - z)(1 + z/2) / (1 + z^2/3))^alpha
+/// A user's own: ((1 - z)(2 - z) / (2/3 + z^2/3))^alpha
 struct mine {
     template <class S>
     static constexpr std::array<S, 3> numerator() {
-        return {S(2), S(-1), S(-1)};
+        return {S(2), S(-3), S(1)};
     }
     template <class S>
     static constexpr std::array<S, 3> denominator() {
-        return {S(1), S(0), S(1) / S(3)};
+        return {S(2) / S(3), S(0), S(1) / S(3)};
     }
 };
 /// The first n coefficients of x y.
@@ -107,6 +107,24 @@ TEST_CASE("an ulp at n = 1e5, whatever the order: the terms cancel to 1e-12 near
     CHECK(worst_error<bdf<2>>(0.3L, 10'000) <= static_cast<double>(epsilon<long double>()));
 }
 
+/// Twice the derivative to the power alpha.
+struct twice {
+    template <class S>
+    static constexpr std::array<S, 2> numerator() {
+        return {S(2), S(-2)};
+    }
+    template <class S>
+    static constexpr std::array<S, 1> denominator() {
+        return {S(1)};
+    }
+};
+TEST_CASE("a generating function of something else") {
+    CHECK_THROWS_WITH_AS(
+        (weight_sequence<twice, Q>(Q(1, 2))),
+        "a generating function is omega(z) = (1 - z) + O((1 - z)^2), and positive at z = 0; here omega(1) is 0, omega'(1) -2 "
+        "and omega(0) 2",
+        error::invalid_parameter);
+}
 TEST_CASE("an order that is no number") {
     CHECK_THROWS_WITH_AS((weight_sequence<grunwald_letnikov, double>(std::nan(""))),
                          "the order of a fractional difference is a finite number", error::invalid_parameter);

@@ -61,6 +61,27 @@ TEST_CASE("damped flows: a mean over the step with one term and two, and impulse
     auto const springs = [](auto const& x, auto const& v) { return v.dot(v) / 2 - x.dot(x) / 2 - x(0) * x(1) / 4; };
     goes_on(embed(with_fractional_damping(springs, rho, 0.5, window{20}), mid_point).along(T, q, p));
 }
+TEST_CASE("a checkpoint of one history is not resumed with another, nor with another order or coefficient") {
+    auto const damped = [](double rho, double beta, auto const& policy) {
+        return embed(with_fractional_damping(pendulum, rho, beta, policy), mid_point).along(T, 1.0, 0.5);
+    };
+    auto const refused = [](auto const& from, auto const& to) {
+        auto at = from.begin();
+        while (at.number() < 100) ++at;
+        auto const checkpoint = at.checkpoint();
+        CHECK_NOTHROW((void)from.resume(checkpoint));
+        CHECK_THROWS_AS((void)to.resume(checkpoint), error::mismatch);
+    };
+    refused(damped(0.3, 0.5, exponentials{0, 2000}), damped(0.3, 0.5, exponentials{0, 200}));
+    refused(damped(0.3, 0.5, exponentials{0, 200}), damped(0.3, 0.5, exponentials{0, 2000}));
+    refused(damped(0.3, 0.5, exponentials{}), damped(0.3, 0.5, exponentials{1e-6}));
+    refused(damped(0.3, 0.45, direct{}), damped(0.3, 0.3, direct{}));
+    refused(damped(0.3, 0.5, direct{}), damped(0.4, 0.5, direct{}));
+    auto const driven = [](double C) {
+        return newmark<bdf<2>>(fractional_structure{1.0, C, 2.0, 1.0, 0.5}, push, average_acceleration, direct{}).along(T, 1.0, 0.5);
+    };
+    refused(driven(0.5), driven(0.6));
+}
 TEST_CASE("a checkpoint of one history does not read into another") {
     auto const with = [](auto const& policy) {
         return newmark<bdf<2>>(fractional_structure{1.0, 0.5, 2.0, 1.0, 0.5}, push, average_acceleration, policy).along(T, 1.0, 0.5);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 #include <unordered_set>
 #include <vector>
 
@@ -64,9 +65,14 @@ traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
 }
 /// What is never negative by its form has no slope where it is 0.
 template <class S>
-bool is_sum_of_squares(traced<S> const& x) {
+bool is_never_negative(traced<S> const& x) {
     if (x.is_constant()) return false;
     auto const& g = *formula_graph<S>::of_this_thread();
+    auto const is_multiple_of = [&](int k, int base) {
+        auto const& n = g[k];
+        return n.what == &operation_object<times_traced, S> and ((n.a == base and g.is_number(n.b) and not(g.number(n.b) < S(0))) or
+                                                                 (n.b == base and g.is_number(n.a) and not(g.number(n.a) < S(0))));
+    };
     std::vector<int> open{x.node};
     std::unordered_set<int> seen; // what is shared is looked at once
     while (not open.empty()) {
@@ -74,14 +80,20 @@ bool is_sum_of_squares(traced<S> const& x) {
         open.pop_back();
         if (not seen.insert(k).second) continue;
         auto const& n = g[k];
-        bool const is_product = n.what == &operation_object<times_traced, S>, is_square = is_product and n.a == n.b;
-        bool const is_multiple = is_product and (g.is_number(n.a) or g.is_number(n.b));
-        if (g.is_number(k)) {
-            if (g.number(k) < S(0)) return false;
-        } else if (n.what == &operation_object<plus_traced, S> or (is_multiple and not is_square)) {
+        if (n.what == nullptr) {
+            if (not g.is_number(k) or g.number(k) < S(0)) return false;
+            continue;
+        }
+        std::string_view const name = n.what->name;
+        bool const is_product = n.what == &operation_object<times_traced, S>;
+        bool const is_square = is_product and (n.a == n.b or is_multiple_of(n.a, n.b) or is_multiple_of(n.b, n.a));
+        if (is_square or name == "sqrt" or name == "hypot") continue;
+        if (is_product or n.what == &operation_object<plus_traced, S> or n.what == &operation_object<over_traced, S>) {
             open.push_back(n.a);
             open.push_back(n.b);
-        } else if (not is_square)
+        } else if (name == "pow" and g.is_number(n.b))
+            open.push_back(n.a);
+        else
             return false;
     }
     return true;
@@ -89,7 +101,7 @@ bool is_sum_of_squares(traced<S> const& x) {
 template <class T>
 T slope_of_root(T const& x, T const& root, T const& adjoint) {
     T const half = T(1) / T(2);
-    return half * (is_sum_of_squares(x) ? over_norm(adjoint, root) : adjoint / root);
+    return half * (is_never_negative(x) ? over_norm(adjoint, root) : adjoint / root);
 }
 struct slope_of_log_traced : function_of_one {
     static constexpr char const* name = "slope_of_log";
@@ -168,8 +180,9 @@ struct power_traced {
         return S(pow(x, c));
     }
     template <class T>
-    static std::pair<T, T> pull_back(T const& x, T const& c, T const&, T const& adjoint) {
+    static std::pair<T, T> pull_back(T const& x, T const& c, T const& result, T const& adjoint) {
         if (c.is(0)) return {T(0), T(0)};
+        if (c.value < typename T::scalar_type(1) and is_never_negative(x)) return {c * over_norm(adjoint * result, x), T(0)};
         T const less(typename T::scalar_type(c.value - typename T::scalar_type(1)));
         return {adjoint * (c * (less.is(0) ? T(1) : make_traced<power_traced>(x, less))), T(0)};
     }

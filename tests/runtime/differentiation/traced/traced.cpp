@@ -272,4 +272,23 @@ TEST_CASE("of a chain only the neighbours are there") {
     }
 }
 
+TEST_CASE("norms in all their forms have no slope at 0, as jets have none") {
+    auto const check = [](auto const& L) {
+        using V = Eigen::Vector3d;
+        for (V const& q : {V(0, 0, 0), V(0.5, 0, 0), V(1, -2, 0.5)}) {
+            V const v(0.25, 0, -1);
+            auto const e = expand(L, q, v);
+            auto const t = detail::expand_traced(L, q, v, detail::on_position | detail::on_velocity);
+            CHECK(magnitude(V(e.by_q - t.by_q)) <= 1e-13);
+            CHECK(magnitude(V(e.by_v - t.by_v)) <= 1e-13);
+            CHECK((e.qq - t.qq).cwiseAbs().maxCoeff() <= 1e-12);
+        }
+    };
+    check([](auto const& q, auto const& v) { return v.squaredNorm() / 2 - sqrt(2.0 * q(0) * q(0) + 3.0 * q(1) * q(1) + q(2) * q(2)); });
+    check([](auto const& q, auto const& v) { return v.squaredNorm() / 2 - sqrt(q.squaredNorm() / 4.0); });
+    check([](auto const& q, auto const& v) { return v.squaredNorm() / 2 - sqrt(q.squaredNorm() * q.squaredNorm() * q.squaredNorm()); });
+    check([](auto const& q, auto const& v) { return v.squaredNorm() / 2 - pow(q.squaredNorm(), 0.5) * q.squaredNorm(); });
+    check([](auto const& q, auto const& v) { return v.squaredNorm() / 2 - pow(q.squaredNorm(), 1.5) + 0.5 * q.norm(); });
+}
+
 } // namespace traced_tests
