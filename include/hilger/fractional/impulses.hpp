@@ -7,7 +7,8 @@
 // All have the positions of (20), once the first two are the same: each is a step of the flow without damping, before and after which the
 // momentum is changed. So they are explicit where that flow is, whatever the embedding. Against the continuous equation the first two have
 // order one, and the third has order two with mid-point and the weights of bdf<2>. With Riemann and Liouville's history and x_0 != 0 the
-// impulse of the jump at t_0 belongs to the start: at the end it is in no step, and the order is 1 - beta.
+// impulse of the jump at t_0 belongs to the start: at the end it is in no step, and with half of it at each end half of it. The order of
+// these two is then 1 - beta, and from beta = 1 on they solve their equations and tend to no solution of the continuous one.
 //
 // Being explicit they have a limit of stability. On the oscillator M q'' + K q = -rho D^beta q with mid-point it is
 //   rho h^{2 - beta} omega(-1)^beta / M < 4,   omega(-1) = 2 for Gruenwald-Letnikov and 4 for bdf<2>, beyond all limits for trapezoid:
@@ -49,11 +50,9 @@ class damping_impulse {
 
 public:
     damping_impulse(Damping const& d, S const& h, damping_at at, V const& like)
-        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at),
-          has_lost_jump_(at != damping_at::start and d.history == initial_history::riemann_liouville and
-                         not(d.order.template as<S>() < S(1))),
-          h_(h), stiffness_(explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()),
-                                                                             static_cast<double>(h))) {}
+        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h),
+          stiffness_(
+              explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()), static_cast<double>(h))) {}
     [[nodiscard]] on const& components() const { return on_; }
     /// @throws error::invalid_parameter where the mass of a component (`mass(j)`, NaN where it is not known) says that no run can be stable
     template <class Mass>
@@ -66,10 +65,6 @@ public:
                     reached, " for component ", on_.at(k), ": take shorter steps, or with_fractional_damping, which has no limit");
         }
         if (on_.count() == 0) return;
-        if (has_lost_jump_ and not(magnitude(on_.of(q0)) == S(0)))
-            error::raise<error::invalid_parameter>(
-                "impulses at the ends of steps, of an order of 1 or more with initial_history::riemann_liouville, begin at q0 = 0: "
-                "the jump from 0 at the first point is in no step. damping_at::start and with_fractional_damping begin anywhere");
         kept const velocity = on_.of(v0);
         on_.history().begin(on_.of(q0), velocity);
         take(q0);
@@ -122,7 +117,6 @@ private:
     on on_;
     kept rho_, now_, before_, impulse_, began_;
     damping_at at_;
-    bool has_lost_jump_; ///< h^{1 - beta} x_0, which does not vanish with h
     S h_;
     double stiffness_;
 };

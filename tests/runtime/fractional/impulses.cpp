@@ -159,18 +159,4 @@ TEST_CASE("where it is not known, impulses that alternate and grow are an error 
     CHECK_NOTHROW(walk(embed(with_fractional_impulses(stiff, 1e-3, 0.5), mid_point).along(T, 1.0, 0.0)));
 }
 
-TEST_CASE("at the ends of steps there is no jump, and of orders from 1 on it would not be small") {
-    auto const T = uniform(0.0, 0.01, 20);
-    for (auto const at : {damping_at::both, damping_at::end})
-        for (double const beta : {1.0, 1.5}) {
-            auto const from = [&](double q0) {
-                impulse_options const how{at, initial_history::riemann_liouville};
-                for (auto const& x : embed(with_fractional_impulses(oscillator, 0.3, beta, direct{}, how), mid_point).along(T, q0, 1.0))
-                    (void)x;
-            };
-            CHECK_NOTHROW(from(0));
-            CHECK_THROWS_AS(from(1), error::invalid_parameter);
-        }
-}
-
 } // namespace fractional_impulses_tests
