@@ -23,6 +23,32 @@ inline constexpr fraction<1, 6> linear_acceleration{};
 inline constexpr fraction<1, 12> fox_goodwin{};
 inline constexpr fraction<0> central_difference{};
 
+namespace detail {
+
+/// The modulus of the largest eigenvalue of M^-1 (c C + k K), from below, by the power method; infinite where c is, but for C = 0.
+template <class B>
+double largest_eigenvalue(B const& M, B const& C, double c, B const& K, double k) {
+    auto const all = [](B const& b) {
+        Eigen::MatrixXd made(rows_of(b), rows_of(b));
+        made << b;
+        return made;
+    };
+    Eigen::MatrixXd A = all(K) * k;
+    if (not all(C).isZero(0)) A += all(C) * c;
+    A = all(M).partialPivLu().solve(A);
+    if (not A.allFinite()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(A.rows(), [](auto j) { return j % 2 == 0 ? 1.0 : -0.9; });
+    for (int round = 0; round < 50 and x.norm() > 0; ++round) {
+        Eigen::VectorXd const y = A * x;
+        largest = y.norm() / x.norm();
+        x = y / std::max(y.norm(), std::numeric_limits<double>::min());
+    }
+    return largest;
+}
+
+} // namespace detail
+
 template <generating_function G, class Structure, class Load, class Beta, class Policy>
 class newmark_flow : public stepping<newmark_flow<G, Structure, Load, Beta, Policy>> {
     using B = decltype(Structure::mass);
@@ -90,31 +116,11 @@ public:
         /// it is beyond -1. @throws error::invalid_parameter
         void require_stable(newmark_flow const& f) const {
             if constexpr (4 * Beta::numerator < Beta::denominator and requires { f.structure_.damping, f.structure_.order; }) {
-                constexpr double rest = 1 - 4.0 * Beta::numerator / Beta::denominator;
-                auto const number = [](auto const& x) { return static_cast<double>(x); };
-                double const h = number(h_), tau = number(S(f.structure_.relaxation_time));
-                double const alpha = number(detail::checked_order(f.structure_.order).template as<S>());
+                auto const on = f.structure_.template in_numbers<double>();
+                double const h = static_cast<double>(h_), tau = on.relaxation_time, rest = 1 - 4 * Beta::template as<double>();
+                double const alpha = detail::checked_order(on.order).template as<double>();
                 double const stiff = detail::explicit_stiffness<G>(alpha, h) * std::pow(tau, alpha);
-                double most = 0;
-                if constexpr (s::is_scalar) {
-                    double const C = number(f.structure_.damping);
-                    most = std::abs(((C == 0 ? 0 : C * stiff) + number(f.structure_.stiffness) * h * h) / number(f.structure_.mass));
-                } else {
-                    Eigen::MatrixXd const C = f.structure_.damping.unaryExpr(number);
-                    Eigen::MatrixXd A = f.structure_.stiffness.unaryExpr(number) * (h * h);
-                    if (not C.isZero(0)) A += C * stiff;
-                    Eigen::MatrixXd const all = Eigen::MatrixXd(f.structure_.mass.unaryExpr(number)).partialPivLu().solve(A);
-                    if (not all.allFinite())
-                        most = std::numeric_limits<double>::infinity();
-                    else { // by the power method, which comes to it from below
-                        Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(all.rows(), [](auto k) { return k % 2 == 0 ? 1.0 : -0.9; });
-                        for (int k = 0; k < 50 and x.norm() > 0; ++k) {
-                            Eigen::VectorXd const y = all * x;
-                            most = y.norm() / x.norm();
-                            x = y / std::max(y.norm(), std::numeric_limits<double>::min());
-                        }
-                    }
-                }
+                double const most = detail::largest_eigenvalue(on.mass, on.damping, stiff, on.stiffness, h * h);
                 if (rest * most >= 4.001)
                     error::raise<error::invalid_parameter>("Newmark's scheme with beta below 1/4 is stable where (1 - 4 beta) h^2 M^-1 (C "
                                                            "tau^alpha h^-alpha omega(-1)^alpha + K) "

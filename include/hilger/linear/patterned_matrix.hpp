@@ -65,10 +65,9 @@ public:
     /// x in K x = r, with the factors.
     template <class X>
     void solve(X& x) const {
+        if (how_ == solver::diagonal) return solve(x, x);
         tally<S>::add(work::solve);
-        if (how_ == solver::diagonal)
-            for (int k = 0; k < d_; ++k) x(k) = x(k) * weight_(k);
-        else if (how_ == solver::elimination)
+        if (how_ == solver::elimination)
             few_.solve(x);
         else
             x = solution(weight_.cwiseProduct(x));

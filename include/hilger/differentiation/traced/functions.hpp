@@ -68,10 +68,9 @@ template <class S>
 bool is_never_negative(traced<S> const& x) {
     if (x.is_constant()) return false;
     auto const& g = *formula_graph<S>::of_this_thread();
-    auto const is_multiple_of = [&](int k, int base) {
-        auto const& n = g[k];
-        return n.what == &operation_object<times_traced, S> and ((n.a == base and g.is_number(n.b) and not(g.number(n.b) < S(0))) or
-                                                                 (n.b == base and g.is_number(n.a) and not(g.number(n.a) < S(0))));
+    auto const is_multiple_of = [](int k, int base) { // of itself, too
+        multiple_of<S> const m(traced<S>::at(k, S(0)));
+        return m.rest.node == base and S(0) <= m.factor;
     };
     std::vector<int> open{x.node};
     std::unordered_set<int> seen; // what is shared is looked at once
@@ -86,7 +85,7 @@ bool is_never_negative(traced<S> const& x) {
         }
         std::string_view const name = n.what->name;
         bool const is_product = n.what == &operation_object<times_traced, S>;
-        bool const is_square = is_product and (n.a == n.b or is_multiple_of(n.a, n.b) or is_multiple_of(n.b, n.a));
+        bool const is_square = is_product and (is_multiple_of(n.a, n.b) or is_multiple_of(n.b, n.a));
         if (is_square or name == "sqrt" or name == "hypot") continue;
         if (is_product or n.what == &operation_object<plus_traced, S> or n.what == &operation_object<over_traced, S>) {
             open.push_back(n.a);
