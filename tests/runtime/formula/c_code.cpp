@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // Generated C, compiled by cc with every warning an error, loaded, and run against the flow it is generated from.
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include <dlfcn.h>
-#include <doctest/doctest.h>
-
-#include "hilger/formula/c_code.hpp"
-#include "hilger/hilger.hpp"
+#include "compiled_c.hpp"
 
 namespace c_code_tests {
 
 using namespace hilger;
+using namespace hilger::testing;
 
 namespace {
 
-using vector = Eigen::Vector2d;
 using vector8 = Eigen::Matrix<double, 8, 1>;
 
 constexpr auto pendulum = [](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); };
@@ -46,13 +38,6 @@ constexpr auto one_sided = [](auto const& x, auto const& v) {
     return v * v / 2 - 4 * x * max(x, 0.0) - abs(x) * x * x / 3 - erf(x) * x / 8 - hypot(x, 3.0) - cbrt(2 + x * x) - log1p(x * x) -
            pow(2.0, -x * x);
 };
-constexpr auto oscillator = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.dot(q) / 2; };
-constexpr auto drag = [](auto const&, auto const& v) { return -0.3 * v.norm() * v; };
-constexpr auto norm_cubed = [](auto const& q, auto const& v) { return v.dot(v) / 2 - q.norm() * q.squaredNorm(); };
-constexpr auto capped = [](auto const& x, auto const& v) { return v * v / 2 - min(1 / pow(x, 12), 100.0 - x); };
-constexpr auto floor_of_minus = [](auto const& x, auto const& v) { return v * v / 2 - 1000.0 * max(-x, 0.0) - 5.0 * abs(-x) - 9.81 * x; };
-constexpr auto root_or_more = [](auto const& x, auto const& v) { return v * v / 2 - max(sqrt(x), 0.0); };
-constexpr auto root_or_less = [](auto const& x, auto const& v) { return v * v / 2 - min(sqrt(x), 1.0); };
 constexpr auto free_particle = [](auto const&, auto const& v) { return v * v / 2; };
 using driven_with_friction = problem<std::remove_const_t<decltype(driven)>, std::remove_const_t<decltype(friction)>>;
 
@@ -67,106 +52,17 @@ std::string all_the_code() {
            c_code<vector>(embed(rigid, mid_point), "rigid") + c_code(embed(cubic, mid_point), "cubic") +
            c_code(embed(driven_with_friction{driven, friction}, theta<1, 3>), "driven") + c_code(embed(one_sided, mid_point), "one_sided") +
            c_code(embed(one_sided, order_one_left), "one_sided_left") + c_code(embed(free_particle, mid_point), "free_particle") +
-           c_code<vector>(embed(with_force(oscillator, drag), mid_point), "dragged") +
-           c_code<vector>(embed(norm_cubed, order_one), "norm_cubed") + c_code<vector>(embed(norm_cubed, mid_point), "norm_cubed_between") +
-           c_code(embed(capped, order_one), "capped") + c_code(embed(floor_of_minus, order_one), "floor_of_minus") +
-           c_code(embed(root_or_more, mid_point), "root_or_more") + c_code(embed(root_or_less, mid_point), "root_or_less") +
            c_code<vector>(embed(one_large_one_small, mid_point), "one_large_one_small") + detail::c_solve("three", 3) +
            "int three(double K[3][3], double x[3]);\n" + "int three(double K[3][3], double x[3]) { return three_solve(K, x); }\n";
 }
 
-/// C compiled into a shared object in a folder that goes away with it.
-class compiled {
-public:
-    explicit compiled(std::string const& code) {
-        std::string name = (std::filesystem::temp_directory_path() / "hilger_c_code_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) return;
-        folder_ = name;
-        std::ofstream(folder_ / "generated.c") << code;
-        std::string const command = "cc -std=c99 -Wall -Wextra -Werror -pedantic -shared -fPIC -o '" + (folder_ / "generated.so").string() +
-                                    "' '" + (folder_ / "generated.c").string() + "' -lm";
-        if (std::system(command.c_str()) == 0) object_ = dlopen((folder_ / "generated.so").c_str(), RTLD_NOW);
-    }
-    compiled(compiled const&) = delete;
-    compiled& operator=(compiled const&) = delete;
-    ~compiled() {
-        if (object_ != nullptr) dlclose(object_);
-        if (not folder_.empty()) std::filesystem::remove_all(folder_);
-    }
-    template <class Function>
-    Function* get(std::string const& name) const {
-        void* const found = object_ == nullptr ? nullptr : dlsym(object_, name.c_str());
-        REQUIRE_MESSAGE(found != nullptr, "the generated C has a function " << name);
-        return reinterpret_cast<Function*>(found);
-    }
-
-private:
-    std::filesystem::path folder_;
-    void* object_ = nullptr;
-};
-bool there_is_a_c_compiler() {
-    static bool const there = std::system("cc --version >/dev/null 2>&1") == 0;
-    if (not there) MESSAGE("there is no cc here: the generated C is not compiled");
-    return there;
-}
 compiled const& generated() {
     static compiled const c(all_the_code());
     return c;
 }
-
-using lagrangian_in_c = double(double const*, double const*);
-using momentum_of_ = void(double const*, double const*, double*);
-using residual_of = void(double, double const*, double const*, double const*, double*);
-using step_of = int(double, double*, double*, double*);
-
-double* data(double& x) { return &x; }
-double* data(vector& x) { return x.data(); }
-double extent(double x) { return std::abs(x); }
-template <class Expression>
-double extent(Eigen::MatrixBase<Expression> const& x) {
-    return x.cwiseAbs().maxCoeff();
-}
-
-template <class V>
-struct point {
-    V q, p;
-};
 template <class V, class Flow>
-std::vector<point<V>> path_of(Flow const& flow, V const& q0, V const& p0, double h, int steps) {
-    std::vector<point<V>> path;
-    for (auto const& at : flow.along(uniform(0.0, h, steps), q0, p0)) path.push_back({at.q, at.p});
-    return path;
-}
-
-/// 1000 steps of the C and of the flow. Both solve each step to an epsilon or so of the state; these errors add up as a random walk does,
-/// to sqrt(1000) of them, and each is carried on as a small change of the initial state is. How much the largest of those grows is measured
-/// here too: 16 for the double pendulum, 2200 for Kepler's ellipse, where a change of the period adds up.
-/// @return the largest distance, in epsilons of the state's size times that growth
-template <class V, class Flow>
-double distance_after_1000_steps(std::string const& name, Flow const& flow, V q, V p, double h) {
-    using s = detail::shape<V>;
-    constexpr int steps = 1000;
-    auto* const step = generated().get<step_of>(name + "_step");
-    auto const path = path_of(flow, q, p, h, steps);
-    double growth = 1, largest = 0;
-    for (int k = 0; k < 2 * s::size; ++k) {
-        double const change = 1e-8;
-        V a = q, b = p;
-        s::component(k < s::size ? a : b, k % s::size) += change;
-        auto const other = path_of(flow, a, b, h, steps);
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            growth = std::max(growth, std::max(extent(other[i].q - path[i].q), extent(other[i].p - path[i].p)) / change);
-            largest = std::max(largest, std::max(extent(path[i].q), extent(path[i].p)));
-        }
-    }
-    V v = velocity_of(detail::at_time{flow.mechanics().lagrangian, 0.0}, q, p);
-    double worst = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        if (step(h, data(q), data(p), data(v)) != 0) return std::numeric_limits<double>::infinity();
-        worst = std::max(worst, std::max(extent(q - path[i].q), extent(p - path[i].p)));
-    }
-    REQUIRE(path.size() == steps + 1);
-    return worst / (epsilon<double>() * growth * largest);
+double distance_after_1000_steps(std::string const& name, Flow const& flow, V const& q, V const& p, double h) {
+    return testing::distance_after_1000_steps(generated(), name, flow, q, p, h);
 }
 
 } // namespace
@@ -187,25 +83,6 @@ TEST_CASE("1000 steps of the C are those of the flow") {
     CHECK(distance_after_1000_steps("one_sided", embed(one_sided, mid_point), 1.0, 0.5, 0.2) < bound);
     CHECK(distance_after_1000_steps("one_sided_left", embed(one_sided, order_one_left), 1.0, 0.5, 0.05) < bound);
     CHECK(distance_after_1000_steps("free_particle", embed(free_particle, mid_point), 1.0, 0.5, 0.05) < bound);
-}
-
-TEST_CASE("C starts from rest with a drag, and where a norm is 0") {
-    if (not there_is_a_c_compiler()) return;
-    double const bound = 32;
-    vector const at_rest(0, 0), somewhere(0.5, -0.25);
-    CHECK(distance_after_1000_steps("dragged", embed(with_force(oscillator, drag), mid_point), somewhere, at_rest, 0.05) < bound);
-    CHECK(distance_after_1000_steps("norm_cubed", embed(norm_cubed, order_one), at_rest, somewhere, 0.05) < bound);
-    CHECK(distance_after_1000_steps("norm_cubed_between", embed(norm_cubed, mid_point), at_rest, somewhere, 0.05) < bound);
-    CHECK(distance_after_1000_steps("capped", embed(capped, order_one), 0.0, 0.0, 1e-4) < bound); // the other one is 1e27 and more
-    double height = 0, p = 0, v = 0; // at the kink, which is written with a minus
-    CHECK(generated().get<step_of>("floor_of_minus_step")(0.1, &height, &p, &v) == 0);
-    CHECK(height == doctest::Approx(embed(floor_of_minus, order_one).step(state<double, double>{0, 0, 0}, 0.1).q).epsilon(1e-14));
-    double const behind = -1, before = 4, still = 0; // fmax and fmin pass over what is no number
-    for (std::string const name : {"root_or_more_lagrangian", "root_or_less_lagrangian"}) {
-        auto* const L = generated().get<lagrangian_in_c>(name);
-        CHECK(std::isnan(L(&behind, &still)));
-        CHECK(L(&before, &still) == (name == "root_or_more_lagrangian" ? -2 : -1));
-    }
 }
 
 TEST_CASE("small components beside large ones keep their digits in C") {
