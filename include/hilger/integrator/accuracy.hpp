@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A solution to a wanted accuracy instead of a number of steps:
 //   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.p, x.steps, x.method, x.error
-//   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});
+//   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, 1e-10);
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. Over kinks all methods lose their order, and the mid-point embedding, whose steps cost least, takes their place.
 // L itself has no jumps: no derivative sees them.
@@ -34,7 +34,7 @@ inline constexpr auto const& gauss_of = galerkin<Stages, gauss>;
 /// scalar cannot hold the accuracy or it is not positive; error::invalid_scale; error::no_convergence, which says how near it came; and
 /// what steps throw.
 template <class F, class S, class W>
-auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, detail::given_accuracy const& goal) {
     static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
     if constexpr (not detail::are_given_states<S, W, W>()) detail::refuse_states<S, W, W>();
     if (not(goal.wanted > 0) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
@@ -69,31 +69,32 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, ac
     return run(detail::gauss_of<S, 8>, "Galerkin, 8 Gauss nodes", 16);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 2> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 2> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 3> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 3> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 4> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 4> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 5> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 5> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 6> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 6> const& from, detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Eigen::Dynamic> const& from, accuracy const& goal) {
+auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Eigen::Dynamic> const& from,
+           detail::given_accuracy const& goal) {
     return solve(L, I, from.data(), goal);
 }
 

@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,6 +28,15 @@ struct accuracy {
     std::stop_token stop = {};
 };
 
+namespace detail {
+/// The same as it is given, or its number alone.
+struct given_accuracy : accuracy {
+    given_accuracy(accuracy goal) : accuracy(std::move(goal)) {}
+    template <class Number>
+        requires std::is_arithmetic_v<Number> given_accuracy(Number wanted) : accuracy{static_cast<double>(wanted)} {}
+};
+} // namespace detail
+
 /// A solution on the scale of its last run, and how good it is.
 template <class S, class V, class Function>
 struct accurate_solution {
@@ -35,8 +45,9 @@ struct accurate_solution {
     state<S, V> end;            ///< at the end of the interval
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
-    S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth; elsewhere
-                                ///< four times the largest distance from five other runs, or more
+    S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth, down to
+                                ///< the rounding that both runs share; elsewhere four times the largest distance from five other runs, or
+                                ///< more
     index_type evaluated_steps; ///< of all runs together
     std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< a state on T led to a time within the step that it begins
 
@@ -91,7 +102,7 @@ public:
         S const gain = is_low ? S(3) : S(std::ldexp(1.0, order_ / 2)) * S(1.25), luck = is_low ? S(5.5) : S(std::ldexp(1.0, order_ + 2));
         std::vector<V> coarse;
         S earlier(-1), before(-1), error(-1), told(-1);
-        int slow = 0, late = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
+        int slow = 0, late = 0, still = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
         S ended = I_.a;
         for (index_type steps = first_steps(I_, goal.longest_step, most); steps <= most; steps *= 2) {
             branch_watch const watch;
@@ -115,7 +126,7 @@ public:
                 auto const follows = [&](S const& coarser, S const& finer) { return gain * finer <= coarser and coarser <= luck * finer; };
                 bool const is_third = before >= S(0), may_be_smooth = not watch.saw_any() and is_third and follows(before, error);
                 bool const is_smooth = may_be_smooth and not is_low and earlier >= S(0) and follows(earlier, before);
-                S const floor = S(1024) * hilger::epsilon<S>() * S(magnitude(end_.q));
+                S const unit = hilger::epsilon<S>() * S(magnitude(end_.q)), floor = S(1024) * unit, lowest = S(1 << 20) * unit;
                 told = error;
                 if (is_third and error <= wanted and not is_smooth) {
                     told = of_kinks(fine, error, goal);
@@ -137,11 +148,13 @@ public:
                 slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
                 // Of a jump in time, which nothing sees, the error depends on where it is in its step, and so do single gains. What
                 // rounding keeps from shrinking is no jump.
-                late = earlier >= S(0) and is_near and not(error < floor) and earlier < S(16) * error ? late + 1 : 0;
+                late = earlier >= S(0) and is_near and not(error < lowest) and earlier < S(16) * error ? late + 1 : 0;
                 if constexpr (std::is_floating_point_v<S>)
                     if ((slow == 3 or late == 3) and order_ > 2) return std::nullopt;
-                // Rounding grows with the number of steps: from there on nothing gets better.
-                if (wanted < error and before > S(0) and not(error < before) and error < floor)
+                // Rounding grows with the number of steps, and where neighbouring motions part it is more than the numbers are: from there
+                // on nothing gets better.
+                still = before > S(0) and not(S(2) * error < before) ? still + 1 : 0;
+                if (wanted < error and ((still > 0 and not(error < before) and error < floor) or (still > 1 and error < lowest)))
                     error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
                                                         " steps of ", method_, " the solution is within ", error,
                                                         ", and rounding keeps it there; a scalar with more digits gets further");
@@ -200,6 +213,9 @@ private:
             };
         } else
             return [flow = flow_](state<S, V> const& from, S const& t) {
+                S const unit =
+                    std::max(S(hilger::epsilon<S>() * std::max(magnitude(from.t), magnitude(t))), S((std::numeric_limits<S>::min)()));
+                if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step
                 for (index_type steps = 1;; steps *= 2) {
                     try {
                         state<S, V> last = from;

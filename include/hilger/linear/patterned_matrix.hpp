@@ -144,7 +144,7 @@ bool patterned_matrix<S>::makes_factors() {
         weight_.resize(d_);
         for (int k = 0; k < d_; ++k) {
             S const& x = data_[static_cast<std::size_t>(k)];
-            if (not(S(0) < magnitude(x))) return false;
+            if (not is_divisor(x)) return false;
             weight_(k) = S(1) / x;
         }
         return true;

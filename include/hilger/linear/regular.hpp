@@ -14,6 +14,12 @@ HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index_
     return S(static_cast<int>(d)) * epsilon<S>() * abs(entry) < abs(pivot);
 }
 
+/// Neither zero nor beyond the largest number: r / inf is 0, and would pass for a solution.
+template <class S>
+HILGER_ALWAYS_INLINE inline bool is_divisor(S const& k) {
+    return not(k == S(0)) and is_finite(k);
+}
+
 /// A pivot at rounding level of the largest one means that no digit of a solution is right.
 template <class LU>
 bool is_regular(LU const& lu) {

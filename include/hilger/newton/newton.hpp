@@ -28,7 +28,7 @@ bool solve_linear(Jacobian& J, V const& r, V& x) {
     for (work const each : {work::newton_round, work::factorization, work::solve}) tally<S>::add(each);
     x = r;
     if constexpr (shape<V>::is_scalar) {
-        if (J == V(0)) return false;
+        if (not is_divisor(J)) return r == V(0) and J == J and not(J == V(0)); // a slope without bound has one root
         x = r / J;
     } else if constexpr (requires { J.is_factorized(); }) {
         if (not J.is_factorized() and not J.factorize()) return false;
@@ -159,6 +159,21 @@ V newton_of(newton_function<V, Jacobian> const& system, V const& guess, V const&
     V x = newton_search<false>(system, guess, given, small_correction<scalar_of<V>>(), what, by);
     if (auto y = newton_whole(system, x, given, most, what, by)) return *std::move(y);
     return x;
+}
+/// root_from(near); where that leads nowhere, from 0; and where the derivative at 0 is singular or none, as there is no mass at rest with
+/// L = v^4 and L = v log v, from what is `given`, or from its magnitudes.
+template <class V, class From>
+V root_near(V const& near, V const& given, From const& root_from) {
+    try {
+        return root_from(near);
+    } catch (error::exception const&) {
+        for (V const& guess : {zero_like(given), given, V(sizes(given))})
+            if (not(guess == near)) try {
+                    return root_from(guess);
+                } catch (error::exception const&) { // the first one says more
+                }
+        throw;
+    }
 }
 } // namespace detail
 

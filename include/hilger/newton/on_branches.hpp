@@ -30,6 +30,13 @@ struct branch_point {
 /// Erased, since a search is long and there is one in every step that has an implicit equation: it is compiled once for all of them.
 template <class X>
 using equation_on_branches = std::type_identity_t<function_view<scalar_of<X>(X const& x, X& r)>>;
+/// The size of what r is the difference of. One that is no number says nothing: r then has to be zero.
+template <class X>
+scalar_of<X> evaluated_size(equation_on_branches<X> const& evaluate, X const& x, X& r) {
+    using S = scalar_of<X>;
+    S const size = evaluate(x, r);
+    return is_finite(size) ? size : S(0);
+}
 template <class X>
 using correction_on_branches = std::type_identity_t<function_view<bool(X const& r, X& d)>>;
 
@@ -45,7 +52,7 @@ branch_search search_branches(X& x, X& residual, equation_on_branches<X> const& 
     auto const at = [&](X const& y) {
         branch_point<X> p{y, S(0), {}};
         branch_watch const watch;
-        p.size = evaluate(y, p.r);
+        p.size = evaluated_size<X>(evaluate, y, p.r);
         p.path = watch.path();
         return p;
     };
@@ -129,7 +136,7 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
     };
     auto const leads_on = [&](S const& share) {
         y = x + d * share;
-        size = evaluate(y, residual);
+        size = evaluated_size<X>(evaluate, y, residual);
         return all_finite(residual) and is_at_most(S(16)) and correct(residual, left) and
                magnitude(X(left - d * S(S(1) - share))) <= magnitude(d) / S(4);
     };
@@ -141,14 +148,14 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
         }
         return true;
     };
-    size_before = evaluate(x, residual);
+    size_before = evaluated_size<X>(evaluate, x, residual);
     before = magnitude(residual);
     if (not all_finite(residual)) return branch_search::not_finite;
     if (not correct(residual, d)) return branch_search::singular;
     for (int round = 0; round < rounds; ++round, part = std::min(S(1), S(2) * part)) {
         if (is_small()) {
             y = x + d;
-            size = evaluate(y, residual);
+            size = evaluated_size<X>(evaluate, y, residual);
             if (is_at_most(S(1) / S(2))) {
                 x = y;
                 return branch_search::found;
@@ -169,7 +176,7 @@ branch_search follow_newton(X& x, X& residual, equation_on_branches<X> const& ev
     }
     // Beside large numbers corrections shrink no more where the residual is rounding.
     x = x + d;
-    size = evaluate(x, residual);
+    size = evaluated_size<X>(evaluate, x, residual);
     return magnitude(residual) <= S(4) * epsilon<S>() * size ? branch_search::found : branch_search::lost_on_one;
 }
 

@@ -53,12 +53,6 @@ S smallest_determinant() {
         return S(4) * (std::numeric_limits<S>::min)();
 }
 
-/// Neither zero nor beyond the largest number: r / inf is 0, and would pass for a solution.
-template <class S>
-HILGER_ALWAYS_INLINE inline bool is_divisor(S const& k) {
-    return not(k == S(0)) and is_finite(k);
-}
-
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding, or not finite.
 template <class S, std::size_t M, std::size_t MM>
 HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {

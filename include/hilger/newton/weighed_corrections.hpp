@@ -3,6 +3,8 @@
 // what the residual is the sum of. Components may be of very different sizes.
 #pragma once
 
+#include <limits>
+
 #include "hilger/differentiation/shape.hpp"
 #include "hilger/history/component.hpp"
 
@@ -46,6 +48,7 @@ public:
     [[nodiscard]] bool is_last(Vector const& correction, Unknown const& moved, S const& small) const {
         for (int c = 0; c < count(); ++c) {
             S const size = magnitude(S(correction(c)));
+            if (size <= (std::numeric_limits<S>::min)()) continue; // numbers below it have lost their digits; of exact ones it is 0
             if (not(size <= small * magnitude(u::component(moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
         }
         return true;

@@ -91,6 +91,14 @@ protected:
         return sum;
     }
     [[nodiscard]] S velocity(state<S, V> const& x, int k, int c) const {
+        if constexpr (U > 1)
+            if (t_.integrates_slopes) {
+                // What bends the motion, apart from its mean velocity: or the rounding of b would be a clock that goes wrong.
+                S const& all = component_of_moved(last, c);
+                S sum = all / h_;
+                for (int m = 1; m < U; ++m) sum = sum + t_.b(k, m) * (component_of_moved(m, c) - all * S(m) / S(U));
+                return sum;
+            }
         S sum = t_.b(k, 1) * component_of_moved(1, c);
         for (int m = 2; m <= U; ++m) sum = sum + t_.b(k, m) * component_of_moved(m, c);
         return adds_up ? sum : S(sum + s::component(x.q, c) * constant_at(k, &tableau<S>::b));

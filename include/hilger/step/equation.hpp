@@ -58,13 +58,19 @@ public:
         return is_new;
     }
     void put_residual(state<S, V> const& x) {
-        for (int c = 0; c < dimension(); ++c) residual(place_of(1, c)) = s::component(x.p, c);
+        bool const by_change = U > 1 and t_.integrates_slopes;
+        for (int c = 0; c < dimension(); ++c) residual(place_of(1, c)) = by_change ? S(0) : s::component(x.p, c);
         for (int j = 1; j < U; ++j)
             for (int c = 0; c < dimension(); ++c) residual(place_of(j + 1, c)) = S(0);
         for (int k = 0; k < t_.nodes; ++k)
             for (int j = 0; j < U; ++j) {
                 S const wa = t_.w(k) * t_.a(k, j), wb = t_.w(k) * t_.b(k, j);
                 auto&& row = row_of(residual, j);
+                if (by_change) { // sum_k w_k b_kj = -[j = 0]: what does not change leaves nothing, however b is rounded
+                    for (int c = 0; c < dimension(); ++c)
+                        row(c) = row(c) + wa * nodes_[at(k)].by_q(c) + wb * (nodes_[at(k)].by_v(c) - s::component(x.p, c));
+                    continue;
+                }
                 if (wa == S(0))
                     nodes_[at(k)].add_by_v(wb, row);
                 else
@@ -84,14 +90,17 @@ public:
         factors_are_of_ = h_;
         return constant_part.factorize();
     }
-    /// The derivative of the residual.
-    void put_matrix() {
+    /// The derivative of the residual. In a search a force without a slope, as that of |q|^1.5 at 0, is taken for constant there: such a
+    /// correction leads on.
+    void put_matrix(bool of_slopes_alone = false) {
         full_matrix.set_zero();
         for_each_block([&](int k, int b, int j, int m, S const& c, auto const& entries) {
             auto const& to = places_[at(k)][at(b)][pair_of(j, m)];
             for (std::size_t i = 0; i < to.size(); ++i) {
                 S& entry = full_matrix[to[i]];
-                entry = entry + c * tally<S>::second(nodes_[at(k)].value(entries[i].place));
+                S const& slope = tally<S>::second(nodes_[at(k)].value(entries[i].place));
+                if (of_slopes_alone and b != block_vv and not is_finite(slope)) continue;
+                entry = entry + c * slope;
             }
         });
         put_resistance(full_matrix);

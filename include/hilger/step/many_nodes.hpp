@@ -253,7 +253,7 @@ private:
             e_.moved = y;
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             e_.put_residual(x);
-            e_.put_matrix();
+            e_.put_matrix(true);
             for (int c = 0; c < e_.unknowns(); ++c) u::component(r, c) = e_.residual(c);
             S const reach = magnitude(x.q) + magnitude(y);
             return S(magnitude(x.p) + e_.forces() + S(e_.unknowns()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(y)));

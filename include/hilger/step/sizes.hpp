@@ -117,7 +117,7 @@ public:
         S most(0);
         for (int k = 0; k < t_.nodes; ++k)
             for (auto const& e : nodes_[at(k)].places().entries[block_qq])
-                if (S const size = magnitude(S(t_.w(k) * nodes_[at(k)].value(e.place))); most < size) most = size;
+                if (S const size = magnitude(S(t_.w(k) * nodes_[at(k)].value(e.place))); is_finite(size) and most < size) most = size;
         return most;
     }
 

@@ -31,6 +31,7 @@ void append_nodes(tableau<S>& t, tableau<S> const& u) {
     int const next = t.part.back() + 1;
     for (int k = 0; k < u.nodes; ++k) t.part.push_back(next + u.part_of(k));
     t.nodes += u.nodes;
+    t.integrates_slopes = false; // of one Lagrangian the momentum is only a part
 }
 } // namespace detail
 /// The nodes of both.

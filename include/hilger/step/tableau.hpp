@@ -11,6 +11,7 @@
 
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/one_step.hpp"
+#include "hilger/embedding/polynomial.hpp"
 
 namespace hilger {
 
@@ -21,6 +22,9 @@ struct tableau {
     std::vector<S> weight;             ///< carry h
     std::vector<S> inside;             ///< where there are points inside the step, the time of each node since its beginning
     std::vector<int> part;             ///< in a sum of actions, the number of the Lagrangian that is read at each node
+    /// Velocities are slopes of the polynomial through values at equal distances, and the weights integrate these exactly: uniform motion
+    /// has its velocity, and its momentum, at every node.
+    bool integrates_slopes = false;
     [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
@@ -112,6 +116,15 @@ void require_consistent(A const& a, B const& b, S const& h, char const* name) {
 }
 } // namespace detail
 
+namespace detail {
+template <class Velocity>
+inline constexpr bool integrates_slopes = false;
+template <int Degree, int Count>
+inline constexpr bool integrates_slopes<polynomial_reading<Degree, gauss, Count, true>> = 1 < Degree and Degree <= 2 * Count;
+template <int Degree, int Count>
+inline constexpr bool integrates_slopes<polynomial_reading<Degree, lobatto, Count, true>> = 1 < Degree and Degree <= 2 * Count - 2;
+} // namespace detail
+
 /// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
 template <class S, linear_map A, linear_map B, class W, bool Checked>
 tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
@@ -129,6 +142,7 @@ tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
             t.velocity.push_back(step::value(e.velocity, h, step::unit(j), k));
         }
     }
+    t.integrates_slopes = detail::integrates_slopes<B>;
     return t;
 }
 

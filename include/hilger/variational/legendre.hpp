@@ -29,21 +29,6 @@ newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, E
     each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
-/// velocity_from(near); where that leads nowhere, from rest; and where there is no mass at rest or next to none, or L is not defined there,
-/// as with L = v^4 and L = v log v, from v = p.
-template <class V, class From>
-V velocity_near(V const& near, V const& p, From const& velocity_from) {
-    try {
-        return velocity_from(near);
-    } catch (error::exception const&) {
-        for (V const& guess : {zero_like(p), p})
-            if (not(guess == near)) try {
-                    return velocity_from(guess);
-                } catch (error::exception const&) { // the first one says more
-                }
-        throw;
-    }
-}
 } // namespace detail
 
 /// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else by Newton from `guess`.
@@ -70,7 +55,7 @@ V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
 /// of them.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
-    return detail::velocity_near(zero_like(p), p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
+    return detail::root_near(zero_like(p), p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
 }
 namespace detail {
 /// The same at time t by derivatives that are kept, from the velocity `near`: at rest where nothing is known of it.
@@ -78,7 +63,7 @@ template <class Problem, class S, class V>
 V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, V const& near) {
     at_time const lagrangian{kept.what().lagrangian, t};
     if constexpr (not is_traced_at<Problem, V> or requires { lagrangian.velocity(q, p); })
-        return velocity_near(near, p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); });
+        return root_near(near, p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); });
     else {
         auto const equation = [&](V const& v) {
             return kept.at(t, q, v, wanted::with_seconds, [&](auto const& node) {
@@ -90,7 +75,7 @@ V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V c
                 });
             });
         };
-        return velocity_near(near, p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
+        return root_near(near, p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
     }
 }
 /// p.v - L(q, v)

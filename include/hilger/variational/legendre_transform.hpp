@@ -70,7 +70,8 @@ private:
             auto const e = hilger::expand(h, p, q);
             return newton_system<V>{V(e.by_q - v), e.qq};
         };
-        return newton(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
+        return detail::root_near(zero_like(v), v,
+                                 [&](V const& guess) { return newton(equation, guess, v, "the Legendre map p -> dH/dp"); });
     }
     template <class F, class V>
     static scalar_of<V> value_of(F const& h, V const& q, V const& v) {

@@ -58,6 +58,12 @@ void meets(double wanted) {
         CHECK((between.q - ellipse(t)).norm() <= S(wanted));
         CHECK(magnitude(S(between.q(0) * between.p(1) - between.q(1) * between.p(0) - S(4) / S(5))) <= S(16) * S(wanted));
     }
+    for (int k : {1, 3, 7, 20, 100}) { // and a few roundings behind one
+        S const t = T.element(x.steps / 3) * (S(1) + S(k) * epsilon<S>());
+        CHECK(x(t).t == t);
+        CHECK((x(t).q - ellipse(t)).norm() <= S(wanted));
+    }
+    CHECK(x((std::numeric_limits<S>::min)()).q == x.q[0]);
     CHECK_THROWS_AS((void)x(S(-1) / S(1000)), error::outside_domain);
     CHECK_THROWS_AS((void)x(S(10) + S(1) / S(1000)), error::outside_domain);
 }
@@ -224,6 +230,29 @@ TEST_CASE("steps that are not longer than a pulse") {
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, 1e-7}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, std::nan("")}), error::invalid_parameter);
 }
+TEST_CASE("rounding is no clock that goes wrong, where a mass changes with the position") {
+    auto const L = [](auto const& q, auto const& v) { return (2 + sin(q)) * v * v / 2 - q * q / 2; };
+    auto const end_of = [&](auto const& how, auto const& T) {
+        return record(embed(L, how).along(T, T.h() / T.h(), T.h() / T.h())).states.back().q;
+    };
+    auto const apart = [&](auto const& how) {
+        return std::abs(
+            static_cast<double>(end_of(how, uniform(float50(0), float50(160) / 500, 500)) - float50(end_of(how, uniform(0.0, 0.32, 500)))));
+    };
+    // sqrt(500) roundings of a number near 1, and what they become in 160 units of time
+    CHECK(apart(galerkin<8, gauss>) <= 160 * epsilon<double>());
+    CHECK(apart(galerkin<5, lobatto>) <= 160 * epsilon<double>());
+}
+
+TEST_CASE("where rounding keeps the runs apart that is said, and no other method tried") {
+    auto const eccentric = [](double wanted) {
+        return solve(kepler, interval{0.0, 20.0}, initial_velocity<plane<double>>{{0.1, 0.0}, {0.0, std::sqrt(19.0)}}, accuracy{wanted});
+    };
+    CHECK(eccentric(1e-12).error <= 1e-12);
+    CHECK_THROWS_WITH_AS((void)eccentric(1e-13), doctest::Contains("rounding keeps it there; a scalar with more digits gets further"),
+                         error::no_convergence);
+}
+
 TEST_CASE("who asks it to stop is heard") {
     auto const stop = std::make_unique<std::stop_source>(); // as a variable of its own g++ 12 takes it for not initialized
     stop->request_stop();

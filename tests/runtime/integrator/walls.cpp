@@ -93,6 +93,20 @@ TEST_CASE("a drag |v| v, whose second derivatives are infinite at rest, acts fro
     check_of(moving, by_hypot, mid_point, q6, rest6);
 }
 
+TEST_CASE("a component beyond the largest number is refused, whichever it is, and a sum beyond it is not") {
+    auto const free = [](auto const& x, auto const& v) { return v.squaredNorm() / 2 + 0 * x(0); };
+    auto const T = uniform(0.0, 1.0, 2);
+    for (int const d : {5, 13, 16}) {
+        Eigen::VectorXd const large = Eigen::VectorXd::Constant(d, 1e308), still = Eigen::VectorXd::Zero(d);
+        CHECK(last_of(embed(lagrangian{free}, order_one).along(T, large, still)) == large);
+        CHECK(last_of(embed(lagrangian{free}, mid_point).along(T, large, still)) == large);
+        for (int k = 0; k < d; ++k)
+            CHECK_THROWS_AS(
+                (void)last_of(embed(lagrangian{free}, order_one).along(T, large, Eigen::VectorXd(1e308 * Eigen::VectorXd::Unit(d, k)))),
+                error::not_finite);
+    }
+}
+
 TEST_CASE("a root that has an infinite slope at 0 has it") {
     auto const T = uniform(0.0, 0.05, 4);
     auto const of_one = [](auto const& x, auto const& v) { return v * v / 2 + sqrt(x); };

@@ -80,6 +80,35 @@ TEST_CASE("a Hamiltonian whose velocities are bounded steps as its Lagrangian do
     CHECK_THROWS_AS((void)lagrangian_of(H).momentum(0.0, 1.5), error::no_convergence);
 }
 
+TEST_CASE("where H has no second derivative at p = 0, or none that is a number, its momenta are those of its velocities all the same") {
+    auto const root = [](auto const& p, auto const& x) { return 2 * pow(p, 1.5) / 3 + x * x / 2; }; // v = sqrt(p)
+    CHECK(lagrangian_of(root).momentum(0.5, 0.9) == doctest::Approx(0.81).epsilon(4 * epsilon<double>()));
+    CHECK(lagrangian_of(root).momentum(0.5, 0.0) == 0);
+    auto const is_the_mid_point_rule = [](auto const& H, auto const& velocity) {
+        state<double, double> x{0, 0.5, 0.9};
+        for (auto const& y : embed(lagrangian_of(H), mid_point).along(uniform(0.0, 0.1, 3), x.q, x.p)) {
+            if (y.t == 0) continue;
+            CHECK(std::abs(y.q - x.q - 0.1 * velocity((x.p + y.p) / 2)) <= 16 * epsilon<double>());
+            CHECK(std::abs(y.p - x.p + 0.1 * (x.q + y.q) / 2) <= 16 * epsilon<double>());
+            x = y;
+        }
+        CHECK(x.t > 0.25);
+    };
+    is_the_mid_point_rule(root, [](double p) { return std::sqrt(p); });
+    is_the_mid_point_rule([](auto const& p, auto const& x) { return p * p * p / 3 + x * x / 2; }, [](double p) { return p * p; });
+    is_the_mid_point_rule([](auto const& p, auto const& x) { return p * log(p) - p + x * x / 2; }, [](double p) { return std::log(p); });
+    is_the_mid_point_rule([](auto const& p, auto const& x) { return 2 * sqrt(p) + x * x / 2; }, [](double p) { return 1 / std::sqrt(p); });
+    auto const L = [](auto const& x, auto const& v) { return 2 * pow(abs(v), 1.5) / 3 - x * x / 2; }; // p = sqrt|v| sgn v
+    CHECK(velocity_of(L, 0.5, 0.9) == doctest::Approx(0.81).epsilon(4 * epsilon<double>()));
+    Eigen::VectorXd const rest = Eigen::VectorXd::Zero(5), p = Eigen::VectorXd::Constant(5, 0.9);
+    auto const many = [](auto const& x, auto const& v) {
+        auto sum = -x.dot(x) / 2;
+        for (int k = 0; k < v.size(); ++k) sum = sum + 2 * pow(abs(v(k)), 1.5) / 3;
+        return sum;
+    };
+    CHECK((velocity_of(many, rest, p) - Eigen::VectorXd::Constant(5, 0.81)).norm() <= 16 * epsilon<double>());
+}
+
 TEST_CASE("a Hamiltonian may branch as a Lagrangian may, without std:: before max") {
     auto const H = [](auto const& p, auto const& x) { return p * p / 2 + 5 * max(x, 0.0) * max(x, 0.0) + x * x / 2; };
     auto const L = [](auto const& x, auto const& v) { return v * v / 2 - 5 * max(x, 0.0) * max(x, 0.0) - x * x / 2; };

@@ -162,6 +162,26 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> erf(jet<S, F, C, O> const& x) {
     S const slope = detail::two_over_root_of_pi<S>() * S(exp(S(-x.value * x.value)));
     return chain_rule(x, S(erf(x.value)), slope, S(-(x.value + x.value) * slope));
 }
+namespace detail {
+/// c g(x) where g' is a number and c r g'' is infinite: so is the second derivative by what x depends on, and by nothing else.
+template <class S, int F, int C, int O>
+[[gnu::noinline, gnu::cold]] jet<S, F, C, O> bent_sharply(jet<S, F, C, O> const& x, S const& value, S const& slope, S const& bend) {
+    jet<S, F, C, O> z(value);
+    z.on = x.on.of_function();
+    auto const in = [](auto& list, int k) -> S& { return list[static_cast<std::size_t>(k)]; };
+    for (int j = 0, n = 0; j < C; ++j) {
+        S const by_j = x.derivative(F + j);
+        in(z.d1, j) = slope * by_j;
+        if constexpr (O == 2)
+            for (int k = 0; k <= j; ++k, ++n) {
+                S const by_k = x.derivative(F + k);
+                in(z.d2, n) = slope * x.derivative(F + j, F + k);
+                if (not(by_j == S(0)) and not(by_k == S(0))) in(z.d2, n) = in(z.d2, n) + bend * by_j * by_k;
+            }
+    }
+    return z;
+}
+} // namespace detail
 /// x^n with a whole n is exact for every x; other powers need x > 0.
 template <class S, int F, int C, int O, constant_for<S> K>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> pow(jet<S, F, C, O> const& x, K const& exponent) {
@@ -180,11 +200,13 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> pow(jet<S, F, C, O> const& x, K cons
     S g1 = e == S(0) ? S(0) : power(1);
     S g2 = e == S(0) or e == S(1) ? S(0) : power(2);
     if constexpr (not std::is_integral_v<K>)
-        if (x.value == S(0)) [[unlikely]] // as sqrt
-            if (detail::is_level(x, std::make_integer_sequence<int, C>{})) {
-                if (not hilger::is_finite(g1)) g1 = S(0);
-                if (not hilger::is_finite(g2)) g2 = S(0);
-            }
+        if (x.value == S(0)) [[unlikely]] { // as sqrt
+            bool const is_level = detail::is_level(x, std::make_integer_sequence<int, C>{});
+            if (is_level and not hilger::is_finite(g1)) g1 = S(0);
+            if (is_level and not hilger::is_finite(g2)) g2 = S(0);
+            if (hilger::is_finite(g1) and not hilger::is_finite(g2))
+                return detail::bent_sharply(x, power(0), S(e * g1), S(e * S(e - S(1)) * g2));
+        }
     return chain_rule(x, power(0), g1, g2, e, S(e - S(1)));
 }
 template <class S, int F, int C, int G, int D, int O>

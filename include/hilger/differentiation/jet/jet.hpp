@@ -213,8 +213,11 @@ struct jet : detail::keeps_its_derivatives<S> {
     // In this order: a bend of zero stays zero where the square of a large derivative is infinite.
     template <int J, int K>
     HILGER_ALWAYS_INLINE constexpr S unscaled() const {
-        return detail::plus(detail::times(detail::times(outer, slope), inner<J, K>()),
-                            detail::times(detail::times(bend, inner<J>()), inner<K>()));
+        if constexpr (K < First or J > last)
+            return S(0); // also where others are infinite
+        else
+            return detail::plus(detail::times(detail::times(outer, slope), inner<J, K>()),
+                                detail::times(detail::times(bend, inner<J>()), inner<K>()));
     }
     template <int... JK>
     HILGER_ALWAYS_INLINE constexpr S by() const {

@@ -104,7 +104,7 @@ HILGER_ALWAYS_INLINE inline auto with_force_jets(Jet const& z, Force const& forc
         ((x(K) = J::variable(q[K], K, {1, 0}), y(K) = J::variable(v[K], N + K, {0, 1})), ...);
         auto const f = at_time{force, t}(x, y);
         require_force<Eigen::Matrix<S, N, 1>>(f, N);
-        return node(z, J(f(K))...);
+        return node(z, J(component_of(f, K))...);
     }
 }
 template <bool Scalar, bool Flat = true, class F, class Force, class S, std::size_t Size, int... K>

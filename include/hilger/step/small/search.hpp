@@ -104,6 +104,10 @@ private:
                 A[k] = q[k] + c * B[k];
             }
             derivatives(A, B, e);
+            // A force without a slope, as that of |q|^1.5 at 0, is taken for constant in a correction from there, which leads on.
+            for (auto* const slopes : {&e.qq, &e.qv, &e.vq})
+                for (S& slope : *slopes)
+                    if (not is_finite(slope)) slope = S(0);
             S sizes(0);
             for (std::size_t j = 0; j < N; ++j) {
                 s::component(r, static_cast<int>(j)) = p[j] + f * e.by_q[j] - e.by_v[j] - resistance[j] * B[j];
