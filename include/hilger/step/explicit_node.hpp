@@ -36,8 +36,7 @@ public:
         if (place_ == place::inside) return false;
         if (not parts_.inspect(what, x.q)) return false;
         if (place_ == place::end) {
-            parts_.velocity(x.p, v_);
-            moved = w_ * v_;
+            parts_.way(x.p, w_, v_, moved);
             parts_.force(what, x.q + moved, v_, w_, gained);
             return true;
         }
@@ -52,8 +51,7 @@ public:
             return true;
         }
         parts_.force(what, x.q, w_, gained);
-        parts_.velocity(x.p + gained, v_);
-        moved = w_ * v_;
+        parts_.way(x.p + gained, w_, v_, moved);
         return true;
     }
 

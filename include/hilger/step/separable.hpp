@@ -114,6 +114,16 @@ public:
     void velocity(R const& p, V& v) {
         solve(p - at_rest_, v);
     }
+    /// moved = w v; where no force reads v and M is diagonal in one go, and v is as it was.
+    template <class R, class Moved>
+    void way(R const& p, S const& w, V& v, Moved& moved) {
+        if (is_diagonal_ and not reads_velocity())
+            moved = w * inverse_.cwiseProduct(p - at_rest_);
+        else {
+            velocity(p, v);
+            moved = w * v;
+        }
+    }
     /// M^-1 f, for f other than v.
     template <class F>
     void solve(F const& f, V& v) {

@@ -74,7 +74,7 @@ public:
     template <class Equation>
     void add(Equation const& e, state<S, V>& x, char const* name) {
         // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
-        if (not is_finite(S(all_moved(e, x) + (e.adds_up ? total(x.p, e.increment) : total(e.whole, e.whole))))) [[unlikely]]
+        if (not is_finite(all_of(e, x))) [[unlikely]]
             refuse_overflow(e, x, name);
         if constexpr (not Compensated and not s::is_scalar and Equation::ends_alone)
             x.q += e.moved;
@@ -90,6 +90,13 @@ public:
     }
 
 private:
+    /// The sum of all positions and momenta after the step.
+    template <class Equation>
+    static S all_of(Equation const& e, state<S, V> const& x) {
+        if constexpr (s::size == Eigen::Dynamic and Equation::ends_alone)
+            if (e.adds_up) return total_in_rows(x.q, e.moved, x.p, e.increment);
+        return S(all_moved(e, x) + (e.adds_up ? total(x.p, e.increment) : total(e.whole, e.whole)));
+    }
     /// The sum of all positions after the step.
     template <class Equation>
     static S all_moved(Equation const& e, state<S, V> const& x) {
@@ -97,6 +104,18 @@ private:
             return total(x.q, e.moved);
         else
             return total(x.q, x.q) + e.moved.sum();
+    }
+    /// The sum of all components of four long vectors: several sums at once, for each addition waits for the one before it.
+    template <class A, class B, class C, class D>
+    static S total_in_rows(A const& a, B const& b, C const& c, D const& d) {
+        constexpr Eigen::Index at_once = 8;
+        Eigen::Index const n = a.size(), rest = n % at_once;
+        Eigen::Array<S, at_once, 1> sums = Eigen::Array<S, at_once, 1>::Zero();
+        auto const part = [](auto const& x, Eigen::Index k) { return x.template segment<at_once>(k).array(); };
+        for (Eigen::Index k = 0; k < n - rest; k += at_once) sums += (part(a, k) + part(b, k)) + (part(c, k) + part(d, k));
+        S sum = sums.sum();
+        for (Eigen::Index k = n - rest; k < n; ++k) sum = sum + ((a(k) + b(k)) + (c(k) + d(k)));
+        return sum;
     }
     /// @throws error::not_finite, unless it was the sum alone that overflowed
     template <class Equation>

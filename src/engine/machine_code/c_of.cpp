@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Rows of equal operations are loops, all others a line each. Numbers are read from their places: a compiler that saw them would fold, and
-// round otherwise than the library of functions does.
+// Rows of equal operations are loops, those that read each other element by element one loop, and all others a line each. Numbers are read
+// from their places: a compiler that saw them would fold, and round otherwise than the library of functions does.
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <vector>
 
@@ -27,20 +28,25 @@ bool is_of_one(std::string const& name) {
     return name.size() > 1 and name != "pow" and name != "hypot" and name != "atan2" and name != "over_norm";
 }
 
+/// Rounds of operations that are one loop, or one that is lines.
+struct together {
+    int count; ///< of the loop, 0 for lines
+    std::vector<evaluation::operations> rounds;
+};
+
 class writer {
 public:
-    explicit writer(evaluation const& what) : what_(what), is_stored_(static_cast<std::size_t>(what.size()), false) {
-        // what another part or a loop reads is in memory
-        for (int const place : what.results()) store(place);
-        std::vector<int> part_of(is_stored_.size(), -1);
-        for_all([&](int part, auto const& r) {
-            for (int i = 0; i < r.count; ++i) {
-                part_of[static_cast<std::size_t>(r.out + i)] = part;
-                for (int const from : {r.a[i], r.b[i]})
-                    if (r.in_a_row or part_of[static_cast<std::size_t>(from)] != part) store(from);
-            }
-            lines_ += r.in_a_row ? 1 : r.count;
-        });
+    explicit writer(evaluation const& what)
+        : what_(what), is_stored_(static_cast<std::size_t>(what.size()), false), is_local_(is_stored_), written_in_(is_stored_.size(), -1) {
+        for (int const place : what.results()) is_stored_[static_cast<std::size_t>(place)] = true;
+        for (int p = 0; p < evaluation::parts; ++p) join(p);
+        // what is read where it is not computed is in memory
+        for (int p = 0; p < evaluation::parts; ++p)
+            for (auto const& t : together_[static_cast<std::size_t>(p)])
+                for (auto const& r : t.rounds)
+                    for (int i = 0; i < r.count; ++i)
+                        for (int const from : {r.a[i], r.b[i]})
+                            if (written_in(from) != written_in(r.out)) is_stored_[static_cast<std::size_t>(from)] = true;
     }
     [[nodiscard]] std::string text() {
         if (lines_ > most_lines) return {};
@@ -48,8 +54,7 @@ public:
         for (int p = 0; p < evaluation::parts; ++p) {
             is_local_.assign(is_stored_.size(), false);
             all += "void part_" + std::to_string(p) + "(double *x)\n{\n    (void)x;\n";
-            what_.for_each_round(static_cast<evaluation::part>(p),
-                                 [&](auto const& r) { r.in_a_row ? add_loop(r, all) : add_lines(r, all); });
+            for (auto const& t : together_[static_cast<std::size_t>(p)]) t.count > 0 ? add_loop(t, all) : add_lines(t.rounds.front(), all);
             all += "}\n";
         }
         all += "void part_4(double *x)\n{\n";
@@ -58,17 +63,50 @@ public:
     }
 
 private:
-    template <class Use>
-    void for_all(Use const& use) {
-        for (int p = 0; p < evaluation::parts; ++p)
-            what_.for_each_round(static_cast<evaluation::part>(p), [&](auto const& r) { use(p, r); });
+    /// Where a value is computed: in the lines of a part, or in a loop, or before.
+    [[nodiscard]] int& written_in(int place) { return written_in_[static_cast<std::size_t>(place)]; }
+    /// The rounds of a part in an order in which those of one loop stand together.
+    void join(int part) {
+        auto& all = together_[static_cast<std::size_t>(part)];
+        std::vector<int> in(is_stored_.size(), -1); // which of `all` a place is computed in
+        auto const latest_of = [&](int const* operands, int count) {
+            int latest = -1;
+            for (int i = 0; i < count; ++i) latest = std::max(latest, in[static_cast<std::size_t>(operands[i])]);
+            return latest;
+        };
+        what_.for_each_round(static_cast<evaluation::part>(part), [&](evaluation::operations const& r) {
+            int const count = r.in_a_row ? r.count : 0, a = latest_of(r.a, r.count), b = latest_of(r.b, r.count), latest = std::max(a, b);
+            auto const is_there = [&](int from, int const* operands) {
+                auto const begins = [&](auto const& x) { return x.out == operands[0] and r.count > 1 and operands[1] != operands[0]; };
+                auto const at = static_cast<std::size_t>(latest);
+                return from < latest or std::any_of(all[at].rounds.begin(), all[at].rounds.end(), begins);
+            };
+            auto at = static_cast<std::size_t>(latest + 1);
+            if (count > 0 and latest >= 0 and all[at - 1].count == count and is_there(a, r.a) and is_there(b, r.b)) --at;
+            while (at < all.size() and (count == 0 or all[at].count != count)) ++at;
+            if (at == all.size()) all.push_back({count, {}});
+            all[at].rounds.push_back(r);
+            lines_ += count > 0 ? 1 : r.count;
+            for (int i = 0; i < r.count; ++i) {
+                in[static_cast<std::size_t>(r.out + i)] = static_cast<int>(at);
+                written_in(r.out + i) = count > 0 ? evaluation::parts * static_cast<int>(at + 1) + part : part;
+            }
+        });
     }
-    void store(int place) { is_stored_[static_cast<std::size_t>(place)] = true; }
-    void add_loop(evaluation::operations const& r, std::string& all) {
-        std::string const name = r.what->name;
-        bool const moves_a = r.a[0] != r.a[1], moves_b = r.b[0] != r.b[1];
-        all += "    for (int i = 0; i < " + std::to_string(r.count) + "; ++i) " + in_loop(r.out, true) + " = " +
-               written(name, in_loop(r.a[0], moves_a), in_loop(r.b[0], moves_b), is_of_one(name)) + ";\n";
+    void add_loop(together const& t, std::string& all) {
+        int const loop = written_in(t.rounds.front().out);
+        auto const operand = [&](int const* from) {
+            return written_in(*from) == loop ? 'v' + std::to_string(*from) : in_loop(*from, from[0] != from[1]);
+        };
+        all += "    for (int i = 0; i < " + std::to_string(t.count) + "; ++i) {\n";
+        for (auto const& r : t.rounds) {
+            std::string const local = 'v' + std::to_string(r.out), name = r.what->name;
+            all += "        const double " + local + " = " + written(name, operand(r.a), operand(r.b), is_of_one(name)) + ";\n";
+            auto const first = is_stored_.begin() + r.out;
+            if (std::find(first, first + r.count, true) != first + r.count)
+                all += "        " + in_loop(r.out, true) + " = " + local + ";\n";
+        }
+        all += "    }\n";
     }
     void add_lines(evaluation::operations const& r, std::string& all) {
         std::string const name = r.what->name;
@@ -84,7 +122,9 @@ private:
         return is_local_[static_cast<std::size_t>(place)] ? 'v' + std::to_string(place) : at(place);
     }
     evaluation const& what_;
+    std::array<std::vector<together>, evaluation::parts> together_;
     std::vector<bool> is_stored_, is_local_;
+    std::vector<int> written_in_;
     int lines_ = 0;
 };
 
