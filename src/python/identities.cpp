@@ -26,6 +26,7 @@ void add_identities(py::module_& m) {
         auto const on = [&](auto const& identity) {
             using identity_type = std::remove_cvref_t<decltype(identity)>;
             if constexpr (not identity_type::uniform_only) {
+                if (PyErr_CheckSignals() != 0) throw py::error_already_set();
                 auto const v = hilger::check(identity, T, Q(0), source);
                 proved.append(
                     py::make_tuple(std::string(identity.name), std::string(identity.source), v.comparisons, v.holds, v.first_failure));

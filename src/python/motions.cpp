@@ -45,6 +45,10 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
         } catch (hilger::error::exception const& why) {
             stopped = why.what();
             if (t.empty()) unexpected = std::current_exception(); // it did not begin
+        } catch (py::error_already_set const& raised) {
+            py::gil_scoped_acquire const here;
+            if (not raised.matches(PyExc_KeyboardInterrupt)) throw;
+            interrupted = true; // heard in `until`
         }
     }
     if (unexpected) std::rethrow_exception(unexpected);

@@ -72,9 +72,12 @@ void add_operators(py::module_& m) {
         .def("__rmul__", [](operator_formula const& a, py::handle x) { return multiplied(a, x, false); })
         .def("__truediv__", [](operator_formula const& a, py::handle x) { return multiplied(a, x, true); })
         .def("__pow__",
-             [](operator_formula const& a, hilger::index_type n) {
-                 if (n < 0)
-                     throw py::type_error("an operator is repeated n = 0, 1, 2, ... times by A**n, and here is n = " + std::to_string(n));
+             [](operator_formula const& a, py::object const& times) {
+                 auto const n_or_less = PyIndex_Check(times.ptr()) != 0 ? PyNumber_AsSsize_t(times.ptr(), nullptr) : -1;
+                 if (n_or_less < 0)
+                     throw py::type_error("an operator is repeated n = 0, 1, 2, ... times by A**n, and here is n = " +
+                                          std::string(py::repr(times)));
+                 auto n = static_cast<hilger::index_type>(n_or_less);
                  auto power = *operator_from(py::int_(1)), square = a;
                  for (; n > 0; n /= 2, square = n > 0 ? square * square : square)
                      if (n % 2 == 1) power = power * square;

@@ -192,6 +192,10 @@ class Ensemble(unittest.TestCase):
         h.solve_many(EL, q0=np.linspace(0, 1, 40), v0=0.0, progress=seen.append)
         self.assertEqual((seen[-1], seen), (40, sorted(seen)))
 
+        self.assertEqual(len(h.solve_many(EL, q0=[0.0, 1.0], v0=0.0, progress=True)), 2)
+        self.assertRaisesRegex(h.InvalidParameter, "progress is True, for a bar", h.solve_many, EL, q0=[0.0, 1.0], v0=0.0, progress=3)
+        self.assertRaisesRegex(h.InvalidParameter, "lanes is True or False", h.solve_many, EL, q0=[0.0, 1.0], v0=0.0, lanes="no")
+
         def enough(_):
             raise LookupError("enough")
 

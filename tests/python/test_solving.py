@@ -480,6 +480,17 @@ class Endings(unittest.TestCase):
         self.assertEqual((len(x), len(seen), seen), (seen[2] + 1, 3, sorted(seen)))
         self.assertIn("interrupted", x.stopped)
 
+        def heard_there(t, q, p):
+            if t > 0.995:
+                signal.raise_signal(signal.SIGINT)
+            return 1.0
+
+        with warnings.catch_warnings(record=True):
+            warnings.simplefilter("always")
+            x = h.solve(endless, q0=1.0, v0=0.0, until=heard_there)
+        self.assertEqual((len(x), "interrupted" in x.stopped), (101, True))
+        self.assertRaisesRegex(h.InvalidParameter, "progress is True, for a bar, or a function", h.solve, endless, q0=1.0, v0=0.0, progress="yes")
+
         def broken(_):
             raise LookupError("no bar")
 

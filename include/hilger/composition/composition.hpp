@@ -17,6 +17,13 @@
 
 namespace hilger {
 
+namespace detail {
+template <class Flow>
+concept has_a_problem = requires {
+    typename Flow::problem_type;
+};
+} // namespace detail
+
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     static_assert(Parts::size % sizeof...(Flows) == 0, "each flow of a composition has the same number of parts of the step");
@@ -173,7 +180,7 @@ private:
 
 /// The flows over the parts of each step, in turns: flow 1 over c_1 h, flow 2 over c_2 h, ..., flow 1 again when all had their turn.
 template <parts_of_a_step Parts, class... Flows>
-    requires(sizeof...(Flows) > 0 and not(detail::has_history<Flows> or ...))
+    requires(sizeof...(Flows) > 0 and not(detail::has_history<Flows> or ...) and (detail::has_a_problem<Flows> and ...))
 constexpr auto compose(Parts const& parts, Flows const&... flows) { return composed_flow<Parts, Flows...>(parts, flows...); }
 
 template <parts_of_a_step Parts, class First, class... Flows>
@@ -181,6 +188,13 @@ template <parts_of_a_step Parts, class First, class... Flows>
 constexpr auto compose(Parts const&, First const& f, Flows const&...) {
     static_assert(sizeof(First) == 0, "flows with a history (fractional damping, Newmark) walk steps of one length from their first point "
                                       "on: they are not composed of parts of a step");
+    return f;
+}
+template <parts_of_a_step Parts, class First, class... Flows>
+    requires(not(detail::has_history<First> or (detail::has_history<Flows> or ...)) and
+             not(detail::has_a_problem<First> and (detail::has_a_problem<Flows> and ...)))
+constexpr auto compose(Parts const&, First const& f, Flows const&...) {
+    static_assert(sizeof(First) == 0, "what is composed are flows, as embed(L, mid_point), and not Lagrangians or embeddings");
     return f;
 }
 /// Refused: numbers that are known at run time.

@@ -59,18 +59,27 @@ constexpr auto make_embedding(Position position, Velocity velocity, char const* 
 inline constexpr auto order_one = make_embedding<delta_weight>(identity_T, Delta_plus, "order one");
 inline constexpr auto order_one_left = make_embedding<nabla_weight>(identity_on<nodes, nabla_weight>{}, Delta_minus, "order one, left");
 
+namespace detail {
+template <int P, int Q>
+constexpr auto theta_of() {
+    static_assert(lambda_inside<fraction<P, Q>>, "the lambda of theta<P, Q> lies in ]0, 1[; at its ends are order_one and order_one_left");
+    if constexpr (lambda_inside<fraction<P, Q>>)
+        return make_embedding<step_weight>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q> * Delta_plus, "theta");
+    else
+        return order_one;
+}
+} // namespace detail
 /// 0 < P/Q < 1; lambda = 0 is order_one. The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one
 /// difference.
 template <int P, int Q>
-    requires detail::lambda_inside<fraction<P, Q>>
-inline constexpr auto theta =
-    make_embedding<step_weight>(on_lambda<P, Q> * extend_lambda<P, Q>, pi_lambda_inverse<P, Q>* Delta_plus, "theta");
+inline constexpr auto theta = detail::theta_of<P, Q>();
 /// The same for a lambda known at run time only. @throws error::invalid_parameter outside 0 < lambda < 1.
 template <class S>
 constexpr auto theta_at(S const& lambda) {
-    using at = run_time<S>;
-    return make_embedding<step_weight>(restriction_to<at, false>{{}, at{lambda}} * extend_at(lambda),
-                                       projection<at, true>{{}, at{lambda}} * Delta_plus, "theta");
+    using number = std::conditional_t<std::is_integral_v<S>, double, S>;
+    using at = run_time<number>;
+    return make_embedding<step_weight>(restriction_to<at, false>{{}, at{number(lambda)}} * extend_at(number(lambda)),
+                                       projection<at, true>{{}, at{number(lambda)}} * Delta_plus, "theta");
 }
 inline constexpr auto mid_point = make_embedding<step_weight>(on_half * extend, pi_inverse* Delta_plus, "mid-point");
 

@@ -194,4 +194,12 @@ std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string con
     return out.str();
 }
 
+/// Others are refused.
+template <class V = double, class Method>
+std::string c_code(Method const&, std::string const&, int = 0) {
+    static_assert(sizeof(Method) == 0, "C code is that of a flow of one embedding with plain sums and without a history, c_code(embed(L, "
+                                       "mid_point), name): flows of a composition are written one by one");
+    return {};
+}
+
 } // namespace hilger

@@ -6,7 +6,9 @@
 // A reading r has a history r.template along<S, V>(h, like), which says what comes before and after each step without damping.
 #pragma once
 
+#include <ranges>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "hilger/fractional/memory.hpp"
@@ -44,9 +46,43 @@ inline constexpr bool is_surely_below_one = false;
 template <generating_function G, class Rho, class Order, class Policy>
 inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
 
+template <class Policy>
+concept options_of_a_damping = requires(Policy const& p) {
+    p.history;
+};
+template <class Rho>
+concept diagonal_matrix = requires(Rho const& rho) {
+    rho.diagonal().size();
+}
+and not requires(Rho const& rho) { rho.allFinite(); };
+
+/// What a coefficient is kept as: a number, or a column with one for each component, whatever Eigen has it in.
+template <class Rho>
+auto kept_coefficient(Rho const& rho) {
+    if constexpr (diagonal_matrix<Rho>)
+        return Eigen::Matrix<typename Rho::Scalar, Rho::RowsAtCompileTime, 1>(rho.diagonal());
+    else if constexpr (requires { rho.allFinite(); }) {
+        static_assert(Rho::IsVectorAtCompileTime,
+                      "a fractional damping has one number for all components or one for each, as a vector or diagonal(); couplings of "
+                      "components, as a matrix has them, are not among them");
+        Eigen::Matrix<typename Rho::Scalar, Rho::SizeAtCompileTime, 1> column(rho.size());
+        for (Eigen::Index k = 0; k < rho.size(); ++k) column(k) = rho.coeff(k);
+        return column;
+    } else {
+        static_assert(not std::ranges::range<Rho>,
+                      "the coefficients of a fractional damping, one for each component, are a vector of Eigen's");
+        return rho;
+    }
+}
+
 /// A damping whose order and coefficient can be. @throws error::invalid_parameter
-template <generating_function G, class Rho, class Order, class Policy>
-auto checked_damping(Rho rho, Order beta, Policy policy, initial_history history) {
+template <generating_function G, class Given, class Order, class Policy>
+auto checked_damping(Given const& given, Order beta, Policy policy, initial_history history) {
+    static_assert(std::is_class_v<Policy> and not options_of_a_damping<Policy>,
+                  "a damping is given by its coefficient, its order, a history as direct{}, blocks{}, window{n} or exponentials{}, and its "
+                  "options, in this order");
+    auto rho = kept_coefficient(given);
+    using Rho = decltype(rho);
     if (not all_finite(rho)) error::raise<error::invalid_parameter>("the coefficient of a fractional damping is a finite number");
     if constexpr (is_fraction<Order>) {
         static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,

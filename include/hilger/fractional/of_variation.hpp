@@ -28,4 +28,13 @@ constexpr auto flow_of(restricted_euler_lagrange<action<F, A, B, W, Root>, fract
     return embed(damped, make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
 }
 
+/// Other couplings are not stepped, and are refused in one sentence.
+template <class Action, linear_map A, linear_map B, class Root, class... Options>
+constexpr auto flow_of(restricted_euler_lagrange<Action, A, B, Root> const&, Options const&...) {
+    return does_not_compile<"the first curve of a restricted principle is stepped where its coupling is Delta_minus_alpha<P, Q>[q] * "
+                            "Delta_plus_alpha<R, S>[y], in this order, and here it is " +
+                                A::name() + "[q] * " + B::name() + "[y]",
+                            Action>{};
+}
+
 } // namespace hilger

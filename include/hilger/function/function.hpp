@@ -74,17 +74,25 @@ public:
     template <time_scale_like Scale, formula_on<Scale> Formula>
     constexpr function_on(Scale const& scale, Formula formula) : function_on(scale.root(), scale.domain(), Rule{std::move(formula)}) {}
 
-    /// One value per point. @throws error::mismatch when their number is not the scale's, error::not_finite on NaN or infinity.
+    /// One value per point. @throws error::mismatch when their number is not the scale's, or vectors differ in length, error::not_finite
+    /// on NaN or infinity.
     template <time_scale_like Scale, class Value>
     function_on(Scale const& scale, std::vector<Value> values)
         : function_on(scale.root(), scale.domain(), Rule{share<value_on<Value, typename Root::scalar_type>>(std::move(values))}) {
         if (static_cast<index_type>(rule_.values->size()) != scale.size())
             error::raise<error::mismatch>("a function on ", scale, " needs ", scale.size(), " values, and was given ",
                                           rule_.values->size());
-        for (std::size_t i = 0; i < rule_.values->size(); ++i)
-            if (not is_finite((*rule_.values)[i]))
-                error::raise<error::not_finite>("the value at ", scale.element(scale.first() + static_cast<index_type>(i)),
-                                                " is NaN or infinite; a function on ", scale, " has finite values");
+        for (std::size_t i = 0; i < rule_.values->size(); ++i) {
+            auto const& value = (*rule_.values)[i];
+            auto const where = [&] { return scale.element(scale.first() + static_cast<index_type>(i)); };
+            if (not is_finite(value))
+                error::raise<error::not_finite>("the value at ", where(), " is NaN or infinite; a function on ", scale,
+                                                " has finite values");
+            if constexpr (requires { value.size(); })
+                if (value.size() != rule_.values->front().size())
+                    error::raise<error::mismatch>("the value at ", where(), " has ", value.size(), " components, and the first one has ",
+                                                  rule_.values->front().size());
+        }
     }
 
     /// Anything else is refused in one sentence.

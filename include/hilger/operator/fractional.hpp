@@ -242,7 +242,8 @@ inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::plu
 template <int P, int Q>
 inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q>* minus_start;
 
-/// The order known at run time: Delta_minus(alpha). @throws error::invalid_parameter when it is outside ]0, 1].
+/// The order known at run time: Delta_minus(alpha); the integer 1 is exact in every scalar. @throws error::invalid_parameter when it is
+/// outside ]0, 1].
 template <class Base, side Side>
 template <scalar S>
 constexpr auto derivative<Base, Side>::operator()(S alpha) const {
@@ -250,6 +251,12 @@ constexpr auto derivative<Base, Side>::operator()(S alpha) const {
     if (not(S(0) < alpha) or S(1) < alpha)
         error::raise<error::invalid_parameter>("the order of a fractional difference lies in ]0, 1], and this one is ", alpha);
     return fractional_difference<grunwald_letnikov, run_time<S>, Side>{{}, {std::move(alpha)}};
+}
+template <class Base, side Side>
+constexpr auto derivative<Base, Side>::operator()(int alpha) const {
+    static_assert(std::same_as<Base, nodes>, "fractional differences act on functions on T");
+    if (alpha != 1) error::raise<error::invalid_parameter>("the order of a fractional difference lies in ]0, 1], and this one is ", alpha);
+    return fractional_difference<grunwald_letnikov, fraction<1>, Side>{};
 }
 
 } // namespace hilger

@@ -93,6 +93,7 @@ struct derivative : linear_operator<derivative<Base, Side>> {
     /// The fractional difference of order alpha (operator/fractional.hpp).
     template <scalar S>
     constexpr auto operator()(S alpha) const;
+    constexpr auto operator()(int alpha) const;
 };
 
 inline constexpr shift<nodes, side::plus> sigma{};

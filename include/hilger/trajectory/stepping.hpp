@@ -3,7 +3,6 @@
 // walks from initial data.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,13 +13,25 @@
 
 namespace hilger {
 
+namespace detail {
+/// What a walk that was refused looks like: one of no states, so that what is made of it says no more.
+template <class S, class V, class Scale>
+struct refused_walk {
+    Scale const& T;
+    [[nodiscard]] state<S, V> const* begin() const { return nullptr; }
+    [[nodiscard]] state<S, V> const* end() const { return nullptr; }
+    [[nodiscard]] Scale const& scale() const { return T; }
+};
+template <class S, class V, class Scale>
+refused_walk<S, V, Scale> no_walk(Scale const& T) {
+    return {T};
+}
+} // namespace detail
+
 template <class Method>
 class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
     template <class Scale>
     using scalar_on = typename Scale::root_type::scalar_type;
-    /// What a walk that was refused looks like: a range of nothing, so that the loop over it says no more.
-    template <class S, class V>
-    static constexpr std::array<state<S, V>, 0> no_states{};
 
 public:
     /// Also from initial data in braces: along(T, {.q0 = 1.0, .v0 = 0.0}).
@@ -61,28 +72,34 @@ public:
                 return std::tuple{std::move(q0), std::move(p0), std::move(v0)};
             });
         else
-            return no_states<root_scalar, root_scalar>;
+            return detail::no_walk<root_scalar, root_scalar>(T);
     }
     template <time_scale_like Scale, class X>
-    auto along(Scale const&, X const&) const {
+    auto along(Scale const& T, X const&) const {
         static_assert(not std::same_as<X, X>, "a walk starts from a position and a momentum, along(T, q0, p0), or from {.q0 = ..., .v0 = "
                                               "...} or {.q0 = ..., .q1 = ...}");
-        return no_states<scalar_on<Scale>, scalar_on<Scale>>;
+        return detail::no_walk<scalar_on<Scale>, scalar_on<Scale>>(T);
+    }
+    template <class T, class... Data>
+        requires(not time_scale_like<T> and sizeof...(Data) <= 2)
+    auto along(T const& points, Data const&...) const {
+        static_assert(not std::same_as<T, T>, "a walk goes along a time scale, as uniform(0.0, 0.1, 100) or time_scale{0.0, 0.1, 0.3}");
+        return detail::no_walk<double, double>(points);
     }
     template <class Derived>
-    auto along(scale_interface<Derived> const&, detail::anything_in_braces const&) const {
+    auto along(scale_interface<Derived> const& T, detail::anything_in_braces const&) const {
         using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), no_states<S, S>;
+        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
     }
     template <class Derived>
-    auto along(scale_interface<Derived> const&, detail::one_thing_in_braces const&) const {
+    auto along(scale_interface<Derived> const& T, detail::one_thing_in_braces const&) const {
         using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), no_states<S, S>;
+        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
     }
     template <class Derived>
-    auto along(scale_interface<Derived> const&, detail::any_positions_in_braces const&) const {
+    auto along(scale_interface<Derived> const& T, detail::any_positions_in_braces const&) const {
         using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), no_states<S, S>;
+        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
     }
     /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
     template <class S, class V>
@@ -108,9 +125,9 @@ private:
         using F = typename detail::mechanics_of<Method>::lagrangian;
         using Force = typename detail::mechanics_of<Method>::force;
         if constexpr (not detail::are_given_states<S, X, Y>())
-            return detail::refuse_states<S, X, Y>(), no_states<S, V>;
+            return detail::refuse_states<S, X, Y>(), detail::no_walk<S, V>(T);
         else if constexpr (not detail::is_lagrangian<F, S, V>() or not detail::is_force<Force, S, V>())
-            return detail::refuse_mechanics<F, Force, S, V>(), no_states<S, V>;
+            return detail::refuse_mechanics<F, Force, S, V>(), detail::no_walk<S, V>(T);
         else {
             auto from = begin(std::type_identity<V>{});
             auto path = self().start(T, std::move(std::get<0>(from)), std::move(std::get<1>(from)));

@@ -64,6 +64,14 @@ constexpr auto operator*(std::type_identity_t<typename Root::scalar_type> const&
     k.factor = c * k.factor;
     return k;
 }
+template <linear_map A, linear_map B, class Root>
+constexpr auto operator*(coupling<A, B, Root> const& k, std::type_identity_t<typename Root::scalar_type> const& c) {
+    return c * k;
+}
+template <linear_map A, linear_map B, class Root>
+constexpr auto operator-(coupling<A, B, Root> const& k) {
+    return typename Root::scalar_type(-1) * k;
+}
 
 /// S[x] + S[y] - coupling, for curves with equal variations.
 template <class Action, class Coupling>
@@ -80,6 +88,20 @@ template <class F, linear_map A, linear_map B, class W, linear_map C, linear_map
 constexpr auto operator-(action<F, A, B, W, Root> const& S, coupling<C, D, Root> const& k) {
     if (not S.T.same_points(k.T)) error::raise<error::mismatch>("an action and its coupling are over one scale, and these are not");
     return restricted_action<action<F, A, B, W, Root>, coupling<C, D, Root>>{S, k};
+}
+template <class F, linear_map A, linear_map B, class W, linear_map C, linear_map D, class Root>
+constexpr auto operator+(action<F, A, B, W, Root> const& S, coupling<C, D, Root> const& k) {
+    return S - -k;
+}
+template <class Action, class Coupling, linear_map C, linear_map D, class Root>
+constexpr auto operator-(restricted_action<Action, Coupling> const&, coupling<C, D, Root> const&) {
+    return does_not_compile<
+        "an action has one coupling; several terms of damping are with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})",
+        Action>{};
+}
+template <class Action, class Coupling, linear_map C, linear_map D, class Root>
+constexpr auto operator+(restricted_action<Action, Coupling> const& S, coupling<C, D, Root> const& k) {
+    return S - k;
 }
 
 /// The equations of both curves: EL[x] - rho D[x] = 0 and EL[y] - rho D*[y] = 0.

@@ -249,4 +249,10 @@ constexpr auto variation(action<F, A, B, W, Root> const& S) {
     return euler_lagrange<action<F, A, B, W, Root>>(S);
 }
 
+template <class F, linear_map A, linear_map B>
+constexpr auto variation(lagrangian_density<F, A, B> const&) {
+    return does_not_compile<
+        "a variation is that of an action, as integral(L(q, Delta_plus[q]), T), and this is a Lagrangian without its integral", F>{};
+}
+
 } // namespace hilger

@@ -12,8 +12,9 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
+from .scales import real as real_of_text
 from .scales import require_real
-from .solving import require_history
+from .solving import bar_of, require_history
 
 
 class Ensemble:
@@ -46,14 +47,14 @@ def solve_many(
     lanes: bool = True,
     history: str = "exponentials",
     comm: "Optional[object]" = None,
-    progress: "Optional[Callable[[int], None]]" = None,
+    progress: "bool | Callable[[int], None]" = False,
 ) -> Ensemble:
     """Solve an equation from many initial values: q0 and one of v0, p0, q1 are arrays with a row (or a number) for each member, or one row
     for all; so is each of `parameters`, the values of parameters of L that differ between members.
 
     Kept are the first point of each, every so many, and the last one; where `every` is not said the first and the last. Members do not know
     of each other, and the result does not depend on the number of threads, to the last bit; it is that of the processors where it is not
-    said. An interrupt keeps what there is. `progress` gets the number of members that are done.
+    said. An interrupt keeps what there is. `progress` is as in `solve`, of members that are done.
 
     With `comm`, MPI.COMM_WORLD of mpi4py, each rank computes its share of the members, in one thread where `threads` is not said, and every
     rank gets the whole, which does not depend on their number; `progress` is of its share.
@@ -64,11 +65,15 @@ def solve_many(
     and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
     """
     for what, n in (("every", every), ("threads", threads)):
+        if n == 0 and what == "threads" and n is not None:
+            raise _core.InvalidParameter("threads is a positive number, or None for as many as there are processors, and was 0")
         if n is not None and (not isinstance(n, (int, np.integer)) or abs(n) >= (2**31 if what == "threads" else 2**62)):
             raise _core.InvalidParameter(f"{what} is a whole number, and was {n!r}")
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), is solved, and not a {type(equation).__name__}")
     require_history(history)
+    if not isinstance(lanes, (bool, np.bool_)):
+        raise _core.InvalidParameter(f"lanes is True or False, and was {lanes!r}")
     if not isinstance(parameters, (Mapping, type(None))):
         raise _core.InvalidParameter('parameters are given by their names, as {"g": np.linspace(1, 10, 5)}')
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1)) if x is not None}
@@ -86,6 +91,10 @@ def solve_many(
         try:
             if any(y is None for y in ([x] if np.ndim(x) == 0 else np.ravel(x) if np.asarray(x).dtype == object else ())):
                 raise TypeError("None is none")
+            if np.asarray(x).dtype.kind in "mM":
+                raise TypeError("times of numpy have a unit, and these are numbers")
+            if np.asarray(x).dtype.kind in "US":
+                return np.vectorize(lambda y: real_of_text(str(y), what), otypes=[float])(x)
             return np.asarray(x, dtype=float)
         except (OverflowError, TypeError, ValueError) as why:
             raise _core.InvalidParameter(f"{what} is an array of numbers that a double can be: {why}") from None
@@ -126,7 +135,12 @@ def solve_many(
     rank, ranks = (0, 1) if comm is None else (comm.Get_rank(), comm.Get_size())
     share = slice(members * rank // ranks, members * (rank + 1) // ranks)
     threads = threads or (os.cpu_count() or 1 if comm is None else 1)
-    t, *made = _core.walk_all(cast, a[share], name, b[share], each[share], stride, threads, progress)
+    bar = bar_of(progress, share.stop - share.start, " members")
+    try:
+        t, *made = _core.walk_all(cast, a[share], name, b[share], each[share], stride, threads, bar)
+    finally:
+        if hasattr(bar, "close"):
+            bar.close()
     if comm is not None:
         made = (sum(parts[1:], parts[0]) if isinstance(parts[0], list) else np.concatenate(parts) for parts in zip(*comm.allgather(made)))
     q, p, why = made

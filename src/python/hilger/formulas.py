@@ -63,7 +63,7 @@ def variables(names: "str | Iterable[str]", size: int = 0) -> "tuple[Expression 
             raise TypeError(f"variables are named in a text, as in 'q v', and here is {names!r}")
         names = " ".join(names)
     for word in names.replace(",", " ").split():
-        found = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", word)
+        found = re.fullmatch(r"([^\W\d]\w*)(?:\[(\d+)\])?", word)
         if found is None:
             raise _core.InvalidParameter(f"variables are written as in 'q v' or 'q[3] v[3]', and here is '{word}'")
         d = int(found[2]) if found[2] else size
@@ -84,6 +84,9 @@ def _name(x: object) -> "str | None":
 
 def dot(x: Sequence[Formula], y: Sequence[Formula]) -> Expression:
     """x[0]*y[0] + x[1]*y[1] + ..."""
+    for z in (x, y):
+        if not hasattr(z, "__len__"):
+            raise TypeError(f"dot and norm take vectors, as h.variables makes them of \"q[3]\", and here is {z!r}")
     if len(x) != len(y):
         raise _core.Mismatch(f"dot takes vectors of one length, and these have {len(x)} and {len(y)} components")
     if len(x) == 0:

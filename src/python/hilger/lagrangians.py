@@ -16,6 +16,7 @@ from ._core import Expression
 from .formulas import Formula, Vector, variables
 from .scales import digits
 
+MOST_COORDINATES = 1_000_000
 Variables = Union[str, Expression, Vector, Sequence[Union[Expression, Vector]]]
 
 
@@ -76,6 +77,8 @@ class Lagrangian:
             raise _core.InvalidParameter(f"time is the name of the time, and here is {time!r}: a parameter of that name is given in parameters={{...}}")
         if not isinstance(parameters, (Mapping, type(None))):
             raise _core.InvalidParameter(f'parameters are given by their names, as {{"g": 9.81}}, and here is {parameters!r}')
+        if nameless := [name for name in parameters or () if not isinstance(name, str)]:
+            raise _core.InvalidParameter(f"parameters are given by their names, which are texts, and here is {nameless[0]!r}")
         # q= and v= are the coordinates where these are not given before, and else parameters
         components = _components(L) if isinstance(L, str) else ""
         q, v = (more.pop(name, name + components) if x is None else x for x, name in ((q, "q"), (v, "v")))
@@ -88,6 +91,8 @@ class Lagrangian:
         for x in (*qs, *vs):
             if not isinstance(x, (Expression, Vector)) or x.name is None:
                 raise _core.InvalidParameter("coordinates and velocities are variables, as h.variables makes them")
+        if sum(max(_size(x), 1) for x in qs) > MOST_COORDINATES:
+            raise _core.InvalidParameter(f"a Lagrangian has at most {MOST_COORDINATES} coordinates, and here are {sum(max(_size(x), 1) for x in qs)}")
         self.coordinates = [(x.name, y.name, _size(x)) for x, y in zip(qs, vs)]
         self.time = time
         if callable(L):

@@ -16,7 +16,7 @@ import numpy as np
 from . import _core
 from ._core import Expression, Operator
 from .equations import Method
-from .scales import TimeScale, Uniform, digits, exact, require_real
+from .scales import TimeScale, Uniform, digits, exact, real, require_real, rounds
 from .solutions import digits_of, numbers_from
 
 identity = _core.read_operator("identity")
@@ -62,9 +62,14 @@ def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tu
             points = [start + i * step for i in range(T.steps + 1)]
         else:
             points = [of(x) for x in T.points]
+        if not callable(f) and (isinstance(f, str) or not np.iterable(f)):
+            raise TypeError(f"f is a function of t, as a lambda, or has a value for each point of T, and here is {f!r}")
         values = [f(t) for t in points] if callable(f) else list(f)
+    require_real(values, "a function on T")
+    if kind == "exact" and any(rounds(y) for y in values):
+        raise _core.InvalidParameter("on a scale of fractions a function has values that are fractions or whole numbers, and here is one that rounds")
     if kind == "double":
-        require_real(values, "a function on T")
+        values = [real(y, "a value of a function on T") for y in values]
         front, made = A._on_points(np.array(points, float), np.array(values, float))
         return np.array(points, float)[front : front + len(made)], made
     on = A._on_points_exactly if kind == "exact" else A._on_points_in_50_digits

@@ -40,6 +40,11 @@ def require_real(x: object, what: str) -> None:
             raise TypeError(f"{what} is made of real numbers, and {y} is none")
 
 
+def rounds(x: object) -> bool:
+    """Whether it is a number of so many digits, and no fraction."""
+    return isinstance(x, (float, np.floating)) or type(x).__name__ in ("mpf", "constant")
+
+
 _long = 4000
 """Digits of a piece of a whole number: Python refuses to read or write many more at once."""
 
@@ -133,6 +138,7 @@ class TimeScale:
         if not np.iterable(points):
             raise TypeError(f"a time scale is a list of points, and here is {points!r}; h.uniform(start, step, steps) makes one of equal steps")
         self.points = tuple(points)
+        require_real(list(self.points), "a time scale")
         if len(self.points) < 2:
             raise _core.InvalidScale(f"a time scale needs two points, and here are {len(self.points)}")
 

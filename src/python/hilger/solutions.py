@@ -76,7 +76,7 @@ class Zeros:
             y = self.g(t, q, p)
             if isinstance(y, (bool, np.bool_)):
                 return 1 if y else -1
-            if y is None or np.ndim(y) > 0 or np.iscomplexobj(y):
+            if y is None or isinstance(y, (str, bytes)) or np.ndim(y) > 0 or np.iscomplexobj(y):
                 raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
         if inside and abs(y) == float("inf"):
             return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
@@ -213,7 +213,8 @@ class Solution:
         """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding; of a solution
         that has stopped, as far as it goes.
 
-        Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts.
+        Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts. Newmark's schemes have no
+        such equation, and raise InvalidParameter.
         """
         if len(self) < 2:
             raise _core.InvalidParameter("the residual is that of two points and more, and this solution has one")
@@ -269,7 +270,7 @@ class AccurateSolution(Solution):
     """A solution to a wanted accuracy, of the equation that was chosen for it: `equation.method` and `equation.scale` say which. `error` is
     the distance of q from the run with half as many steps.
 
-    That is more than its own error where L is smooth; where L has branches it is four times the largest distance from five other runs.
+    That is more than its own error where L is smooth, down to the rounding that both runs share; where L has branches it is four times the largest distance from five other runs.
     Between the points x(t) and x.events(g) are as accurate as at them: what is there is a step of the same method, from the point before.
     """
 

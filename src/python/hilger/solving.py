@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import warnings
 from typing import Callable, Optional, Sequence, Union
@@ -12,7 +13,7 @@ import numpy as np
 from . import _core
 from .equations import Equation, gauss, midpoint, variation
 from .lagrangians import Lagrangian
-from .scales import digits, real, require_real, uniform
+from .scales import digits, real, require_real, rounds, uniform
 from .solutions import AccurateSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -35,7 +36,7 @@ def exponentials(tolerance: float = 0.0) -> str:
 
 
 def window(steps: int) -> str:
-    """The last so many steps alone, the others forgotten: wrong by what they still had to say."""
+    """The last so many steps alone, the others forgotten: wrong by what they still had to say. For Newmark's scheme, and not for embeddings."""
     return f"window:{steps}"
 
 
@@ -60,7 +61,7 @@ def _state(kind: str, x: object, L: Lagrangian, name: str):
         raise _core.Mismatch(f"{name} has {L.dimension} numbers, one for each coordinate, and here is {x!r}")
     if kind == "double":
         return np.array([real(y, f"each component of {name}" if len(flat) > 1 else name) for y in flat])
-    if kind == "exact" and any(isinstance(y, (float, np.floating)) or type(y).__name__ in ("mpf", "constant") for y in flat):
+    if kind == "exact" and any(rounds(y) for y in flat):
         raise _core.InvalidParameter(f"on a scale of fractions {name} is made of fractions or whole numbers, and here is one that rounds")
     return [digits(y) for y in flat]
 
@@ -126,6 +127,7 @@ def solve(
         raise _core.InvalidParameter("until=g ends a walk from initial values, which is asked at each step: not between two ends, and not with compiled=True")
     if compiled is None:
         compiled = until is None and equation.scale.steps >= LONG
+    _require_room(equation, until is not None or name == "qN")
     motion = equation._motion(history)
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
     if guess is not None and name != "qN":
@@ -138,7 +140,7 @@ def solve(
             raise _core.Mismatch(f"a guess has a row for each of the {equation.scale.steps + 1} points of T, and here are {len(near)}")
         q, p = (column(numbers_from(kind, x)) for x in motion.between(start[0], start[2], near))
         return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, p if len(p) else None, None)
-    bar = _bar(progress, equation)
+    bar = bar_of(progress, equation.scale.steps, " steps")
     made = None
     is_end = _end_of_walk(until, kind, scalar)
     try:
@@ -162,6 +164,19 @@ def solve(
     elif is_end is not None and is_end.reached:
         x.stopped = f"`until` passed zero by t = {x.t[-1]}"
     return x
+
+
+def _require_room(equation: Equation, is_no_walk_to_the_end: bool) -> None:
+    """Raises where the numbers of a whole walk are more than there is memory."""
+    if is_no_walk_to_the_end or not hasattr(os, "sysconf"):
+        return
+    needed = 8 * (equation.scale.steps + 1) * (1 + 2 * equation.lagrangian.dimension)
+    there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    if needed > there:
+        raise _core.InvalidParameter(
+            f"the states of {equation.scale.steps} steps take {needed / 2**30:.3g} GiB or more, and this machine has {there / 2**30:.3g}:"
+            " solve_many(..., every=1000) keeps some of them"
+        )
 
 
 def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, accuracy: float, longest_step: float) -> AccurateSolution:
@@ -193,8 +208,8 @@ def _end_of_walk(until: "Optional[Callable]", kind: str, scalar: bool) -> "Optio
 
 
 class _Bar:
-    def __init__(self, tqdm, total: int) -> None:
-        self.bar = tqdm(total=total, unit=" steps")
+    def __init__(self, tqdm, total: int, unit: str) -> None:
+        self.bar = tqdm(total=total, unit=unit)
 
     def __call__(self, reached: int) -> None:
         self.bar.update(reached - self.bar.n)
@@ -203,16 +218,19 @@ class _Bar:
         self.bar.close()
 
 
-def _bar(progress: object, equation: Equation):
+def bar_of(progress: object, total: int, unit: str):
+    """What is told how far it is, where somebody wants to know."""
     if callable(progress):
         return progress
+    if not isinstance(progress, (bool, np.bool_, type(None))):
+        raise _core.InvalidParameter(f"progress is True, for a bar, or a function that gets the number of{unit} made, and here is {progress!r}")
     if not progress:
         return None
     try:
         from tqdm.auto import tqdm
     except ImportError:
         return None
-    return _Bar(tqdm, equation.scale.steps)
+    return _Bar(tqdm, total, unit)
 
 
 def machine_code(how: str = "on") -> None:

@@ -70,6 +70,7 @@ TEST_CASE("orders add up; whole orders are local and need the row k = 0") {
     auto const run_time = (Delta_minus(Q(1, 4)) * Delta_minus_alpha<1, 4>)[f];
     auto const half = Delta_minus_alpha<1, 2>[f];
     for (hilger::index_type k = 0; k <= 6; ++k) CHECK(run_time[k] == half[k]);
+    static_assert(Delta_minus(1) == Delta_minus_alpha<1, 1>);
     // The mirror image at alpha = 1 is -Delta_plus: Bourdin et al. (10)
     auto const mirror = Delta_plus_alpha<1, 1>[f];
     for (hilger::index_type k = 0; k < 6; ++k) CHECK(mirror[k] == -Delta_plus[f][k]);
@@ -119,6 +120,7 @@ TEST_CASE("orders out of range are refused") {
     CHECK_THROWS_WITH_AS((void)Delta_minus(0.0), "the order of a fractional difference lies in ]0, 1], and this one is 0",
                          error::invalid_parameter);
     CHECK_THROWS_AS((void)Delta_plus(1.5), error::invalid_parameter);
+    CHECK_THROWS_AS((void)Delta_plus(2), error::invalid_parameter);
     CHECK_THROWS_AS((void)Delta_plus(std::nan("")), error::invalid_parameter);
     CHECK_THROWS_AS((void)(Delta_minus(0.75) * Delta_minus(0.75) * Delta_minus(0.75)), error::invalid_parameter);
     auto const coarse = uniform(Q(0), Q(1, 2), 4);

@@ -65,11 +65,17 @@ TEST_CASE("a damped pendulum") {
 
 TEST_CASE("components of a vector") {
     auto const T = uniform(0.0, 0.02, N);
-    auto const run = [&](auto policy) {
-        auto const damped = with_fractional_damping(kepler, Eigen::Vector2d(0.0, 0.2), fraction<1, 2>{}, policy);
-        return embed(damped, mid_point).along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1));
+    Eigen::Vector2d const rho(0.0, 0.2);
+    auto const run_of = [&](auto const& coefficient, auto policy) {
+        return embed(with_fractional_damping(kepler, coefficient, fraction<1, 2>{}, policy), mid_point)
+            .along(T, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1));
     };
+    auto const run = [&](auto policy) { return run_of(rho, policy); };
     auto const expected = run(direct{});
+    CHECK(apart(run_of(2 * rho / 2, direct{}), expected) == 0);
+    CHECK(apart(run_of(rho.transpose(), direct{}), expected) == 0);
+    CHECK(apart(run_of(rho.array(), direct{}), expected) == 0);
+    CHECK(apart(run_of(rho.asDiagonal(), direct{}), expected) == 0);
     for_policies([&](char const* name, auto policy, double tolerance) {
         CAPTURE(name);
         CHECK(apart(run(policy), expected) < 16 * tolerance);

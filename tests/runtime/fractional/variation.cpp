@@ -64,6 +64,9 @@ TEST_CASE("the restricted principle damps x, and y in reversed time") {
     auto const EL = variation(S);
     static_assert(decltype(EL)::damping() == Delta_minus_alpha<1, 2>);
     auto const a = some_values(7, 5), b = some_values(7, 2);
+    auto const added = integral(quadratic(q_o, Delta_o_plus[q_o]), half(T)) +
+                       integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T) * Q(-rho);
+    CHECK(added(function_on(T, a), function_on(T, b)) == S(function_on(T, a), function_on(T, b)));
     auto const rx = EL.residual(function_on(T, a));
     auto const ry = EL.reversed_residual(function_on(T, b));
     CHECK(rx.first() == 1);

@@ -76,6 +76,8 @@ TEST_CASE("NaN and infinity are no values of a table") {
     CHECK_THROWS_AS(function_on(T, std::vector<double>{-infinity, 1.0, 2.0}), error::not_finite);
     Eigen::Vector2d const bad(1.0, not_a_number), good(1.0, 2.0);
     CHECK_THROWS_AS(function_on(T, std::vector<Eigen::Vector2d>{good, good, bad}), error::not_finite);
+    CHECK_THROWS_WITH_AS(function_on(T, std::vector<Eigen::VectorXd>{good, good, Eigen::VectorXd::Ones(3)}),
+                         "the value at 1 has 3 components, and the first one has 2", error::mismatch);
     CHECK_NOTHROW(function_on(T, std::vector<Eigen::Vector2d>{good, good, good}));
 }
 
