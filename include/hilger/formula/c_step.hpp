@@ -188,7 +188,7 @@ private:
                     c_largest("r", N) + " <= " + c_spelling::number(4 * epsilon<double>()) + " * (" + size_of_residual() + ")) break;\n";
         }
         if (N == 1) {
-            work += in + "if (K[0][0] == 0.0) return " + name_ + "_singular;\n" + in + "d[0] = r[0] / K[0][0];\n";
+            work += in + "if (K[0][0] == 0.0 || !isfinite(K[0][0])) return " + name_ + "_singular;\n" + in + "d[0] = r[0] / K[0][0];\n";
         } else {
             for (int k = 0; k < N; ++k) work += in + element("d", k) + " = " + element("r", k) + ";\n";
             work += in + "if (!" + name_ + "_solve(K, d)) return " + name_ + "_singular;\n";
