@@ -43,6 +43,21 @@ TEST_CASE("where no branch has a solution an error says so") {
     CHECK(velocity_of(kick, 0.0, 3.0) == 1);
     CHECK(velocity_of(kick, 0.0, -3.0) == -2);
 }
+TEST_CASE("a residual is not small beside a size that is no number") {
+    double const infinity = std::numeric_limits<double>::infinity();
+    double x = 1, rest = 0;
+    auto const evaluate = [&](double const& y, double& r) {
+        r = 1 + y * y;
+        return y == 1 ? 2.0 : infinity;
+    };
+    auto const correct = [&](double const& r, double& d) {
+        d = -r / (2 * x);
+        return true;
+    };
+    CHECK(detail::search_branches(x, rest, evaluate, correct, 1e-9) != detail::branch_search::found);
+    x = 1;
+    CHECK(detail::follow_newton(x, rest, evaluate, correct, 1e-9) != detail::branch_search::found);
+}
 TEST_CASE("in exact rationals the equation holds exactly") {
     constexpr unknown q;
     constexpr auto q_o = extend[q];

@@ -98,6 +98,8 @@ TEST_CASE("where H has no second derivative at p = 0, or none that is a number, 
     is_the_mid_point_rule([](auto const& p, auto const& x) { return p * p * p / 3 + x * x / 2; }, [](double p) { return p * p; });
     is_the_mid_point_rule([](auto const& p, auto const& x) { return p * log(p) - p + x * x / 2; }, [](double p) { return std::log(p); });
     is_the_mid_point_rule([](auto const& p, auto const& x) { return 2 * sqrt(p) + x * x / 2; }, [](double p) { return 1 / std::sqrt(p); });
+    auto const of_minus = [](auto const& p, auto const& x) { return p - p * log(-p) + x * x / 2; }; // v = -log(-p)
+    CHECK(lagrangian_of(of_minus).momentum(0.5, -std::log(2.0)) == doctest::Approx(-2).epsilon(4 * epsilon<double>()));
     auto const L = [](auto const& x, auto const& v) { return 2 * pow(abs(v), 1.5) / 3 - x * x / 2; }; // p = sqrt|v| sgn v
     CHECK(velocity_of(L, 0.5, 0.9) == doctest::Approx(0.81).epsilon(4 * epsilon<double>()));
     Eigen::VectorXd const rest = Eigen::VectorXd::Zero(5), p = Eigen::VectorXd::Constant(5, 0.9);

@@ -201,9 +201,7 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> pow(jet<S, F, C, O> const& x, K cons
     S g2 = e == S(0) or e == S(1) ? S(0) : power(2);
     if constexpr (not std::is_integral_v<K>)
         if (x.value == S(0)) [[unlikely]] { // as sqrt
-            bool const is_level = detail::is_level(x, std::make_integer_sequence<int, C>{});
-            if (is_level and not hilger::is_finite(g1)) g1 = S(0);
-            if (is_level and not hilger::is_finite(g2)) g2 = S(0);
+            if (not hilger::is_finite(g1) and detail::is_level(x, std::make_integer_sequence<int, C>{})) g1 = S(0);
             if (hilger::is_finite(g1) and not hilger::is_finite(g2))
                 return detail::bent_sharply(x, power(0), S(e * g1), S(e * S(e - S(1)) * g2));
         }
