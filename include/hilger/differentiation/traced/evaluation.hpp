@@ -164,6 +164,7 @@ evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<s
 template <class S>
 void evaluation<S>::add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes) {
     constexpr std::size_t worth_it = 4;
+    auto const is_number = [&](int place) { return arguments_ <= place and place < first_; };
     // derivatives are made from the last operation to the first, and operands stand in the order of their places
     std::stable_sort(nodes.begin(), nodes.end(),
                      [&](int j, int k) { return std::pair(place(g[j].a), place(g[j].b)) < std::pair(place(g[k].a), place(g[k].b)); });
@@ -184,7 +185,10 @@ void evaluation<S>::add_rounds(formula_graph<S> const& g, traced_operation<S> co
             next[{a + r.step_a, b + r.step_b}] = at;
             continue;
         }
-        for (auto const& [by_a, by_b] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}}) next[{a + by_a, b + by_b}] = rows.size();
+        // One value by several numbers is no row: the next value is by the same ones, and numbers stand beside each other by chance.
+        next[{a + 1, b + 1}] = rows.size();
+        if (not is_number(a)) next[{a + 1, b}] = rows.size();
+        if (not is_number(b)) next[{a, b + 1}] = rows.size();
         rows.push_back({{k}, a, b});
     }
     auto const put = [&](int k) {

@@ -272,6 +272,28 @@ TEST_CASE("of a chain only the neighbours are there") {
     }
 }
 
+TEST_CASE("what a chain has many of is computed in rows, the same value by several numbers too") {
+    auto const chain = [](auto const& q, auto const& v) {
+        auto sum = v.dot(v) / 2 + 0 * q(0);
+        for (int k = 1; k < q.size(); ++k) {
+            auto const r = q(k) - q(k - 1);
+            sum = sum - (r * r / 2 + r * r * r * r / 4);
+        }
+        return sum;
+    };
+    problem<decltype(chain)> const what{chain, {}};
+    detail::given<problem<decltype(chain)>, Eigen::VectorXd> const asked(what);
+    detail::traced_node<Eigen::VectorXd> at;
+    Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(100, 0, 1), v = q;
+    (void)at.evaluate(asked, 0.0, q, v, detail::wanted::with_seconds);
+    using evaluation = detail::evaluation<double>;
+    int operations = 0, alone = 0;
+    for (int part = 0; part < evaluation::parts; ++part)
+        at.how().for_each_round(static_cast<evaluation::part>(part), [&](auto const& r) { (r.in_a_row ? operations : alone) += r.count; });
+    CHECK(operations > 500);
+    CHECK(alone < 10); // at the ends
+}
+
 TEST_CASE("norms in all their forms have no slope at 0, as jets have none") {
     auto const check = [](auto const& L) {
         using V = Eigen::Vector3d;
