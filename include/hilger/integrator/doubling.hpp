@@ -33,7 +33,7 @@ namespace detail {
 struct given_accuracy : accuracy {
     given_accuracy(accuracy goal) : accuracy(std::move(goal)) {}
     template <class Number>
-        requires std::is_arithmetic_v<Number> given_accuracy(Number wanted) : accuracy{static_cast<double>(wanted)} {}
+        requires std::is_arithmetic_v<Number> given_accuracy(Number number) : accuracy{static_cast<double>(number)} {}
 };
 } // namespace detail
 
