@@ -12,8 +12,7 @@ import numpy as np
 
 from . import _core
 from .equations import Equation
-from .scales import real as real_of_text
-from .scales import require_real
+from .scales import real, require_real
 from .solving import bar_of, require_history
 
 
@@ -65,7 +64,7 @@ def solve_many(
     and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
     """
     for what, n in (("every", every), ("threads", threads)):
-        if n == 0 and what == "threads" and n is not None:
+        if n == 0 and what == "threads":
             raise _core.InvalidParameter("threads is a positive number, or None for as many as there are processors, and was 0")
         if n is not None and (not isinstance(n, (int, np.integer)) or abs(n) >= (2**31 if what == "threads" else 2**62)):
             raise _core.InvalidParameter(f"{what} is a whole number, and was {n!r}")
@@ -84,7 +83,7 @@ def solve_many(
         raise _core.InvalidParameter("ensembles are computed in double, on scales of floats")
     d, scalar = equation.lagrangian.dimension, equation.lagrangian.is_scalar
 
-    def real(x: object, what: str) -> np.ndarray:
+    def array(x: object, what: str) -> np.ndarray:
         require_real(x, what)
         if np.ma.is_masked(x):
             raise _core.InvalidParameter(f"{what} has masked numbers: give the members without them, as x[~x.mask]")
@@ -94,13 +93,13 @@ def solve_many(
             if np.asarray(x).dtype.kind in "mM":
                 raise TypeError("times of numpy have a unit, and these are numbers")
             if np.asarray(x).dtype.kind in "US":
-                return np.vectorize(lambda y: real_of_text(str(y), what), otypes=[float])(x)
+                return np.vectorize(lambda y: real(str(y), what), otypes=[float])(x)
             return np.asarray(x, dtype=float)
         except (OverflowError, TypeError, ValueError) as why:
             raise _core.InvalidParameter(f"{what} is an array of numbers that a double can be: {why}") from None
 
     def rows(x: object, what: str) -> np.ndarray:
-        x = real(x, what)
+        x = array(x, what)
         x = x.reshape(-1, 1) if scalar and x.ndim < 2 else np.atleast_2d(x)
         if x.ndim != 2 or x.shape[1] != d:
             raise _core.Mismatch(f"{what} has a row of {d} numbers for each member, and here is an array of shape {x.shape}")
@@ -114,7 +113,7 @@ def solve_many(
     for parameter, x in (parameters or {}).items():
         if parameter not in own:
             raise _core.InvalidParameter(f"there is no parameter '{parameter}': there are {', '.join(sorted(own)) or 'none'}")
-        x = real(x, parameter)
+        x = array(x, parameter)
         size = len(own[parameter]) if isinstance(own.get(parameter), list) else 0
         x = x.reshape(-1, 1) if size == 0 and x.ndim < 2 else np.atleast_2d(x)
         if x.ndim != 2 or x.shape[1] != max(size, 1):
