@@ -3,11 +3,13 @@
 // expect 2: a state is given in real numbers with no more digits than those of T: round them first, or make T of such numbers
 // expect 3: a state is a number or a vector, one of Eigen (row or column) or an array of numbers, and this is neither
 // expect 4: the two parts of a state are two numbers or two vectors of one length, and these are not
-// expect 5: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
-// expect 6: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
-// expect 8: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
-// expect 9: a walk starts from a position and a momentum, along(T, q0, p0), or from {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}
+// expect 5: data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
+// expect 6: data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
+// expect 8: data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0, for solve also {.q0 = ..., .qN = ...}, of two numbers or two vectors of one length
+// expect 9: a walk starts from a position and a momentum, along(T, q0, p0), or from {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0
 // expect 7: a state is given in real numbers with no more digits than those of T
+// expect 10: data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0
+// expect 11: both ends say no step to begin with: solve(variation(S), T, {.q0 = ..., .qN = ...}) joins them
 // A number that would lose digits is rounded by whoever means it.
 #include "hilger/boundary/solve.hpp"
 #include "hilger/integrator/flow.hpp"
@@ -30,6 +32,7 @@ int main() {
     Eigen::Vector3d const three(1, 2, 3);
 #if not defined(MUST_NOT_COMPILE)
     for (auto const& x : flow.along(T, {.q0 = two, .v0 = {1, 0}})) (void)x;
+    for (auto const& x : flow.along(T, {.q0 = two, .p0 = {1, 0}})) (void)x;
     for (auto const& x : flow.along(T, {.q0 = three.transpose(), .q1 = three.cast<float>()})) (void)x;
     for (auto const& x : flow.along(T, static_cast<double>(1.0L), 0)) (void)x;
     auto const not_const = [](auto& q, auto& v) { return v * v / 2 - q * q / 2; };
@@ -51,6 +54,10 @@ int main() {
     (void)solve(variation(nabla_integral(lagrangian{kinetic{}}(q, Delta_minus[q]), T)), T, {.q0 = 1.0});
 #elif MUST_NOT_COMPILE == 9
     for (auto const& x : flow.along(T, 1.0)) (void)x;
+#elif MUST_NOT_COMPILE == 10
+    for (auto const& x : flow.along(T, {.q0 = two, .p0 = 1.0})) (void)x;
+#elif MUST_NOT_COMPILE == 11
+    for (auto const& x : flow.along(T, {.q0 = 0.0, .qN = 1.0})) (void)x;
 #else
     constexpr unknown q;
     (void)solve(variation(nabla_integral(lagrangian{kinetic{}}(q, Delta_minus_alpha<3, 4>[q]), T)), T, boundary_values{0.0, 1.0L});

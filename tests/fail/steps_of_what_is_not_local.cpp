@@ -7,7 +7,7 @@
 // expect 6: has an equation with rows at both ends of T, which first values do not determine
 // expect 7: of the equations that look to both ends of T those are solved, without a force and a first guess, whose action is the nabla integral
 // expect 8: the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over more
-// expect 9: data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}
+// expect 9: data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0, for solve also {.q0 = ..., .qN = ...}
 // A step that kept two points of the past would solve another equation.
 #include <vector>
 

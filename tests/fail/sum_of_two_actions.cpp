@@ -6,6 +6,7 @@
 // expect 5: a coupling damps one action, and this is a sum of several that read T in different ways
 // expect 6: actions of Lagrangians add up, and one here is that of a Hamiltonian
 // expect 7: actions of Lagrangians have multiples, and this is that of a Hamiltonian
+// expect 8: equations are not added up, actions are: variation(S + R) is the equation of the sum of the actions S and R
 // What one sentence has to say instead of the operators inside.
 #include <iostream>
 
@@ -25,6 +26,9 @@ int main() {
     auto const other = integral(L(q, Delta_plus[q]), T);
 #endif
     (void)(S + other);
+#if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 8
+    (void)(variation(S) + variation(S));
+#endif
 #if defined MUST_NOT_COMPILE && MUST_NOT_COMPILE == 3
     (void)(S + equation_of(embed(L, galerkin<2, gauss>), T).action());
 #else

@@ -61,19 +61,26 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
 template <class Action, int Size>
 using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
 template <class Action, int Size>
+using momentum_on = momentum_in_braces<typename Action::root_type::scalar_type, Size>;
+template <class Action, int Size>
 using positions_on = positions_in_braces<typename Action::root_type::scalar_type, Size>;
 template <class Action, int Size>
 using ends_on = ends_in_braces<typename Action::root_type::scalar_type, Size>;
 
 } // namespace detail
 
-/// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0), or with the first two values q0 and q1: a function on T. The data are numbers or
-/// vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). With a force f(q, v) or
-/// f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps the function lives
-/// there too.
+/// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0) or p0, or with the first two values q0 and q1: a function on T. The data are
+/// numbers or vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). With a force
+/// f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps the function
+/// lives there too.
 /// @throws as flow::along does; a failed step says where the solution ends.
 template <class Action, class V, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_velocity<V> const& from,
+           Force const& force = {}) {
+    return detail::solved(equation, T, from, force);
+}
+template <class Action, class V, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_momentum<V> const& from,
            Force const& force = {}) {
     return detail::solved(equation, T, from, force);
 }
@@ -133,6 +140,11 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         return detail::solved(equation, T, from.data(), force);                                                                            \
     }                                                                                                                                      \
     template <class Action, class Force = no_force>                                                                                        \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::momentum_on<Action, Size> const& from, \
+               Force const& force = {}) {                                                                                                  \
+        return detail::solved(equation, T, from.data(), force);                                                                            \
+    }                                                                                                                                      \
+    template <class Action, class Force = no_force>                                                                                        \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
                detail::positions_on<Action, Size> const& from, Force const& force = {}) {                                                  \
         return detail::solved(equation, T, from.data(), force);                                                                            \
@@ -162,6 +174,10 @@ auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detai
 }
 template <class Action, class Derived>
 auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::one_thing_in_braces const&, auto const&...) {
+    return detail::not_initial_data<Derived>();
+}
+template <class Action, class Derived>
+auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_momentum_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 template <class Action, class Derived>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a trajectory starts from besides (q0, p0): initial_velocity{q0, v0}, or the first two positions, initial_positions{q0, q1}. Where
-// they are asked for they can be written in braces, with the names of their parts and anything that may be given as a state:
+// What a trajectory starts from: initial_velocity{q0, v0}, initial_momentum{q0, p0}, or the first two positions, initial_positions{q0, q1}.
+// Where they are asked for they can be written in braces, with the names of their parts and anything that may be given as a state:
 //   solve(EL, T, {.q0 = 1.0, .v0 = 0})        flow.along(T, {.q0 = Eigen::Vector2d(1, 0), .q1 = x})        {.q0 = {1.0, 0.0}, .v0 = ...}
 // A list in braces has no type from which the kind of state could be deduced, so there is one overload for each: numbers, vectors of a
 // fixed size up to 6, vectors of dynamic size. Other states take the name of the type.
@@ -15,6 +15,12 @@ template <class V>
 struct initial_velocity {
     V q0;
     V v0;
+};
+/// Initial position and momentum, as along(T, q0, p0) has them.
+template <class V>
+struct initial_momentum {
+    V q0;
+    V p0;
 };
 /// The first two positions. The momentum is p0 = -d_1 L_h(q0, q1).
 template <class V>
@@ -49,6 +55,8 @@ struct common_parts<X, Y> {
 
 template <class X, class Y>
 initial_velocity(X const&, Y const&) -> initial_velocity<typename detail::common_parts<X, Y>::type>;
+template <class X, class Y>
+initial_momentum(X const&, Y const&) -> initial_momentum<typename detail::common_parts<X, Y>::type>;
 template <class X, class Y>
 initial_positions(X const&, Y const&) -> initial_positions<typename detail::common_parts<X, Y>::type>;
 template <class X, class Y>
@@ -88,6 +96,14 @@ struct velocity_in_braces {
     [[nodiscard]] constexpr initial_velocity<V> data() const { return {q0.value, v0.value}; }
 };
 template <class S, int Size>
+struct momentum_in_braces {
+    using V = typename state_of_size<S, Size>::type;
+    named parts{};
+    braced<V> q0;
+    braced<V> p0;
+    [[nodiscard]] constexpr initial_momentum<V> data() const { return {q0.value, p0.value}; }
+};
+template <class S, int Size>
 struct positions_in_braces {
     using V = typename state_of_size<S, Size>::type;
     named parts{};
@@ -118,6 +134,11 @@ struct anything_in_braces {
     anything q0;
     anything v0;
 };
+struct any_momentum_in_braces {
+    named parts{};
+    anything q0;
+    anything p0;
+};
 struct any_positions_in_braces {
     named parts{};
     anything q0;
@@ -132,10 +153,9 @@ template <class T>
 constexpr int not_initial_data() {
     static_assert(
         not std::same_as<T, T>,
-        "data in braces are {.q0 = ..., .v0 = ...} or {.q0 = ..., .q1 = ...}, for solve also {.q0 = ..., .qN = ...}, of two numbers or "
-        "two vectors of one length, in real numbers with no more digits than those of T; vectors of fixed size above 6 are "
-        "initial_velocity{q0, "
-        "v0}");
+        "data in braces are {.q0 = ..., .v0 = ...}, or .p0 or .q1 in place of .v0, for solve also {.q0 = ..., .qN = ...}, of two numbers "
+        "or two vectors of one length, in real numbers with no more digits than those of T; vectors of fixed size above 6 are "
+        "initial_velocity{q0, v0}");
     return 0;
 }
 
@@ -144,6 +164,10 @@ template <class Method, int Size>
 struct along_in_braces {
     template <class Scale>
     auto along(Scale const& T, velocity_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
+        return static_cast<Method const&>(*this).along(T, from.data());
+    }
+    template <class Scale>
+    auto along(Scale const& T, momentum_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
         return static_cast<Method const&>(*this).along(T, from.data());
     }
     template <class Scale>

@@ -58,6 +58,10 @@ public:
         });
     }
     template <time_scale_like Scale, class W>
+    auto along(Scale const& T, initial_momentum<W> const& from) const {
+        return along(T, from.q0, from.p0);
+    }
+    template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_positions<W> const& from) const {
         using root_scalar = scalar_on<Scale>;
         constexpr bool says_momentum = requires(Method const& m, root_scalar const& t) { m.momentum_between(t, t, t, t); };
@@ -77,7 +81,7 @@ public:
     template <time_scale_like Scale, class X>
     auto along(Scale const& T, X const&) const {
         static_assert(not std::same_as<X, X>, "a walk starts from a position and a momentum, along(T, q0, p0), or from {.q0 = ..., .v0 = "
-                                              "...} or {.q0 = ..., .q1 = ...}");
+                                              "...}, or .p0 or .q1 in place of .v0");
         return detail::no_walk<scalar_on<Scale>, scalar_on<Scale>>(T);
     }
     template <class T, class... Data>
@@ -97,9 +101,21 @@ public:
         return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
     }
     template <class Derived>
+    auto along(scale_interface<Derived> const& T, detail::any_momentum_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
+    }
+    template <class Derived>
     auto along(scale_interface<Derived> const& T, detail::any_positions_in_braces const&) const {
         using S = scalar_on<Derived>;
         return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
+    }
+    template <class Derived>
+    auto along(scale_interface<Derived> const& T, detail::any_ends_in_braces const&) const {
+        using S = scalar_on<Derived>;
+        static_assert(not std::same_as<S, S>,
+                      "both ends say no step to begin with: solve(variation(S), T, {.q0 = ..., .qN = ...}) joins them");
+        return detail::no_walk<S, S>(T);
     }
     /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
     template <class S, class V>

@@ -249,6 +249,12 @@ constexpr auto variation(action<F, A, B, W, Root> const& S) {
     return euler_lagrange<action<F, A, B, W, Root>>(S);
 }
 
+template <class Action, class P, class Other, class Q>
+constexpr auto operator+(euler_lagrange<Action, P> const&, euler_lagrange<Other, Q> const&) {
+    return does_not_compile<"equations are not added up, actions are: variation(S + R) is the equation of the sum of the actions S and R",
+                            Action, Other>{};
+}
+
 template <class F, linear_map A, linear_map B>
 constexpr auto variation(lagrangian_density<F, A, B> const&) {
     return does_not_compile<

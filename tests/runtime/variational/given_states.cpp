@@ -117,6 +117,22 @@ TEST_CASE("in braces the kind of the state is that of its parts") {
     CHECK((solve(EL, T, {.q0 = x0, .q1 = x[1]})[8] - right.q).norm() < 1e-14);
 }
 
+TEST_CASE("a momentum is no velocity") {
+    constexpr lagrangian L{[](auto const& x, auto const& v) { return 3 * v * v / 2 + x * v - x * x / 2; }}; // p = 3 v + x at h = 0
+    auto const exact = uniform(Q(0), Q(1, 4), 3);
+    constexpr unknown q;
+    auto const EL = variation(integral(L(q, Delta_plus[q]), exact));
+    auto const x = solve(EL, exact, {.q0 = 2, .p0 = Q(1, 3)});
+    index_type i = 0;
+    for (auto const& s : flow_of(EL).along(exact, Q(2), Q(1, 3))) CHECK(x[i++] == s.q);
+    // p_0 = -d L_h(q_0, q_1) / d q_0 = 3 w + x - h (w - x), where w is the first difference
+    CHECK(3 * (x[1] - x[0]) * 4 + x[0] - (x[1] - x[0]) + x[0] / 4 == Q(1, 3));
+    CHECK(solve(EL, exact, initial_momentum{Q(2), Q(1, 3)})[3] == x[3]);
+    auto const path = flow_of_it.along(T, {.q0 = x0, .p0 = {0.5, 3}});
+    CHECK(end_of(path) == end_of(flow_of_it.along(T, x0, p0)));
+    CHECK_THROWS_AS(end_of(flow_of_it.along(T, {.q0 = Eigen::VectorXd::Ones(2), .p0 = Eigen::VectorXd::Ones(3)})), error::mismatch);
+}
+
 TEST_CASE("to a wanted accuracy, and between two given ends") {
     auto const x = solve(oscillator{}, interval{0.0, 1.0}, {.q0 = {1, -2}, .v0 = p0}, accuracy{1e-6});
     CHECK((x.end.q - (x0 * std::cos(1.0) + p0 * std::sin(1.0))).norm() < 1e-6);
