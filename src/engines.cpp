@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // See compiled_once.hpp. With the sanitizers, which numbers.cpp has not.
-#include "compiled_once.hpp"
+#include "texts_once.hpp"
 
 namespace hilger::detail {
 HILGER_ENGINES_WITH_ROOTS(, double)
 } // namespace hilger::detail
+
+HILGER_TEXTS()

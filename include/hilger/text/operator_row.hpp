@@ -41,13 +41,22 @@ std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach
     for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(op.value(unit_on_endless<S>{{uniform}, here + k}, here));
     return row;
 }
-/// The same in rationals; nothing where a factor is none.
-inline std::optional<std::vector<Q>> exact_row_of(operator_formula const& a, bool uniform, lost_points reach) {
+/// The same in rationals; nothing where a factor is none. Here and below templates for one type each: who compiles many files instantiates
+/// what has long arithmetic in one of them.
+template <std::same_as<Q> Exact>
+std::optional<std::vector<Exact>> exact_row_of(operator_formula const& a, bool uniform, lost_points reach) {
     try {
-        return row_of<Q>(a, uniform, reach);
+        return row_of<Exact>(a, uniform, reach);
     } catch (error::unreadable const&) {
         return {};
     }
+}
+template <std::same_as<float50> Long>
+bool equal_rows(operator_formula const& a, operator_formula const& b, bool uniform, lost_points reach) {
+    auto const x = row_of<Long>(a, uniform, reach), y = row_of<Long>(b, uniform, reach);
+    for (std::size_t k = 0; k < x.size(); ++k)
+        if (Long const size = abs(x[k]) + abs(y[k]); abs(Long(x[k] - y[k])) > size * Long("1e-40")) return false;
+    return true;
 }
 
 } // namespace detail
@@ -56,12 +65,8 @@ inline std::optional<std::vector<Q>> exact_row_of(operator_formula const& a, boo
 inline bool equal(operator_formula const& a, operator_formula const& b, bool uniform = false) {
     if (not(a.lost() == b.lost())) return false;
     auto const reach = a.lost();
-    auto const x = detail::exact_row_of(a, uniform, reach), y = detail::exact_row_of(b, uniform, reach);
-    if (x and y) return *x == *y;
-    auto const z = detail::row_of<float50>(a, uniform, reach), w = detail::row_of<float50>(b, uniform, reach);
-    for (std::size_t k = 0; k < z.size(); ++k)
-        if (float50 const size = abs(z[k]) + abs(w[k]); abs(float50(z[k] - w[k])) > size * float50("1e-40")) return false;
-    return true;
+    auto const x = detail::exact_row_of<Q>(a, uniform, reach), y = detail::exact_row_of<Q>(b, uniform, reach);
+    return x and y ? *x == *y : detail::equal_rows<float50>(a, b, uniform, reach);
 }
 inline bool operator==(operator_formula const& a, operator_formula const& b) { return equal(a, b); }
 

@@ -16,7 +16,7 @@ namespace printed = hilger::detail;
 /// c with a = c b, where both are rational and lose the same points.
 inline std::optional<Q> ratio(operator_formula const& a, operator_formula const& b, bool uniform) {
     if (not(a.lost() == b.lost())) return {};
-    auto const x = exact_row_of(a, uniform, a.lost()), y = exact_row_of(b, uniform, a.lost());
+    auto const x = exact_row_of<Q>(a, uniform, a.lost()), y = exact_row_of<Q>(b, uniform, a.lost());
     if (not x or not y) return {};
     std::size_t k = 0;
     while (k < y->size() and (*y)[k] == 0) ++k;

@@ -66,7 +66,8 @@ Q rounding_of_factors() {
     return std::is_floating_point_v<S> ? Q(1, 1LL << 50) : Q(0);
 }
 /// In rationals, and in 50 digits where a factor is none.
-inline hilger::detail::consistency consistency_of(embedding_formula const& e, Q const& rounding) {
+template <std::same_as<Q> Exact>
+hilger::detail::consistency consistency_of(embedding_formula const& e, Exact const& rounding) {
     auto const in = [&]<class S>(S const& tolerance) {
         return with_operators<S>(e, true, [&]<class W>(auto const& a, auto const& b, W) {
             return hilger::detail::examine<W>(a, b, S(7919), [&](S const& x, S const& y) { return magnitude(S(x - y)) <= tolerance; });
