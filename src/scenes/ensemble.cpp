@@ -76,11 +76,14 @@ private:
         meaning::role is;
         int at; ///< of the coordinates, the velocities or the parameters that are brought
     };
-    static std::vector<std::string> fields(std::string line) {
-        line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' or c == '\t' or c == '\r'; }), line.end());
+    static std::vector<std::string> fields(std::string const& line) {
+        constexpr char const* blank = " \t\r";
         std::vector<std::string> all;
         std::istringstream in(line + ',');
-        for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+        for (std::string field; std::getline(in, field, ',');) {
+            auto const begin = std::min(field.find_first_not_of(blank), field.size());
+            all.push_back(field.substr(begin, field.find_last_not_of(blank) + 1 - begin));
+        }
         return all;
     }
     void read_names(std::string const& line) {
@@ -224,8 +227,11 @@ int run_ensemble(run_options const& options) {
     index_type const points = engine::points_kept(c.steps, stride);
     int const d = what.dimension;
     std::filesystem::create_directories(options.out);
+    // Several processes write one file. One alone leaves what is there until it has another result to put in its place.
     std::string const path = (std::filesystem::path(options.out) / (what.name + ".npy")).string();
-    array_file const file(path, {members, points, 2 * d});
+    bool const beside = ours.ranks == 1 and std::filesystem::exists(path);
+    std::string written = beside ? (std::filesystem::path(options.out) / (what.name + ".interrupted.npy")).string() : path;
+    array_file const file(written, {members, points, 2 * d});
     std::vector<double> numbers(static_cast<std::size_t>((end - first) * points * 2 * d), std::numeric_limits<double>::quiet_NaN());
     file.write(first * points * 2 * d, numbers); // whatever becomes of us, nobody takes an older file for the result
     stop_asked = false;
@@ -240,6 +246,10 @@ int run_ensemble(run_options const& options) {
                                                       : made.p[row * static_cast<std::size_t>(d) + at - static_cast<std::size_t>(d)];
     }
     file.write(first * points * 2 * d, numbers);
+    if (beside and not stop_asked) {
+        std::filesystem::rename(written, path);
+        written = path;
+    }
 
     double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::ostringstream said; // at once: other ranks speak too
@@ -252,11 +262,11 @@ int run_ensemble(run_options const& options) {
                      (all.together ? std::to_string(all.together->width()) + " lanes, " : "") + std::to_string(threads) +
                      (threads == 1 ? " thread, " : " threads, ") + std::to_string(seconds) + " s; " + std::to_string(failed) + " failed\n" +
                      said.str() +
-                     (ours.rank == 0 ? "Written: " + path + ", q and p of " + std::to_string(members) + " members at " +
+                     (ours.rank == 0 ? "Written: " + written + ", q and p of " + std::to_string(members) + " members at " +
                                            std::to_string(points) + " points, every " + std::to_string(stride) + "\n"
                                      : "")
               << std::flush;
-    return stop_asked ? 130 : 0;
+    return stop_asked ? 130 : first < end and failed == end - first ? 1 : 0;
 }
 
 } // namespace program

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "run.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -10,6 +11,8 @@
 #include <iostream>
 #include <set>
 #include <sstream>
+
+#include <boost/crc.hpp>
 
 #include "hilger/error.hpp"
 #include "hilger/formula/print.hpp"
@@ -31,6 +34,12 @@ extern "C" void ask_to_stop(int) { stop_asked = 1; }
 /// Whether digits are those of NaN or of an infinity.
 bool is_not_finite(std::string const& digits) { return digits.find_first_of("nN") != std::string::npos; }
 
+std::uint32_t checksum(std::string const& text) {
+    boost::crc_32_type sum;
+    sum.process_bytes(text.data(), text.size());
+    return sum.checksum();
+}
+
 /// The rows of a run and the checkpoint that belongs to them.
 class record_of_run {
 public:
@@ -47,8 +56,9 @@ public:
         std::uintmax_t bytes = 0;
         hilger::index_type point = 0;
         bool state = false;
+        std::uint32_t sum_of_rows = 0, sum_of_state = 0;
         std::getline(in, head);
-        if (not(in >> bytes >> point >> state >> fingerprint) or in.get() != '\n')
+        if (not(in >> bytes >> point >> state >> fingerprint >> sum_of_rows >> sum_of_state) or in.get() != '\n')
             error::raise<error::unreadable>("'", checkpoint_.string(), "' is no checkpoint of a run; --anew starts again without it");
         if (head != head_)
             error::raise<error::mismatch>("'", checkpoint_.string(), "' is of an interrupted run of ", head,
@@ -60,11 +70,15 @@ public:
         if (point < 0 or point > steps)
             error::raise<error::unreadable>("'", checkpoint_.string(), "' is damaged: it is of point ", point, " of ", steps,
                                             "; --anew starts again without it");
-        if (not files::exists(rows_) or files::file_size(rows_) < bytes or not ends_a_line(bytes))
+        std::string const memory{std::istreambuf_iterator<char>(in), {}};
+        if (checksum(memory) != sum_of_state)
+            error::raise<error::unreadable>("'", checkpoint_.string(), "' is damaged; --anew starts again without it");
+        if (not rows_are(bytes, sum_of_rows))
             error::raise<error::unreadable>("'", rows_.string(), "' is not what it was when its run was interrupted; --anew starts again");
         files::resize_file(rows_, bytes);
+        std::istringstream remembered(memory);
         if (state)
-            w.load(in, "'" + checkpoint_.string() + "'");
+            w.load(remembered, "'" + checkpoint_.string() + "'");
         else // what has a memory is walked again
             while (w.number() < point) {
                 (void)w.row();
@@ -74,19 +88,26 @@ public:
         out_.open(rows_, std::ios::app | std::ios::binary);
         return true;
     }
-    /// Whether so many bytes of the rows are whole rows.
-    [[nodiscard]] bool ends_a_line(std::uintmax_t bytes) const {
+    /// Whether so many bytes are the rows of that checksum, which is then that of the rows here.
+    bool rows_are(std::uintmax_t bytes, std::uint32_t sum) {
         std::ifstream rows(rows_, std::ios::binary);
-        return bytes > 0 and rows.seekg(static_cast<std::streamoff>(bytes) - 1) and rows.get() == '\n';
+        std::array<char, 1 << 16> some{};
+        rows_sum_.reset();
+        while (bytes > 0 and rows.read(some.data(), static_cast<std::streamsize>(std::min<std::uintmax_t>(bytes, some.size())))) {
+            rows_sum_.process_bytes(some.data(), static_cast<std::size_t>(rows.gcount()));
+            bytes -= static_cast<std::uintmax_t>(rows.gcount());
+        }
+        return bytes == 0 and rows_sum_.checksum() == sum;
     }
     void begin(std::vector<std::string> const& columns) {
         out_ = create(rows_.parent_path().string(), rows_.filename().string());
-        out_ << "# ";
-        for (std::size_t k = 0; k < columns.size(); ++k) out_ << (k > 0 ? "," : "") << columns[k];
-        out_ << '\n';
+        std::string names = "# ";
+        for (std::size_t k = 0; k < columns.size(); ++k) names += (k > 0 ? "," : "") + columns[k];
+        rows_sum_.reset();
+        put(names + '\n');
     }
     void write(std::string const& row) {
-        if (not(out_ << row << '\n')) refuse();
+        put(row + '\n');
         if (not is_not_finite(row)) return;
         std::istringstream numbers(row);
         std::string number;
@@ -104,7 +125,8 @@ public:
             std::ostringstream state;
             bool const kept = w.save(state);
             out << head_ << '\n'
-                << files::file_size(rows_) << ' ' << w.number() << ' ' << kept << ' ' << fingerprint_ << '\n'
+                << files::file_size(rows_) << ' ' << w.number() << ' ' << kept << ' ' << fingerprint_ << ' ' << rows_sum_.checksum() << ' '
+                << checksum(state.str()) << '\n'
                 << state.str();
             if (not out.flush()) error::raise<error::unreadable>("cannot write '", beside, "'");
         }
@@ -118,10 +140,15 @@ public:
     [[nodiscard]] std::string rows() const { return rows_.string(); }
 
 private:
+    void put(std::string const& line) {
+        rows_sum_.process_bytes(line.data(), line.size());
+        if (not(out_ << line)) refuse();
+    }
     [[noreturn]] void refuse() const { error::raise<error::unreadable>("cannot write '", rows_.string(), "': is there no room?"); }
     std::string fingerprint_, head_;
     files::path rows_, checkpoint_;
     std::ofstream out_;
+    boost::crc_32_type rows_sum_;
     std::set<std::size_t> not_finite_;
 };
 
