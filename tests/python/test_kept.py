@@ -87,6 +87,15 @@ class Kept(unittest.TestCase):
         for other in (made(of_list, m=2), made(of_list, k=[2]), made(of_list + " + q*t"), EL + h.force("-v"), EL.lagrangian, None):
             self.assertNotEqual(other, EL)
         self.assertNotEqual(h.TimeScale([0, 1]), h.TimeScale([0, 2]))
+        for one, same in (
+            (h.TimeScale(["0", "1/3"]), h.TimeScale([Fraction(0), Fraction(2, 6)])),
+            (h.uniform(0, "1/10", 3), h.uniform(Fraction(0), Fraction(1, 10), 3)),
+        ):
+            self.assertEqual(one, same)
+            self.assertEqual(hash(one), hash(same))
+        self.assertNotEqual(h.uniform(0, "1/10", 3), h.uniform(0, 0.1, 3))
+        with self.assertRaisesRegex(TypeError, "a set has no first"):
+            h.TimeScale({0, 1})
         long = h.TimeScale(range(10_000))
         self.assertEqual(repr(long), "<TimeScale of 10000 points, 0, 1, 2 ... 9999>")
 

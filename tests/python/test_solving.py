@@ -141,6 +141,11 @@ class Events(unittest.TestCase):
         self.assertEqual(sorted([*rising.t, *falling.t]), both.t.tolist())
         self.assertTrue((rising.p > 0).all() and (falling.p < 0).all() and len(both.t) == 6)
         self.assertLess(np.abs(both.q).max(), 4 * 20 * epsilon)  # what t is rounded to, at a speed of 1
+        for stays in (lambda t, q, p: max(0.5 - q, 0), lambda t, q, p: min(q - 0.5, 0)):  # its first zero is meant, and not the next point
+            where = x.events(stays).t
+            self.assertGreater(len(where), 0)
+            crossing = "rising" if stays(0, 0.0, 0) < 0 else "falling"
+            self.assertLess(np.abs(where - x.events(lambda t, q, p: q - 0.5 if crossing == "rising" else 0.5 - q, crossing).t).max(), 64 * epsilon)
         self.assertEqual(len(x.events(lambda t, q, p: p).t), 5)  # p = 0 at the start is none
         self.assertLess(np.abs(x.events(lambda t, q, p: t - 3.05).t - 3.05).max(), 4 * 3.05 * epsilon)
         none = x.events(lambda t, q, p: q - 2)

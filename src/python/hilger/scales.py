@@ -117,8 +117,22 @@ def real(x: object, what: str) -> float:
         raise _core.NotFinite(f"{what} is a number that double has, and here is {x!r}") from None
 
 
-@dataclass(frozen=True)
-class Uniform:
+class _Scale:
+    """Equal where the points are, in whatever way they were written."""
+
+    def __eq__(self, other: object) -> bool:
+        return self._numbers() == other._numbers() if type(self) is type(other) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._numbers())
+
+    def _numbers(self) -> tuple:
+        given = self._given()
+        return tuple(exact(x) for x in given) if kind_of(given) == "exact" else given
+
+
+@dataclass(frozen=True, eq=False)
+class Uniform(_Scale):
     """T = {start + i*step}, i = 0 ... steps."""
 
     start: object
@@ -128,8 +142,11 @@ class Uniform:
     def kind(self) -> str:
         return kind_of((self.start, self.step))
 
+    def _given(self) -> tuple:
+        return (self.start, self.step, self.steps)
 
-class TimeScale:
+
+class TimeScale(_Scale):
     """Any increasing points. Fractions and texts as "1/3" are exact; then so is what is computed on them."""
 
     def __init__(self, points: Iterable[object]) -> None:
@@ -137,6 +154,8 @@ class TimeScale:
             raise TypeError(f"a time scale is a list of points, and here is the text {points!r}")
         if not np.iterable(points):
             raise TypeError(f"a time scale is a list of points, and here is {points!r}; h.uniform(start, step, steps) makes one of equal steps")
+        if isinstance(points, (set, frozenset)):
+            raise TypeError("a time scale is a list of points from the first to the last, and a set has no first: h.TimeScale(sorted(...))")
         self.points = tuple(points)
         require_real(list(self.points), "a time scale")
         if len(self.points) < 2:
@@ -155,11 +174,8 @@ class TimeScale:
             return f"<TimeScale of {len(points)} points, {', '.join(points[:3])} ... {points[-1]}>"
         return f"TimeScale({points})"
 
-    def __eq__(self, other: object) -> bool:
-        return self.points == other.points if isinstance(other, TimeScale) else NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self.points)
+    def _given(self) -> tuple:
+        return self.points
 
 
 def uniform(start: object, step: object, steps: int) -> Uniform:

@@ -203,7 +203,13 @@ class Solution:
                 t = first[0] + number_from(zeros.kind, fraction) * (last[0] - first[0])
             return self._state(zeros, i, t)
 
-        fraction = self._motion.fraction_at_zero(lambda s: self._time(zeros.value(*at(s), inside=True)), self._time(was), self._time(now))
+        stays = now == 0  # then its first zero is meant
+
+        def g(fraction):
+            y = zeros.value(*at(fraction), inside=True)
+            return self._time(-was if stays and y == 0 else y)
+
+        fraction = self._motion.fraction_at_zero(g, self._time(was), self._time(-was if stays else now))
         return last if number_from(zeros.kind, fraction) == 1 else at(fraction)
 
     #: How often events are looked for in a step.
