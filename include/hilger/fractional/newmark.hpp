@@ -16,8 +16,8 @@
 
 namespace hilger {
 
-/// Newmark's beta. All have order two with a generating function of order two; what differs is the error of an undamped frequency w, of
-/// which the first term is (beta - 1/12) w^3 h^2 / 2, and that for beta < 1/4 h has an upper limit of the size of 1/w.
+/// Newmark's beta. All have order two with a generating function of order two; what differs is the error of an undamped frequency w,
+/// w - computed = (beta - 1/12) w^3 h^2 / 2 + ..., and that for beta < 1/4 h has an upper limit of the size of 1/w.
 inline constexpr fraction<1, 4> average_acceleration{};
 inline constexpr fraction<1, 6> linear_acceleration{};
 inline constexpr fraction<1, 12> fox_goodwin{};

@@ -136,6 +136,7 @@ public:
         static_assert(
             requires { v.dot(v); }, "mechanical(mass, U) is for states that are Eigen vectors: for numbers write "
                                     "[](auto const& q, auto const& v) { return mass * v * v / 2 - U(q); }");
+        if constexpr (requires { v.size(); }) require_size(v.size());
         if constexpr (not requires { v.dot(v); })
             return v;
         else if constexpr (is_matrix)

@@ -62,6 +62,13 @@ V sizes(V const& x) {
     else
         return magnitude(x);
 }
+template <class V>
+V ones_like(V x) {
+    if constexpr (requires { x.setOnes(); })
+        return x.setOnes();
+    else
+        return V(1);
+}
 /// Iterate -> newton_system. Erased, so that one iteration is compiled for all systems of the same vectors and matrices.
 template <class V, class Jacobian>
 using newton_function = function_view<newton_system<V, Jacobian>(V const&)>;
@@ -161,13 +168,13 @@ V newton_of(newton_function<V, Jacobian> const& system, V const& guess, V const&
     return x;
 }
 /// root_from(near); where that leads nowhere, from 0; and where the derivative at 0 is singular or none, as there is no mass at rest with
-/// L = v^4 and L = v log v, from what is `given`, or from its magnitudes.
+/// L = v^4 and L = v log v, from what is `given`, or from ones.
 template <class V, class From>
 V root_near(V const& near, V const& given, From const& root_from) {
     try {
         return root_from(near);
     } catch (error::exception const&) {
-        for (V const& guess : {zero_like(given), given, V(sizes(given))})
+        for (V const& guess : {zero_like(given), given, ones_like(given)})
             if (not(guess == near)) try {
                     return root_from(guess);
                 } catch (error::exception const&) { // the first one says more

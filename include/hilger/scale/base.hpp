@@ -180,7 +180,7 @@ constexpr auto intersect(domain<Base, F, B> const& a, domain<Base, G, C> const&)
     return domain<Base, std::max(F, G), std::max(B, C)>{a.base};
 }
 
-/// The number of points that Domain has on a scale whose number of steps is known to the type, or dynamic_extent.
+/// The number of points that Domain has on a scale whose number of steps is known to the type, or run_time_extent.
 template <class Domain, class Root>
 inline constexpr index_type
     static_size = Root::extent == run_time_extent

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A checkpoint as text that reads back exactly: built-in floating numbers in hexadecimal, wide ones with all their digits, rationals as
 // they are. One labelled number a line, the version of the format in the first line and `end` in the last one. Before that stands where a
-// step alone leads from there, so that another Lagrangian, force, damping or method does not go on in silence.
+// step alone leads from there, to half of the digits, so that another Lagrangian, force, damping or method does not go on in silence unless
+// it is the same there.
 //   auto at = path.begin(); ...                       write_checkpoint(out, path, at.checkpoint());
 //   for (auto [t, q, p] : path.resume(read_checkpoint(in, path))) ...
 #pragma once

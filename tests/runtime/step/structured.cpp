@@ -134,6 +134,8 @@ TEST_CASE("what a structured system needs is said") {
     CHECK_THROWS_WITH_AS(mechanical(-1.0, chain(spring)), "a mass is positive, and one of these is not", error::singular);
     CHECK_THROWS_WITH_AS(walk(mechanical(Eigen::VectorXd(Eigen::VectorXd::Ones(5)), chain(spring))),
                          "the mass has dimension 5, and the state has 6", error::mismatch);
+    CHECK_THROWS_AS((void)mechanical(Eigen::VectorXd(Eigen::VectorXd::Ones(5)), chain(spring))(q, q), error::mismatch);
+    CHECK_THROWS_AS((void)mechanical(Eigen::MatrixXd(Eigen::MatrixXd::Identity(7, 7)), chain(spring))(q, q), error::mismatch);
     CHECK_THROWS_WITH_AS(walk(mechanical(1.0, pairs<3>({{0, 2}}, gravity))),
                          "a pair takes two different bodies from -1 (the origin) to 1, and one is (0, 2)", error::outside_domain);
     CHECK_THROWS_AS(walk(mechanical(1.0, pairs<3>({{0, 1}}, gravity))), error::not_finite); // two bodies in one place

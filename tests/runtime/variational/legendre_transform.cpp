@@ -111,6 +111,18 @@ TEST_CASE("where H has no second derivative at p = 0, or none that is a number, 
     CHECK((velocity_of(many, rest, p) - Eigen::VectorXd::Constant(5, 0.81)).norm() <= 16 * epsilon<double>());
 }
 
+TEST_CASE("momenta far from 0 and from their velocities are found, and order one steps with them from rest") {
+    auto const of_log = [](auto const& p, auto const& x) { return p * log(p) - p + x * x / 2; }; // L = exp(v) - x^2/2
+    for (double const v : {-3.0, -1.0, 0.0, 0.5, 4.0})                                           // neither 0 nor v is near a momentum
+        CHECK(lagrangian_of(of_log)(0.5, v) == doctest::Approx(std::exp(v) - 0.125).epsilon(16 * epsilon<double>()));
+    double q = 0.5, p = 1;
+    for (auto const& y : embed(lagrangian_of(of_log), order_one).along(uniform(0.0, 0.1, 3), q, p)) {
+        CHECK(std::abs(y.q - q) + std::abs(y.p - p) <= 64 * epsilon<double>());
+        p -= 0.1 * q;
+        q += 0.1 * std::log(p);
+    }
+}
+
 TEST_CASE("a Hamiltonian may branch as a Lagrangian may, without std:: before max") {
     auto const H = [](auto const& p, auto const& x) { return p * p / 2 + 5 * max(x, 0.0) * max(x, 0.0) + x * x / 2; };
     auto const L = [](auto const& x, auto const& v) { return v * v / 2 - 5 * max(x, 0.0) * max(x, 0.0) - x * x / 2; };
