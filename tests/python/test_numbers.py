@@ -202,6 +202,7 @@ class Failures(unittest.TestCase):
             (h.InvalidParameter, "a time on a scale of fractions", lambda: exact(0.3)),
             (h.InvalidParameter, "returns a real number, or a bool, and at t = 0.0 it is None", lambda: x.events(lambda t, q, p: None)),
             (h.InvalidParameter, "returns a real number, or a bool", lambda: x.events(lambda t, q, p: q + 0j)),
+            (h.NotFinite, "is -inf at t = ", lambda: x.events(lambda t, q, p: np.float64(-np.inf) if t > 0.35 else 1.0)),
             (IndexError, "has the components 0 to 2, and here is 3", lambda: h.variables("x", 3)[3]),
             (TypeError, "f is a function of t", lambda: h.apply(h.sigma, h.sin(h.t), h.uniform(0, 0.1, 3))),
         ):

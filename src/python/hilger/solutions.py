@@ -80,7 +80,9 @@ class Zeros:
                 raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
         if inside and abs(y) == float("inf"):
             return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
-        if not y - y == 0:
+        with np.errstate(invalid="ignore"):
+            finite = y - y == 0
+        if not finite:
             raise _core.NotFinite(f"the function whose zeros are events is {y} at t = {t}")
         return y
 
