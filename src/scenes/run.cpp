@@ -73,7 +73,7 @@ public:
         std::string const memory{std::istreambuf_iterator<char>(in), {}};
         if (checksum(memory) != sum_of_state)
             error::raise<error::unreadable>("'", checkpoint_.string(), "' is damaged; --anew starts again without it");
-        if (not rows_are(bytes, sum_of_rows))
+        if (bytes == 0 or not rows_are(bytes, sum_of_rows))
             error::raise<error::unreadable>("'", rows_.string(), "' is not what it was when its run was interrupted; --anew starts again");
         files::resize_file(rows_, bytes);
         std::istringstream remembered(memory);
