@@ -37,12 +37,15 @@ class galerkin_step {
     using separable_type = separable<Problem, S, V>;
     static constexpr std::size_t N = Table::N;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
+    /// What the numbers of the table are rounded to leans to one side in every step: sums that are to keep their rounding use two parts.
+    static constexpr bool in_parts = Compensated and Table::has_parts;
     enum way : int { undecided, by_forces, by_equation };
 
 public:
     galerkin_step(Problem const& what, tableau<S> const& t, S const& h, V const& like, Extra const& extra = {})
         : h_(h), d_(s::dimension(like)), separable_(what, like), equation_(t, h, like, extra), sum_q_(d_), sum_p_(d_) {
         v_ = next_ = room_ = s::zero(d_);
+        if constexpr (in_parts) part_ = v_;
         if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
         D_.fill(v_);
         before_.fill(v_);
@@ -113,7 +116,7 @@ public:
     /// q_i and the positions at the nodes.
     [[nodiscard]] V inside(int m) const {
         if (not led_by_forces_) return equation_.inside(m);
-        auto const& c = table().node;
+        auto const& c = table().whole.node;
         S const at = S(m) / S(static_cast<int>(Table::R));
         V sum = s::zero(d_);
         for (std::size_t k = 0; k < N; ++k) {
@@ -212,10 +215,13 @@ private:
     HILGER_ALWAYS_INLINE S move_nodes() {
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {
-            combine(table().twice[k], F_, room_);
+            add_forces([k](auto const& of) -> auto const& { return of.twice[k]; });
             room_ = room_ * h_; // neither h^2 nor a force without h over a mass has to be a number
             separable_.solve(room_, next_);
-            next_ = (v_ * table().node[k] + next_) * h_;
+            if constexpr (in_parts)
+                next_ = (v_ * table().leading.node[k] + (v_ * table().rest.node[k] + next_)) * h_;
+            else
+                next_ = (v_ * table().whole.node[k] + next_) * h_;
             room_ = next_ - D_[k];
             size = std::max(size, S(magnitude(room_)));
             D_[k] = next_;
@@ -223,11 +229,25 @@ private:
         if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra());
         return size;
     }
-    /// q_{i+1} - q_i from the forces at the nodes, into next_.
-    HILGER_ALWAYS_INLINE void reach_end() {
-        combine(table().reach, F_, room_);
+    /// The forces with a row of the table, into room_.
+    template <class Row>
+    HILGER_ALWAYS_INLINE void add_forces(Row const& row) {
+        if constexpr (in_parts) {
+            combine(row(table().leading), F_, room_);
+            combine(row(table().rest), F_, part_);
+            room_ = room_ + part_;
+        } else
+            combine(row(table().whole), F_, room_);
+    }
+    /// What the forces at the nodes do to the velocity that the step has on the whole, into next_.
+    HILGER_ALWAYS_INLINE void bend() {
+        add_forces([](auto const& of) -> auto const& { return of.reach; });
         room_ = room_ * h_;
         separable_.solve(room_, next_);
+    }
+    /// q_{i+1} - q_i from the forces at the nodes, into next_.
+    HILGER_ALWAYS_INLINE void reach_end() {
+        bend();
         next_ = (v_ + next_) * h_;
     }
     /// The extra force for the end that the forces lead to, and how far that has moved.
@@ -240,21 +260,52 @@ private:
     }
     void finish_by_forces(state<S, V>& x) {
         led_by_forces_ = true;
-        reach_end();
-        combine(table().weight, F_, room_);
+        if constexpr (in_parts)
+            bend();
+        else
+            reach_end();
+        add_forces([](auto const& of) -> auto const& { return of.weight; });
         room_ = room_ * h_;
-        add(x, next_, room_);
+        if constexpr (in_parts)
+            add_in_parts(x);
+        else
+            add(x, next_, room_);
         known_ = 1;
+    }
+    /// h (v_0 + next_) and room_, of h v_0 with what is cut off of the product: that leans where the digits of h repeat, as those of 0.1.
+    void add_in_parts(state<S, V>& x) {
+        part_ = next_ * h_;
+        next_ = (v_ + next_) * h_;
+        require_finite(x, next_, room_);
+        for (int c = 0; c < d_; ++c) {
+            S straight{}, cut{}, way{}, rest{};
+            two_product(h_, component_of(v_, c), straight, cut);
+            two_sum(straight, component_of(part_, c), way, rest);
+            sum_q_.add(s::component(x.q, c), way, S(rest + cut), c);
+            sum_p_.add(s::component(x.p, c), component_of(room_, c), c);
+        }
+        x.t = x.t + h_;
     }
     void finish_by_equation(Problem const& what, state<S, V>& x) {
         led_by_forces_ = false;
         equation_.solve(given<Problem, V>(what), x);
         add(x, equation_.moved(), equation_.gained());
     }
+    /// Finite increments may still lead beyond the largest number.
+    template <class P>
+    void require_finite(state<S, V> const& x, V const& to_q, P const& to_p) const {
+        S sum(0);
+        for (int c = 0; c < d_; ++c) {
+            S const q = s::component(x.q, c) + component_of(to_q, c), p = s::component(x.p, c) + component_of(to_p, c);
+            sum = sum + ((q - q) + (p - p));
+        }
+        if (not(sum == S(0))) [[unlikely]]
+            give_up(equation_.name, false, x.q, with_first(to_q, sum), S(0));
+    }
     /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
     template <class P>
     void add(state<S, V>& x, V const& to_q, P const& to_p) {
-        if (not all_finite(to_q) or not all_finite(to_p)) give_up(equation_.name, false, x.q, to_q, S(0));
+        require_finite(x, to_q, to_p);
         for (int c = 0; c < d_; ++c) {
             sum_q_.add(s::component(x.q, c), component_of(to_q, c), c);
             sum_p_.add(s::component(x.p, c), component_of(to_p, c), c);
@@ -268,7 +319,9 @@ private:
     separable_type separable_;
     many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
+    using of_parts = std::conditional_t<in_parts, V, no_step_force>;
     V v_, next_, room_;                                ///< v_0, and room
+    [[no_unique_address]] of_parts part_;              ///< room
     S largest_{0};                                     ///< of the sizes of components
     std::array<V, N> before_;                          ///< D_ one round before, where components are of different sizes
     std::optional<V> start_;                           ///< the velocity that the first step begins with, where it is given

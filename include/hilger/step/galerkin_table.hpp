@@ -9,10 +9,12 @@
 // (Nystroem's form)
 //   A_k = q_0 + h c_k v_0 + h^2 sum_m twice_km M^-1 F_m,   twice = alpha momentum,   p_1 = p_0 + h sum_k w_k F_k.
 // Every number is of the size of 1, and is computed with more digits than the scalar has and rounded once: what its rounding breaks, in
-// symplecticity or order, is there in every step (Hairer, McLachlan, Razakarivony 2008).
+// symplecticity or order, is there in every step, and adds up with their number. Compensated sums use numbers in two parts, of which the
+// first has few digits: a sum of products with both is rounded to either side (Hairer, McLachlan, Razakarivony 2008).
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "hilger/embedding/galerkin.hpp"
 #include "hilger/step/tableau.hpp"
@@ -22,14 +24,19 @@ namespace hilger::detail {
 template <class S, int Stages, class Quadrature, int Degree = Quadrature::degree(Stages)>
 struct galerkin_table {
     static constexpr std::size_t N = Stages, R = Degree;
+    /// Whether the numbers are known to more digits than S has.
+    static constexpr bool has_parts = not std::is_same_v<typename wider<S>::type, S>;
     template <std::size_t Rows, std::size_t Columns>
     using matrix = std::array<std::array<S, Columns>, Rows>;
 
-    std::array<S, N> node, weight;
+    struct numbers {
+        std::array<S, N> node, weight;
+        std::array<S, N> reach; ///< w_k (1 - c_k): q_1 = q_0 + h v_0 + h^2 sum_k reach_k M^-1 dL/dq(A_k)
+        matrix<N, N> twice;
+    };
+    numbers whole, leading, rest; ///< rounded once; and the two parts, where there are more digits
     matrix<N, R> alpha;
     matrix<R, N> momentum;
-    matrix<N, N> twice;
-    std::array<S, N> reach; ///< w_k (1 - c_k): q_1 = q_0 + h v_0 + h^2 sum_k reach_k M^-1 dL/dq(A_k)
     matrix<N, N> next_node; ///< the polynomial through the values at the nodes, read at the nodes of the next step
 
     /// Made once for all steps of all flows.
@@ -49,6 +56,17 @@ private:
             return gauss::on_unit_interval<S>(static_cast<int>(R));
     }
 
+    template <class Place>
+    void put(W const& x, Place const& place) {
+        place(whole) = S(x);
+        if constexpr (has_parts) {
+            using std::round;
+            S const few = S(1024);
+            place(leading) = round(S(x) * few) / few;
+            place(rest) = S(W(x - W(place(leading))));
+        }
+    }
+
     // Never part of a flattened step: it is longer than ten of them.
     [[gnu::noinline, gnu::cold]] galerkin_table() {
         constexpr int n = static_cast<int>(N), r = static_cast<int>(R);
@@ -59,9 +77,9 @@ private:
         for (W const& g : points.node) at_point.push_back(legendre(r + 1, W(W(2) * g - W(1))));
         for (int k = 0; k < n; ++k) {
             W const& w = nodes.weight[at(k)];
-            node[at(k)] = S(nodes.node[at(k)]);
-            weight[at(k)] = S(w);
-            reach[at(k)] = S(W(w * (W(1) - nodes.node[at(k)])));
+            put(nodes.node[at(k)], [k](numbers& to) -> S& { return to.node[at(k)]; });
+            put(w, [k](numbers& to) -> S& { return to.weight[at(k)]; });
+            put(W(w * (W(1) - nodes.node[at(k)])), [k](numbers& to) -> S& { return to.reach[at(k)]; });
             for (int j = 0; j < r; ++j) {
                 // l_j = gamma_j sum_m (2m + 1) P_m(g_j) P_m, and (2m + 1) P_m = P_{m+1}' - P_{m-1}', all of them on [-1, 1]
                 auto const &at_c = at_node[at(k)], &at_g = at_point[at(j)];
@@ -78,7 +96,7 @@ private:
             for (std::size_t m = 0; m < N; ++m) {
                 W sum(0);
                 for (std::size_t j = 0; j < R; ++j) sum = sum + alpha_wide[k][j] * momentum_wide[j][m];
-                twice[k][m] = S(sum);
+                put(sum, [k, m](numbers& to) -> S& { return to.twice[k][m]; });
             }
         extrapolate(nodes.node);
     }

@@ -147,7 +147,11 @@ private:
             }
             correct(e_.constant_part);
             tally<S>::add(work::newton_round);
-            if (e_.is_constant) return true;
+            if (e_.is_constant) {
+                // The factors are rounded, and what that leaves of a correction leans to the same side in every step.
+                if (Compensated and round == 0) continue;
+                return true;
+            }
             if (round == 0) look_at_rate(x, asks);
             S const size = weighed_.size_of(correction_), floor = epsilon<S>();
             // What is left is the rate times this correction, and the rate is the ratio of two corrections, or was bounded before.

@@ -52,6 +52,7 @@ public:
         w_ = t.w(0);
         c_ = w_ * t.a(0, 1);
         f_ = w_ * t.a(0, 0);
+        add_up_to(w_, c_, f_);
         if (known_ > 1) known_ = 0;
     }
     [[nodiscard]] S const& h() const { return h_; }

@@ -43,6 +43,14 @@ struct summation<true, S, N> {
         S& carry = rest[static_cast<std::size_t>(k)];
         two_sum(x, S(increment + carry), x, carry);
     }
+    /// The same of an increment in two parts, of which the second was cut off of the first.
+    HILGER_ALWAYS_INLINE void add(S& x, S const& increment, S const& more, int k) {
+        S& carry = rest[static_cast<std::size_t>(k)];
+        S sum{}, cut{};
+        two_sum(increment, S(carry + more), sum, cut);
+        two_sum(x, sum, x, carry);
+        carry = carry + cut;
+    }
     /// Everything that later sums depend on, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {

@@ -35,6 +35,18 @@ struct tableau {
     }
 };
 
+namespace detail {
+/// Makes c + f = w of numbers that are so to rounding: only then the step with one node is symplectic. What is left of w beside the larger
+/// one is exact.
+template <class S>
+void add_up_to(S const& w, S& c, S& f) {
+    if (magnitude(c) < magnitude(f))
+        c = w - f;
+    else
+        f = w - c;
+}
+} // namespace detail
+
 /// What is known of an embedding before any number is: computed by its operators over a finite field, where equal means equal.
 struct embedding_facts {
     bool one_node = false; ///< one node; constants have themselves as position and no velocity; weight and velocity cancel

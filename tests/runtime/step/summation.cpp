@@ -35,4 +35,18 @@ TEST_CASE("eight increments of 2^-54 are 2^-51, and nothing where they are not c
     CHECK(plain == 1.0);
 }
 
+TEST_CASE("an increment in two parts is added as their sum, to twice the digits of the state") {
+    for (double const x : {1.0, -0.1, 0x1p-60, 1e10})
+        for (double const y : {0x1p-60, 0.1, -1e-30, 1.0 / 3}) {
+            CAPTURE(x);
+            CAPTURE(y);
+            detail::summation<true, double, 1> sum;
+            double z = x;
+            sum.add(z, y, y * 0x1p-54, 0);
+            sum.add(z, y, -y * 0x1p-55, 0);
+            Q const all = Q(x) + Q(2) * Q(y) + Q(y) * (Q(0x1p-54) - Q(0x1p-55));
+            CHECK(abs(Q(z) + Q(sum.rest[0]) - all) <= Q(0x1p-104) * (abs(Q(x)) + abs(Q(y))));
+        }
+}
+
 } // namespace summation_tests

@@ -10,6 +10,7 @@
 #include "hilger/newton/small_stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/small/node.hpp"
+#include "hilger/step/small/rests.hpp"
 #include "hilger/step/small/search.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
@@ -30,6 +31,8 @@ class one_node {
     using search = small_search<Compensated, S, V, all>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
+    /// Where a position or a momentum is rounded inside of the step.
+    static constexpr bool keeps_rests = Compensated and not exact and not at_start and not at_end;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.
     static constexpr int history = exact or at_start or at_end ? 1 : 7;
 
@@ -43,6 +46,7 @@ public:
         node_ = t.a(0, 1) * h;
         c_ = w_ * t.a(0, 1);
         f_ = w_ * t.a(0, 0);
+        add_up_to(w_, c_, f_);
         known_ = known_ > 0 ? 1 : 0; // velocities at other distances do not extrapolate
     }
     [[nodiscard]] S const& h() const { return h_; }
@@ -122,6 +126,7 @@ private:
                             at_end ? S(0) : times(f, D[M]))...};
             if constexpr (has_step_force<Extra>) ((J[static_cast<std::size_t>(K * N + K)] += half_resistance<K>()), ...);
             d = r;
+            [[maybe_unused]] matrix_ const of_round = J;
             bool const quadratic = not e.on().coupled and e.on().v <= 2, solved = small_solve(J, d);
             if (not solved and not((at_start or at_end) and iteration == 0 and not quadratic)) {
                 singular = true; // which at rest says nothing of where the velocity is
@@ -133,6 +138,8 @@ private:
                     v = past_[0];
                     continue;
                 }
+            [[maybe_unused]] components_ const v_before = v;
+            [[maybe_unused]] components_ g_rest{};
             v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
             // Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside an r
@@ -149,7 +156,15 @@ private:
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
                 done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : is_last();
-                g = components_{plus(g[K], change[K])...};
+                if (keeps_rests and done) {
+                    if constexpr (keeps_rests) {
+                        last_round<S, static_cast<std::size_t>(N)> round{c, f, q, p, v_before, g, d, of_round, D};
+                        round.look_at_rests(e, sum_q_, sum_p_, change, every_component, every{});
+                        v = components_{S(v_before[K] + (d[K] + round.more[K]))...};
+                        g_rest = round.of_g;
+                    }
+                } else
+                    g = components_{plus(g[K], change[K])...};
             }
             if (not done) {
                 if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
@@ -177,7 +192,7 @@ private:
                     r[0] = nan;
                     break;
                 }
-            take<K...>(x, w, v, g);
+            take<K...>(x, w, v, g, g_rest);
             return true;
         }
         if (not exact or comparisons_made() != compared_before) [[unlikely]]
@@ -196,20 +211,15 @@ private:
         auto const found =
             search::template root<SayWhere>(problem, has_branches, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
                                             start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
-        take<K...>(x, w_, found.v, found.g);
+        take<K...>(x, w_, found.v, found.g, components_{});
     }
     template <int... K>
-    HILGER_ALWAYS_INLINE void take(state<S, V>& x, S const& w, components_ const& v, components_ const& g) {
-        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v), K)), ...);
+    HILGER_ALWAYS_INLINE void take(state<S, V>& x, S const& w, components_ const& v, components_ const& g, components_ const& g_rest) {
+        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K),
+          sum_p_.add(s::component(x.p, K), keeps_rests ? S(gained<K>(w, g, v) + w * g_rest[K]) : gained<K>(w, g, v), K)),
+         ...);
         x.t = x.t + h_;
         remember(v);
-    }
-    template <int J>
-    HILGER_ALWAYS_INLINE static void add_row(components_& g, matrix_ const& D, components_ const& d) {
-        [&]<int... K>(std::integer_sequence<int, K...>) HILGER_ALWAYS_INLINE {
-            ((g[J] = plus(g[J], times(D[static_cast<std::size_t>(J * N + K)], d[K]))), ...);
-        }
-        (all{});
     }
     /// What of the momentum at the start does not depend on v.
     template <int K>
