@@ -278,10 +278,10 @@ private:
         next_ = (v_ + next_) * h_;
         require_finite(x, next_, room_);
         for (int c = 0; c < d_; ++c) {
-            S straight{}, cut{}, way{}, rest{};
+            S straight{}, cut{}, moved{}, left{};
             two_product(h_, component_of(v_, c), straight, cut);
-            two_sum(straight, component_of(part_, c), way, rest);
-            sum_q_.add(s::component(x.q, c), way, S(rest + cut), c);
+            two_sum(straight, component_of(part_, c), moved, left);
+            sum_q_.add(s::component(x.q, c), moved, S(left + cut), c);
             sum_p_.add(s::component(x.p, c), component_of(room_, c), c);
         }
         x.t = x.t + h_;
