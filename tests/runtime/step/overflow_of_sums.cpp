@@ -2,7 +2,7 @@
 // A step whose increments are numbers may lead beyond the largest one: every scheme says so, and no state that is handed out is infinite.
 #include <doctest/doctest.h>
 
-#include <cmath>
+#include <limits>
 
 #include "hilger/hilger.hpp"
 
@@ -39,6 +39,14 @@ TEST_CASE("positions that leave it in a fall") {
 }
 TEST_CASE("momenta that leave it") {
     stops_in_time(embed([](auto const& q, auto const& v) { return v * v / 2 + 1e307 * q; }, galerkin<2, gauss>), 1.0, 0.0, 1.7e308);
+}
+
+TEST_CASE("momenta that leave it by what the last correction adds to the force") {
+    auto const hill = [](auto const& q, auto const& v) { return v * v / 2 + q * q; };
+    // By the velocity that the step begins with, p + h dL/dq is 1e306 below the largest number; by its own, more than that above.
+    double const h = 0.5, q = 1e307, p = (std::numeric_limits<double>::max() - q - 1e306) / 1.25;
+    CHECK_THROWS_AS(embed(hill, mid_point).step(state<double, double>{0.0, q, p}, h), error::not_finite const&);
+    CHECK_THROWS_AS(embed(hill, mid_point, compensated).step(state<double, double>{0.0, q, p}, h), error::not_finite const&);
 }
 
 } // namespace overflow_of_sums_tests

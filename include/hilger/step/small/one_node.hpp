@@ -156,15 +156,15 @@ private:
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
                 done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : is_last();
-                if (keeps_rests and done) {
-                    if constexpr (keeps_rests) {
+                if constexpr (keeps_rests)
+                    if (done) {
                         last_round<S, static_cast<std::size_t>(N)> round{c, f, q, p, v_before, g, d, of_round, D};
                         round.look_at_rests(e, sum_q_, sum_p_, change, every_component, every{});
                         v = components_{S(v_before[K] + (d[K] + round.more[K]))...};
                         g_rest = round.of_g;
+                        change = components_{}; // it is in g_rest
                     }
-                } else
-                    g = components_{plus(g[K], change[K])...};
+                g = components_{plus(g[K], change[K])...};
             }
             if (not done) {
                 if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
@@ -188,7 +188,7 @@ private:
                     return false;
             // A finite v and g may still lead beyond the largest number.
             if constexpr (not exact)
-                if (S const nan = overflow_in<K...>(q, p, w, v, g); not(nan == S(0))) {
+                if (S const nan = overflow_in<K...>(q, p, w, v, g, g_rest); not(nan == S(0))) {
                     r[0] = nan;
                     break;
                 }
@@ -215,9 +215,7 @@ private:
     }
     template <int... K>
     HILGER_ALWAYS_INLINE void take(state<S, V>& x, S const& w, components_ const& v, components_ const& g, components_ const& g_rest) {
-        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K),
-          sum_p_.add(s::component(x.p, K), keeps_rests ? S(gained<K>(w, g, v) + w * g_rest[K]) : gained<K>(w, g, v), K)),
-         ...);
+        ((sum_q_.add(s::component(x.q, K), S(w * v[K]), K), sum_p_.add(s::component(x.p, K), gained<K>(w, g, v, g_rest), K)), ...);
         x.t = x.t + h_;
         remember(v);
     }
@@ -239,20 +237,20 @@ private:
     }
     /// The change of the momentum in the step.
     template <int K>
-    HILGER_ALWAYS_INLINE S gained(S const& w, components_ const& g, components_ const& v) const {
-        if constexpr (has_step_force<Extra>)
-            return S(w * g[K] + h_ * extra_.at(S(w * v[K]), K));
-        else
-            return S(w * g[K]);
+    HILGER_ALWAYS_INLINE S gained(S const& w, components_ const& g, components_ const& v, components_ const& g_rest) const {
+        S sum = w * g[K];
+        if constexpr (has_step_force<Extra>) sum = sum + h_ * extra_.at(S(w * v[K]), K);
+        if constexpr (keeps_rests) sum = sum + w * g_rest[K];
+        return sum;
     }
     template <int... K>
     HILGER_ALWAYS_INLINE static S change_of(components_ const& v, components_ const& before) {
         return largest(components_{S(v[K] - before[K])...});
     }
     template <int... K>
-    HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v,
-                                       components_ const& g) const {
-        return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v))) + ...));
+    HILGER_ALWAYS_INLINE S overflow_in(components_ const& q, components_ const& p, S const& w, components_ const& v, components_ const& g,
+                                       components_ const& g_rest) const {
+        return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v, g_rest))) + ...));
     }
     /// The value of the polynomial through the last velocities at the next node.
     template <int... K>
