@@ -7,7 +7,7 @@
 #pragma once
 
 #include "hilger/inlining.hpp"
-#include "hilger/step/galerkin_step.hpp"
+#include "hilger/step/galerkin/step.hpp"
 #include "hilger/step/many_nodes.hpp"
 #include "hilger/step/small/one_node.hpp"
 #include "hilger/step/structured.hpp"

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of a Galerkin embedding for L = v.Mv/2 + a.v - U(q), as it is with most of the few degrees of freedom and with systems that say
-// so: the forces at the nodes are iterated, A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k)
-// (step/galerkin_table.hpp); a round costs N forces and gains a factor of the size of h^2. Any other Lagrangian, and a step for which that
-// is too little, are left to the equation of the step (step/many_nodes.hpp).
+// The forces at the nodes of a Galerkin step for L = v.Mv/2 + a.v - U(q), which is most of the few degrees of freedom, and systems that say
+// so. They are iterated: A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k) (step/galerkin/table.hpp); a round costs N
+// forces and gains a factor of the size of h^2.
 #pragma once
 
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
 
+#include "hilger/history/component.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/newton/contraction.hpp"
 #include "hilger/newton/small_stop.hpp"
-#include "hilger/step/galerkin_table.hpp"
-#include "hilger/step/many_nodes.hpp"
+#include "hilger/step/force.hpp"
+#include "hilger/step/galerkin/table.hpp"
 #include "hilger/step/separable.hpp"
-#include "hilger/step/summation.hpp"
-#include "hilger/variational/legendre.hpp"
 
 namespace hilger::detail {
 
@@ -31,20 +32,18 @@ HILGER_ALWAYS_INLINE inline void combine(Row const& c, List const& x, V& to) {
     }
 }
 
-/// What one trajectory remembers from step to step.
+/// What is iterated, in one step after the other.
 template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
-class galerkin_step {
+class node_forces {
     using s = shape<V>;
     using separable_type = separable<Problem, S, V>;
     static constexpr std::size_t N = Table::N;
-    static constexpr bool exact = std::numeric_limits<S>::is_exact;
-    /// What the numbers of the table are rounded to leans to one side in every step: sums that are to keep their rounding use two parts.
-    static constexpr bool in_parts = Compensated and Table::has_parts;
-    enum way : int { undecided, by_forces, by_equation };
 
 public:
-    galerkin_step(Problem const& what, tableau<S> const& t, S const& h, V const& like, Extra const& extra = {})
-        : h_(h), d_(s::dimension(like)), separable_(what, like), equation_(t, h, like, extra), sum_q_(d_), sum_p_(d_) {
+    /// What the numbers of the table are rounded to leans to one side in every step: sums that are to keep their rounding use two parts.
+    static constexpr bool in_parts = Compensated and Table::has_parts;
+
+    node_forces(Problem const& what, S const& h, V const& like) : h_(h), d_(s::dimension(like)), separable_(what, like) {
         v_ = next_ = room_ = s::zero(d_);
         if constexpr (in_parts) part_ = v_;
         if constexpr (has_step_force<Extra>) end_ = extra_force_ = v_;
@@ -53,75 +52,40 @@ public:
         F_.fill(v_);
         guess_.fill(v_);
     }
-    void prepare(tableau<S> const& t, S const& h) {
-        h_ = h;
-        if (way_ == by_forces) known_ = 0; // those at other distances do not continue
-        way_ = undecided;
-        inspected_ = false;
-        equation_.prepare(t, h);
-    }
-    /// The velocity that the first step begins with.
-    void start_with(V const& v) {
-        if (known_ == 0) start_ = v;
-    }
-    [[nodiscard]] S const& h() const { return h_; }
-    [[nodiscard]] Extra& extra() { return equation_.extra(); }
-    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    void prepare(S const& h) { h_ = h; }
+    /// Whether L has these parts at x.
+    [[nodiscard]] bool inspect(Problem const& what, state<S, V> const& x) { return separable_.inspect(what, x); }
     template <class Visit>
     void visit(Visit& each) {
-        each("known", known_);
-        each("way", way_);
-        if (way_ == by_forces)
-            for (V& f : F_) memory::visit_components("force", f, each);
+        for (V& f : F_) memory::visit_components("force", f, each);
+    }
+
+    /// Those of the step from x, from those of the step before it where it continues that one. Lost where they converge too slowly to be
+    /// worth it; going where L has other parts than it had.
+    progress iterate(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
+        if constexpr (std::is_floating_point_v<S>)
+            return flat_iteration(what, x, extra, continues);
         else
-            equation_.visit(each);
-        sum_q_.visit(each);
-        sum_p_.visit(each);
+            return iteration(what, x, extra, continues);
     }
-
-    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
-    void advance(Problem const& what, state<S, V>& x) {
-        if (not inspected_) {
-            bool const has_parts = not exact and separable_.inspect(what, x);
-            if (way_ == undecided) {
-                way_ = has_parts ? by_forces : by_equation;
-                if (has_parts) known_ = 0;
-            }
-            inspected_ = true;
-        }
-        if (way_ == by_forces) {
-            switch (iterate_forces(what, x)) {
-            case progress::done:
-                finish_by_forces(x);
-                return;
-            case progress::lost: // this step only
-                equation_.restart(v_);
-                known_ = 0;
-                finish_by_equation(what, x);
-                return;
-            case progress::going:
-                way_ = by_equation;
-                known_ = 0;
-            }
-        }
-        if (known_ == 0) {
-            at_time const L{what.lagrangian, x.t};
-            equation_.restart(start_ ? velocity_of(L, x.q, x.p, *start_) : velocity_of(L, x.q, x.p));
-        }
-        finish_by_equation(what, x);
-        known_ = 1;
-        start_.reset();
+    /// What they lead to, from then on.
+    void finish() {
+        bend();
+        add_forces([](auto const& of) -> auto const& { return of.weight; });
+        room_ = room_ * h_;
+        if constexpr (in_parts) part_ = next_ * h_;
+        next_ = (v_ + next_) * h_;
     }
-
-    /// U_m - q_i of the last step, 0 < m < R, as far as rounding goes: where the forces were iterated, the value of the polynomial through
-    /// q_i and the positions at the nodes.
-    [[nodiscard]] V inside(int m) const {
-        if (not led_by_forces_) return equation_.inside(m);
+    [[nodiscard]] V const& moved() const { return next_; }     ///< q_1 - q_0
+    [[nodiscard]] V const& gained() const { return room_; }    ///< p_1 - p_0
+    [[nodiscard]] V const& velocity() const { return v_; }     ///< v_0
+    [[nodiscard]] auto const& curved() const { return part_; } ///< q_1 - q_0 - h v_0, in parts
+    /// The value at t_0 + s h of the polynomial through q_0 and the positions at the nodes, less q_0.
+    [[nodiscard]] V inside(S const& at) const {
         auto const& c = table().whole.node;
-        S const at = S(m) / S(static_cast<int>(Table::R));
         V sum = s::zero(d_);
         for (std::size_t k = 0; k < N; ++k) {
-            if (c[k] == S(0)) continue; // that is q_i itself
+            if (c[k] == S(0)) continue; // that is q_0 itself
             S l = at / c[k];
             for (std::size_t j = 0; j < N; ++j)
                 if (j != k and not(c[j] == S(0))) l = l * (at - c[j]) / (c[k] - c[j]);
@@ -136,26 +100,21 @@ private:
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 
     // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
-    progress iterate_forces(Problem const& what, state<S, V> const& x) {
-        if constexpr (std::is_floating_point_v<S>)
-            return flat_iteration(what, x);
-        else
-            return iteration(what, x);
+    HILGER_FLATTEN progress flat_iteration(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
+        return iteration(what, x, extra, continues);
     }
-    HILGER_FLATTEN progress flat_iteration(Problem const& what, state<S, V> const& x) { return iteration(what, x); }
-    /// Lost where it converges too slowly to be worth it; going where L has other parts than it had.
-    HILGER_ALWAYS_INLINE progress iteration(Problem const& what, state<S, V> const& x) {
+    HILGER_ALWAYS_INLINE progress iteration(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
         separable_.velocity(x.p, v_);
         bool is_separable = true;
-        if (known_ > 0) { // the forces of the last step, continued
+        if (continues) { // the forces of the last step, continued
             for (std::size_t k = 0; k < N; ++k) combine(table().next_node[k], F_, guess_[k]);
             std::swap(F_, guess_);
         } else {
             is_separable = separable_.force(what, x.t, x.q, F_[0]);
-            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + equation_.extra().constant;
+            if constexpr (has_step_force<Extra>) F_[0] = F_[0] + extra.constant;
             for (std::size_t k = 1; k < N; ++k) F_[k] = F_[0];
         }
-        (void)move_nodes();
+        (void)move_nodes(extra);
         S reach = magnitude(x.q);
         for (V const& D : D_) reach = std::max(reach, S(magnitude(D)));
         contraction<S> convergence(epsilon<S>() * reach, small());
@@ -178,7 +137,7 @@ private:
             bool const was_done = end == progress::done;
             if (end != progress::going and not(was_done and comparisons_made() != compared)) return end;
             if (differ) before_ = D_;
-            S const size = move_nodes();
+            S const size = move_nodes(extra);
             // Between branches the forces at the last positions say whether these were the last.
             if (was_done and convergence.is_rounding(size)) return end;
             end = convergence.after(size);
@@ -213,7 +172,7 @@ private:
         return far;
     }
     /// A_k - q_0 from the forces, and how far the nodes have moved.
-    HILGER_ALWAYS_INLINE S move_nodes() {
+    HILGER_ALWAYS_INLINE S move_nodes(Extra const& extra) {
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {
             add_forces([k](auto const& of) -> auto const& { return of.twice[k]; });
@@ -227,7 +186,7 @@ private:
             size = std::max(size, S(magnitude(room_)));
             D_[k] = next_;
         }
-        if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra());
+        if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra(extra));
         return size;
     }
     /// The forces with a row of the table, into room_.
@@ -252,84 +211,25 @@ private:
         next_ = (v_ + next_) * h_;
     }
     /// The extra force for the end that the forces lead to, and how far that has moved.
-    S renew_extra() {
+    S renew_extra(Extra const& extra) {
         reach_end();
         room_ = next_ - end_;
         end_ = next_;
-        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = equation_.extra().at(s::component(end_, c), c);
+        for (int c = 0; c < d_; ++c) s::component(extra_force_, c) = extra.at(s::component(end_, c), c);
         return magnitude(room_);
-    }
-    void finish_by_forces(state<S, V>& x) {
-        led_by_forces_ = true;
-        if constexpr (in_parts)
-            bend();
-        else
-            reach_end();
-        add_forces([](auto const& of) -> auto const& { return of.weight; });
-        room_ = room_ * h_;
-        if constexpr (in_parts)
-            add_in_parts(x);
-        else
-            add(x, next_, room_);
-        known_ = 1;
-    }
-    /// h (v_0 + next_) and room_, of h v_0 with what is cut off of the product: that leans where the digits of h repeat, as those of 0.1.
-    void add_in_parts(state<S, V>& x) {
-        part_ = next_ * h_;
-        next_ = (v_ + next_) * h_;
-        require_finite(x, next_, room_);
-        for (int c = 0; c < d_; ++c) {
-            S straight{}, cut{}, moved{}, left{};
-            two_product(h_, component_of(v_, c), straight, cut);
-            two_sum(straight, component_of(part_, c), moved, left);
-            sum_q_.add(s::component(x.q, c), moved, S(left + cut), c);
-            sum_p_.add(s::component(x.p, c), component_of(room_, c), c);
-        }
-        x.t = x.t + h_;
-    }
-    void finish_by_equation(Problem const& what, state<S, V>& x) {
-        led_by_forces_ = false;
-        equation_.solve(given<Problem, V>(what), x);
-        add(x, equation_.moved(), equation_.gained());
-    }
-    /// Finite increments may still lead beyond the largest number.
-    template <class P>
-    void require_finite(state<S, V> const& x, V const& to_q, P const& to_p) const {
-        if constexpr (exact) return;
-        S sum(0);
-        for (int c = 0; c < d_; ++c)
-            sum = sum +
-                  (overflow(S(s::component(x.q, c) + component_of(to_q, c))) + overflow(S(s::component(x.p, c) + component_of(to_p, c))));
-        if (not(sum == S(0))) [[unlikely]]
-            give_up(equation_.name, false, x.q, with_first(to_q, sum), S(0));
-    }
-    /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
-    template <class P>
-    void add(state<S, V>& x, V const& to_q, P const& to_p) {
-        require_finite(x, to_q, to_p);
-        for (int c = 0; c < d_; ++c) {
-            sum_q_.add(s::component(x.q, c), component_of(to_q, c), c);
-            sum_p_.add(s::component(x.p, c), component_of(to_p, c), c);
-        }
-        x.t = x.t + h_;
     }
 
     S h_;
-    int d_, known_ = 0, way_ = undecided;
-    bool inspected_ = false, led_by_forces_ = false; ///< the last step
+    int d_;
     separable_type separable_;
-    many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
     using of_parts = std::conditional_t<in_parts, V, no_step_force>;
     V v_, next_, room_;                                ///< v_0, and room
     [[no_unique_address]] of_parts part_;              ///< room
     S largest_{0};                                     ///< of the sizes of components
     std::array<V, N> before_;                          ///< D_ one round before, where components are of different sizes
-    std::optional<V> start_;                           ///< the velocity that the first step begins with, where it is given
     std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
-    [[no_unique_address]] of_extra end_, extra_force_; ///< q_{i+1} - q_i and the extra force, in the iteration of forces
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+    [[no_unique_address]] of_extra end_, extra_force_; ///< q_1 - q_0 and the extra force, in the iteration
 };
 
 } // namespace hilger::detail

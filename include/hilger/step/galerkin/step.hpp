@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSL-1.0
+// The step of a Galerkin embedding: by the forces at its nodes where L = v.Mv/2 + a.v - U(q) (step/galerkin/node_forces.hpp). Any other
+// Lagrangian, and a step for which that is too little, are left to the equation of the step (step/many_nodes.hpp).
+#pragma once
+
+#include <optional>
+
+#include "hilger/step/galerkin/node_forces.hpp"
+#include "hilger/step/many_nodes.hpp"
+#include "hilger/step/summation.hpp"
+#include "hilger/variational/legendre.hpp"
+
+namespace hilger::detail {
+
+/// What one trajectory remembers from step to step.
+template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
+class galerkin_step {
+    using s = shape<V>;
+    using forces = node_forces<Problem, Table, Compensated, S, V, Extra>;
+    static constexpr bool exact = std::numeric_limits<S>::is_exact;
+    enum way : int { undecided, by_forces, by_equation };
+
+public:
+    galerkin_step(Problem const& what, tableau<S> const& t, S const& h, V const& like, Extra const& extra = {})
+        : h_(h), d_(s::dimension(like)), forces_(what, h, like), equation_(t, h, like, extra), sum_q_(d_), sum_p_(d_) {}
+    void prepare(tableau<S> const& t, S const& h) {
+        h_ = h;
+        if (way_ == by_forces) known_ = 0; // those at other distances do not continue
+        way_ = undecided;
+        inspected_ = false;
+        forces_.prepare(h);
+        equation_.prepare(t, h);
+    }
+    /// The velocity that the first step begins with.
+    void start_with(V const& v) {
+        if (known_ == 0) start_ = v;
+    }
+    [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] Extra& extra() { return equation_.extra(); }
+    /// Everything that later steps depend on and h does not determine, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("known", known_);
+        each("way", way_);
+        if (way_ == by_forces)
+            forces_.visit(each);
+        else
+            equation_.visit(each);
+        sum_q_.visit(each);
+        sum_p_.visit(each);
+    }
+
+    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
+    void advance(Problem const& what, state<S, V>& x) {
+        if (not inspected_) {
+            bool const has_parts = not exact and forces_.inspect(what, x);
+            if (way_ == undecided) {
+                way_ = has_parts ? by_forces : by_equation;
+                if (has_parts) known_ = 0;
+            }
+            inspected_ = true;
+        }
+        if (way_ == by_forces) {
+            switch (forces_.iterate(what, x, equation_.extra(), known_ > 0)) {
+            case progress::done:
+                finish_by_forces(x);
+                return;
+            case progress::lost: // this step only
+                equation_.restart(forces_.velocity());
+                known_ = 0;
+                finish_by_equation(what, x);
+                return;
+            case progress::going:
+                way_ = by_equation;
+                known_ = 0;
+            }
+        }
+        if (known_ == 0) {
+            at_time const L{what.lagrangian, x.t};
+            equation_.restart(start_ ? velocity_of(L, x.q, x.p, *start_) : velocity_of(L, x.q, x.p));
+        }
+        finish_by_equation(what, x);
+        known_ = 1;
+        start_.reset();
+    }
+
+    /// U_m - q_i of the last step, 0 < m < R, as far as rounding goes.
+    [[nodiscard]] V inside(int m) const {
+        return led_by_forces_ ? forces_.inside(S(m) / S(static_cast<int>(Table::R))) : equation_.inside(m);
+    }
+
+private:
+    void finish_by_forces(state<S, V>& x) {
+        led_by_forces_ = true;
+        forces_.finish();
+        if constexpr (forces::in_parts)
+            add_in_parts(x);
+        else
+            add(x, forces_.moved(), forces_.gained());
+        known_ = 1;
+    }
+    /// h v_0 with what is cut off of the product: that leans where the digits of h repeat, as those of 0.1.
+    void add_in_parts(state<S, V>& x) {
+        require_finite(x, forces_.moved(), forces_.gained());
+        for (int c = 0; c < d_; ++c) {
+            S straight{}, cut{}, moved{}, left{};
+            two_product(h_, component_of(forces_.velocity(), c), straight, cut);
+            two_sum(straight, component_of(forces_.curved(), c), moved, left);
+            sum_q_.add(s::component(x.q, c), moved, S(left + cut), c);
+            sum_p_.add(s::component(x.p, c), component_of(forces_.gained(), c), c);
+        }
+        x.t = x.t + h_;
+    }
+    void finish_by_equation(Problem const& what, state<S, V>& x) {
+        led_by_forces_ = false;
+        equation_.solve(given<Problem, V>(what), x);
+        add(x, equation_.moved(), equation_.gained());
+    }
+    /// Finite increments may still lead beyond the largest number.
+    template <class P>
+    void require_finite(state<S, V> const& x, V const& to_q, P const& to_p) const {
+        if constexpr (exact) return;
+        S sum(0);
+        for (int c = 0; c < d_; ++c)
+            sum = sum +
+                  (overflow(S(s::component(x.q, c) + component_of(to_q, c))) + overflow(S(s::component(x.p, c) + component_of(to_p, c))));
+        if (not(sum == S(0))) [[unlikely]]
+            give_up(equation_.name, false, x.q, with_first(to_q, sum), S(0));
+    }
+    /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
+    template <class P>
+    void add(state<S, V>& x, V const& to_q, P const& to_p) {
+        require_finite(x, to_q, to_p);
+        for (int c = 0; c < d_; ++c) {
+            sum_q_.add(s::component(x.q, c), component_of(to_q, c), c);
+            sum_p_.add(s::component(x.p, c), component_of(to_p, c), c);
+        }
+        x.t = x.t + h_;
+    }
+
+    S h_;
+    int d_, known_ = 0, way_ = undecided;
+    bool inspected_ = false, led_by_forces_ = false; ///< the last step
+    forces forces_;
+    many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
+    std::optional<V> start_; ///< the velocity that the first step begins with, where it is given
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
+    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+};
+
+} // namespace hilger::detail
