@@ -43,6 +43,7 @@ public:
         return others;
     }
     [[nodiscard]] S const& h() const { return h_; }
+    [[nodiscard]] tableau<S> const& table() const { return t_; }
     [[nodiscard]] int dimension() const {
         if constexpr (s::size == Eigen::Dynamic)
             return d_;

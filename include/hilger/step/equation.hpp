@@ -29,7 +29,7 @@ class step_equation : public step_sizes<S, V, Extra, Controls> {
 
 public:
     using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved, controls::moved_to,
-        controls::put_sizes, controls::unknowns;
+        controls::put_sizes, controls::table, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;
     using of_state = Eigen::Matrix<S, s::size, 1>;

@@ -10,12 +10,13 @@
 #include <limits>
 #include <utility>
 
-#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/growth.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/newton/weighed_corrections.hpp"
 #include "hilger/step/equation.hpp"
 #include "hilger/step/explicit_node.hpp"
+#include "hilger/step/shortened.hpp"
 #include "hilger/step/summation.hpp"
 
 namespace hilger::detail {
@@ -253,28 +254,31 @@ private:
     }
     /// For an L with branches, or without them where whole corrections do not do: e_.moved and the derivatives there.
     [[gnu::noinline, gnu::cold]] void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches, long long made) {
+        shortened_step<equation> step(e_);
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
-            e_.moved = y;
+            e_.moved = y * step.share();
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             e_.put_residual(x);
             e_.put_matrix(true);
             for (int c = 0; c < e_.unknowns(); ++c) u::component(r, c) = e_.residual(c);
-            S const reach = magnitude(x.q) + magnitude(y);
-            return S(magnitude(x.p) + e_.forces() + S(e_.unknowns()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(y)));
+            S const reach = magnitude(x.q) + magnitude(e_.moved);
+            return S(magnitude(x.p) + e_.forces() +
+                     S(e_.unknowns()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(e_.moved)));
         };
         auto const correct = [&](unknown const& r, unknown& d) {
             tally<S>::add(work::newton_round);
             if (not e_.full_matrix.factorize()) return false;
             for (int c = 0; c < e_.unknowns(); ++c) correction_(c) = u::component(r, c);
             e_.full_matrix.solve(correction_);
-            for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c);
+            for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c) / step.share();
             return true;
         };
         first_guess(made);
         unknown y = e_.moved, rest = y;
         first_guess(made > 0 ? 1 : 0);
         unknown const last = e_.moved;
-        branch_search const how = search_near(has_branches, y, last, rest, evaluate_at, correct, small_correction());
+        branch_search const how = search_or_grow(has_branches, y, last, rest, evaluate_at, correct, S(small_correction() / S(16)),
+                                                 [&](S const& share) { step.shorten_to(share); });
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());

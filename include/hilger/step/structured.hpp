@@ -5,7 +5,7 @@
 #pragma once
 
 #include "hilger/linear/symmetric_matrix.hpp"
-#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/growth.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
@@ -209,7 +209,7 @@ private:
             U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
             tally<S>::add(work::newton_round);
             // M v rounds; r = p - f U' - M v with the same mass that the kernel has
-            residual(l, x);
+            residual(l, x, f_);
             next_ = r_;
             bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
             if ((follows or has_branches()) and not(regular and is_number)) break;
@@ -234,21 +234,22 @@ private:
     [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
         auto const& U = l.potential();
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
-        S const scale = f_ * c_;
+        S share(1);
         auto const evaluate_at = [&](V const& y, V& r) {
+            S const c = share * c_, f = share * f_;
             v_ = y;
-            A_ = x.q + c_ * v_;
+            A_ = x.q + c * v_;
             kernel_.set_zero();
             mass_.put(put);
             S bends(0);
             U.hessian(A_, [&](index_type j, index_type k, S const& b) {
                 bends = std::max(bends, S(magnitude(b)));
-                kernel_.add(j, k, S(scale * tally<S>::second(b)));
+                kernel_.add(j, k, S(f * c * tally<S>::second(b)));
             });
             force(U, A_);
-            residual(l, x);
+            residual(l, x, f);
             r = r_;
-            return S(largest_of(x.p) * S(2) + magnitude(f_) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
+            return S(largest_of(x.p) * S(2) + magnitude(f) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
         };
         auto const correct = [&](V const& r, V& d) {
             tally<S>::add(work::newton_round);
@@ -257,21 +258,22 @@ private:
         };
         V const last = known_ > 0 ? past_[0] : v_;
         V y = v_, rest = v_;
-        branch_search const how =
-            search_near(has_branches(), y, last, rest, evaluate_at, correct, S(square_root_of_epsilon<S>() * small()));
+        auto const set_share = [&](S const& of_step) { share = of_step; };
+        branch_search const how = search_or_grow(has_branches(), y, last, rest, evaluate_at, correct,
+                                                 S(square_root_of_epsilon<S>() * small() / S(64)), set_share);
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     [[nodiscard]] bool is_near_the_last(int round) const {
         if (known_ < 2) return is_near(round, known_, S(0), S(0), S(0));
         return is_near(round, known_, largest_of(v_ - past_[0]), largest_of(past_[0] - past_[1]), largest_of(past_[1] - past_[2]));
     }
-    void residual(L const& l, state<S, V> const& x) {
+    void residual(L const& l, state<S, V> const& x, S const& f) {
         if constexpr (L::is_matrix)
-            r_ = start(x) - f_ * g_ - l.mass().template cast<S>() * v_;
+            r_ = start(x) - f * g_ - l.mass().template cast<S>() * v_;
         else if constexpr (requires { l.mass().size(); })
-            r_ = start(x) - f_ * g_ - l.mass().template cast<S>().cwiseProduct(v_);
+            r_ = start(x) - f * g_ - l.mass().template cast<S>().cwiseProduct(v_);
         else
-            r_ = start(x) - f_ * g_ - S(l.mass()) * v_;
+            r_ = start(x) - f * g_ - S(l.mass()) * v_;
         if constexpr (resisted) r_ -= S(w_ * h_ / S(2)) * extra_.slope.cwiseProduct(v_);
     }
     /// Gives `to` the numbers of `from`, which are not needed there any more: the cheapest way.

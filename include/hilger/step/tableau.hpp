@@ -33,6 +33,14 @@ struct tableau {
     [[nodiscard]] S time(int k, S const& t, S const& h) const {
         return inside.empty() ? S(t + a(k, 1) * h) : S(t + inside[static_cast<std::size_t>(k)]);
     }
+    /// That of a step which is `share` of it long.
+    [[nodiscard]] tableau shortened_to(S const& share) const {
+        tableau t = *this;
+        for (S& x : t.weight) x = x * share;
+        for (S& x : t.inside) x = x * share;
+        for (S& x : t.velocity) x = x / share;
+        return t;
+    }
 };
 
 namespace detail {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hilger/newton/growth.hpp"
 #include "hilger/newton/on_branches.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/newton/small_stop.hpp"
@@ -49,7 +50,7 @@ struct small_table {
 };
 
 /// The step by a search: with branches from the iterate v on, or else from the last velocity, until the equation holds at what is returned;
-/// without them where Newton's path leads from the last velocity.
+/// without them where Newton's path leads from the last velocity, or where growing steps lead.
 template <bool Compensated, class S, class V, class Components>
 class small_search;
 template <bool Compensated, class S, class V, int... K>
@@ -97,11 +98,13 @@ private:
         table_ e{};
         matrix_ J{};
         components_ A{}, B{};
-        // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v
+        S share(1);
+        // r = p + f g - dL/dv at (q + c v, v), less the resistance of a force that is affine in v; c and f of `share` times the step
         auto const evaluate_at = [&](V const& y, V& r) {
+            S const to_node = share * c, by_force = share * f;
             for (std::size_t k = 0; k < N; ++k) {
                 B[k] = s::component(y, static_cast<int>(k));
-                A[k] = q[k] + c * B[k];
+                A[k] = q[k] + to_node * B[k];
             }
             derivatives(A, B, e);
             // A force without a slope, as that of |q|^1.5 at 0, is taken for constant in a correction from there, which leads on.
@@ -110,14 +113,15 @@ private:
                     if (not is_finite(slope)) slope = S(0);
             S sizes(0);
             for (std::size_t j = 0; j < N; ++j) {
-                s::component(r, static_cast<int>(j)) = p[j] + f * e.by_q[j] - e.by_v[j] - resistance[j] * B[j];
+                s::component(r, static_cast<int>(j)) = p[j] + by_force * e.by_q[j] - e.by_v[j] - share * resistance[j] * B[j];
                 for (std::size_t jk = j * N; jk < j * N + N; ++jk) {
-                    J[jk] = e.vv[jk] + c * e.vq[jk] - f * (c * e.qq[jk] + e.qv[jk]);
-                    sizes = std::max(sizes, S(magnitude(S(f * e.qq[jk]))));
+                    J[jk] = e.vv[jk] + to_node * e.vq[jk] - by_force * (to_node * e.qq[jk] + e.qv[jk]);
+                    sizes = std::max(sizes, S(magnitude(S(by_force * e.qq[jk]))));
                 }
-                J[j * N + j] = J[j * N + j] + resistance[j];
+                J[j * N + j] = J[j * N + j] + share * resistance[j];
             }
-            return S(largest(p) + magnitude(f) * largest(e.by_q) + S(static_cast<int>(N)) * (sizes * largest(A) + largest(J) * largest(B)));
+            return S(largest(p) + magnitude(by_force) * largest(e.by_q) +
+                     S(static_cast<int>(N)) * (sizes * largest(A) + largest(J) * largest(B)));
         };
         auto const correct = [&](V const& r, V& d) {
             components_ x{s::component(r, K)...};
@@ -128,8 +132,9 @@ private:
         };
         V residual = v;
         S const small = square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>();
+        auto const set_share = [&](S const& of_step) { share = of_step; };
         branch_search const how =
-            search_near(has_branches, v, last, residual, evaluate_at, correct, has_branches ? small : S(small / S(8)));
+            search_or_grow(has_branches, v, last, residual, evaluate_at, correct, has_branches ? small : S(small / S(8)), set_share);
         if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
         node_values const found{{s::component(v, K)...}, e.by_q};
         if (S const nan = std::numeric_limits<S>::is_exact
