@@ -193,7 +193,11 @@ void add_expressions(py::module_& m) {
         return expression::call(function, parts);
     });
     m.def("where", [](py::handle condition, py::handle a, py::handle b) {
-        return expression(kind::choice, "", {required(condition), required(a), required(b)});
+        expression const asked = required(condition);
+        if (not hilger::text::is_condition(asked.root().what))
+            hilger::error::raise<hilger::error::invalid_parameter>(
+                "where(condition, a, b) asks a comparison, as q > 1, or several with &, | and ~, and here is ", text_of(condition));
+        return expression(kind::choice, "", {asked, required(a), required(b)});
     });
     m.def("read", [](std::string const& text, std::string const& source) { return hilger::text::read(text, source); });
     m.def("as_expression", &required);

@@ -43,6 +43,8 @@ class Printed(unittest.TestCase):
         self.assertEqual(list(x.q), list(y.q))
         with self.assertRaisesRegex(TypeError, "here is a bool: conditions are made by <, <="):
             h.where(q == 1, q, v)
+        with self.assertRaisesRegex(h.InvalidParameter, "asks a comparison, as q > 1, .* and here is q$"):
+            h.where(q, 1, 2)
 
 
 class Kept(unittest.TestCase):

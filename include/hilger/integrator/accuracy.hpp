@@ -37,9 +37,9 @@ template <class F, class S, class W>
 auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, detail::given_accuracy const& goal) {
     static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
     if constexpr (not detail::are_given_states<S, W, W>()) detail::refuse_states<S, W, W>();
-    if (not(goal.wanted > 0) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
-        error::raise<error::invalid_parameter>("an accuracy in this scalar is at least ", S(64) * epsilon<S>(), " (64 epsilon), not ",
-                                               goal.wanted);
+    if (not(goal.wanted > 0) or not is_finite(goal.wanted) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
+        error::raise<error::invalid_parameter>("an accuracy in this scalar is a finite number of at least ", S(64) * epsilon<S>(),
+                                               " (64 epsilon), not ", goal.wanted);
     using V = detail::given_state_t<S, W>;
     V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
     detail::require_same_dimension(q0, v0, "the initial position and velocity");

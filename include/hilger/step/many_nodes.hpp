@@ -277,8 +277,9 @@ private:
         unknown y = e_.moved, rest = y;
         first_guess(made > 0 ? 1 : 0);
         unknown const last = e_.moved;
-        branch_search const how = search_or_grow(has_branches, y, last, rest, evaluate_at, correct, S(small_correction() / S(16)),
-                                                 [&](S const& share) { step.shorten_to(share); });
+        S const small = has_branches ? small_correction() : S(small_correction() / S(16)); // what leads there may turn fast
+        branch_search const how =
+            search_or_grow(has_branches, y, last, rest, evaluate_at, correct, small, [&](S const& share) { step.shorten_to(share); });
         if (how != branch_search::found) {
             e_.moved = y;
             V first = s::zero(dimension());

@@ -259,8 +259,8 @@ private:
         V const last = known_ > 0 ? past_[0] : v_;
         V y = v_, rest = v_;
         auto const set_share = [&](S const& of_step) { share = of_step; };
-        branch_search const how = search_or_grow(has_branches(), y, last, rest, evaluate_at, correct,
-                                                 S(square_root_of_epsilon<S>() * small() / S(64)), set_share);
+        S const last_correction = square_root_of_epsilon<S>() * small() / S(has_branches() ? 1 : 64); // what leads there may turn fast
+        branch_search const how = search_or_grow(has_branches(), y, last, rest, evaluate_at, correct, last_correction, set_share);
         if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
     }
     [[nodiscard]] bool is_near_the_last(int round) const {

@@ -80,6 +80,8 @@ TEST_CASE("what a scalar cannot hold is refused, what rounding hides is said") {
     auto const oscillator = [](auto const& q, auto const& v) { return v * v / 2 - q * q / 2; };
     CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{0}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{-1e-3}), error::invalid_parameter);
+    CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{std::numeric_limits<double>::infinity()}),
+                    error::invalid_parameter);
     CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{1e-15}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(oscillator, interval{0.0, 1.0}, from, accuracy{std::nan("")}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(oscillator, interval{1.0, 0.0}, from, accuracy{1e-3}), error::invalid_scale);
