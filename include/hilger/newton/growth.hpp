@@ -14,7 +14,7 @@ namespace hilger::detail {
 
 /// search_near, and where that ends without a root of an equation of one branch, x by growth from `last`: `set_share` makes `evaluate` and
 /// `correct` those of a step of that share of the length, from nearly 0 on, and is 1 before, and after where a root is found. x is of the
-/// size of a velocity at all of them. Where both end without a root, x, the residual and what is reslope are of the search near.
+/// size of a velocity at all of them. Where both end without a root, x, the residual and what is returned are of the search near.
 template <class X>
 branch_search search_or_grow(bool has_branches, X& x, X const& last, X& residual, equation_on_branches<X> const& evaluate,
                              correction_on_branches<X> const& correct, scalar_of<X> const& small,

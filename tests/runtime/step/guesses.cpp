@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // A step is guessed from the steps before it. Where such a guess lies beyond what L is defined for, or leads nowhere, and the step does
 // not, the step is made.
-#include <doctest/doctest.h>
-
-#include "hilger/hilger.hpp"
+#include "runtime/step/whole_walks.hpp"
 
 namespace guesses_tests {
 
 using namespace hilger;
+using namespace hilger::testing;
 
 namespace {
 
@@ -58,14 +57,6 @@ struct pendula {
     }
 };
 
-template <class V>
-V all(int d, double x) {
-    if constexpr (std::same_as<V, double>)
-        return x;
-    else
-        return V::Constant(d, x);
-}
-
 /// All of the walk, and that it solves its equation: what rounding a position does to a difference of momenta over h is
 /// epsilon |q| d2L/dv2 / h^2, `mass` the largest d2L/dv2 there is, what rounding a momentum does is epsilon |p| / h, and a position
 /// to a force epsilon |q| d2L/dq2, `bend` at most where it counts; and at a point two steps meet.
@@ -75,17 +66,8 @@ void goes_all_the_way(L const& l, E const& how, int d, double q0, double p0, dou
     CAPTURE(d);
     CAPTURE(h);
     auto const walk = embed(l, how).along(uniform(0.0, h, steps), all<V>(d, q0), all<V>(d, p0));
-    int points = 0;
-    double size = 0, momentum = 0;
-    CHECK_NOTHROW([&] {
-        for (auto const& x : walk) {
-            ++points;
-            size = std::max(size, magnitude(x.q));
-            momentum = std::max(momentum, magnitude(x.p));
-        }
-    }());
-    CHECK(points == steps + 1);
-    if (points == steps + 1) CHECK(largest_residual(walk) <= 16 * epsilon<double>() * (size * (mass / (h * h) + bend) + momentum / h));
+    if (auto const most = walked_whole(walk, steps))
+        CHECK(largest_residual(walk) <= 16 * epsilon<double>() * (most->q * (mass / (h * h) + bend) + most->p / h));
 }
 
 } // namespace
