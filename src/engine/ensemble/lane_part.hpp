@@ -14,7 +14,7 @@ constexpr int most_rounds_in_lanes = 4;
 
 class lane_part : hilger::detail::node_equation {
 public:
-    /// Of one member, who is in all lanes, or of several.
+    /// Of one member, whose masks are branches, or of several.
     lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name, bool one)
         : node_equation(what, b, symbol::variable("h")), name_(std::move(name)), one_(one) {
         w_ = constant("w", w_);
@@ -33,7 +33,7 @@ public:
         lane_statements constants("    ", "of");
         for (auto const& [name, value] : constants_) constants.add("const lanes " + name + " =", value);
         all += constants.text() + "    lanes y" + array + ", g" + array + " = {{0}}, d" + array +
-               ";\n    mask done = *lost, settled = {0}, late = {0};\n    (void)settled;\n    (void)late;\n";
+               ";\n    mask done = *lost, settled = {0}, late = {0};\n    (void)done;\n    (void)settled;\n    (void)late;\n";
         for (int k = 0; k < N; ++k) all += "    " + element("y", k) + " = " + (linear_ ? std::string("all(0.0)") : element("v", k)) + ";\n";
         all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
         all += iteration("        ") + "    }\n";
@@ -50,7 +50,7 @@ public:
             all += "    " + element("v", k) + " = " + element("y", k) + ";\n";
             sum += (k > 0 ? " + " : "") + element("q", k) + " * 0.0 + " + element("p", k) + " * 0.0";
         }
-        return all + "    *lost |= ~(" + sum + " == 0.0);\n}\n";
+        return all + "    *lost |= none(" + sum + " == 0.0);\n}\n";
     }
 
 private:
@@ -78,10 +78,13 @@ private:
         for (int j = 0; j < N; ++j)
             for (int k = 0; k < N; ++k)
                 if (is_there(at(j, k))) body.add("const lanes " + slope(j, k) + " =", D_[at(j, k)]);
+        std::vector<bool> K(static_cast<std::size_t>(N * N));
         for (int j = 0; j < N; ++j)
             for (int k = 0; k < N; ++k) {
                 symbol const D = is_there(at(j, k)) ? symbol::variable(slope(j, k)) : symbol(0);
-                body.add(element("K", j, k) + " =", node_.pv[at(j, k)] + c_ * node_.pq[at(j, k)] - f_ * D);
+                symbol const slope_of_row = node_.pv[at(j, k)] + c_ * node_.pq[at(j, k)] - f_ * D;
+                K[at(j, k)] = j == k or not slope_of_row.is(0);
+                if (K[at(j, k)]) body.add(element("K", j, k) + " =", slope_of_row);
             }
         std::string const formulas = body.text();
         std::string text = declared + position(in, body.read()) + formulas;
@@ -91,18 +94,19 @@ private:
             rest = "larger(" + rest + ", size_of(r" + std::to_string(k) + "))";
         }
         for (int k = 0; k < N; ++k) text += in + element("d", k) + " = r" + std::to_string(k) + ";\n";
-        text += elimination(N, in, one_);
-        text += in + "const lanes rest = " + sum + ";\n" + in + "*lost |= ~done & ~(regular & (rest - rest == 0.0));\n";
+        text += elimination(N, in, one_, K);
+        text += in + "const lanes rest = " + sum + ";\n" + in + "*lost |= none(done) & none(regular & (rest - rest == 0.0));\n";
         for (int k = 0; k < N; ++k) {
             std::string const dk = element("d", k), gk = element("g", k), yk = element("y", k);
             if (not f_.is(0)) {
                 std::string const change = "change" + std::to_string(k);
-                text += in + "const lanes " + change + " = all(0.0)";
+                std::string terms;
                 for (int m = 0; m < N; ++m)
-                    if (is_there(at(k, m))) text += " + " + slope(k, m) + " * " + element("d", m);
-                text += ";\n" + in + gk + " = " + kept(gk, "g" + std::to_string(k) + " + " + change) + ";\n";
+                    if (is_there(at(k, m))) terms += (terms.empty() ? "" : " + ") + slope(k, m) + " * " + element("d", m);
+                text += in + "const lanes " + change + " = " + (terms.empty() ? "all(0.0)" : terms) + ";\n";
+                text += in + gk + " = " + kept(gk, "g" + std::to_string(k) + (terms.empty() ? "" : " + " + change)) + ";\n";
             }
-            text += in + yk + " = " + kept(yk, yk + " + " + dk) + ";\n";
+            text += in + yk + " = " + (linear_ ? dk : kept(yk, yk + " + " + dk)) + ";\n";
         }
         return linear_ ? text : text + stop(in, rest, body.read());
     }
@@ -110,37 +114,41 @@ private:
     /// in each component, or two rounds after it is so in all of them together.
     [[nodiscard]] std::string stop(std::string const& in, std::string const& rest, std::set<std::string> const& used) const {
         using hilger::detail::filled;
-        std::string const f = f_.is(0) ? "" : " + size_of(" + f_.get().name + ") * ";
-        auto const both = [](std::string const& a, std::string const& b) { return a.empty() ? b : a + " & " + b; };
+        std::string const f = f_.is(0) ? "" : " + size_of(" + f_.get().name + ") * ", both = one_ ? " && " : " & ";
         std::string small, rounded;
         for (int k = 0; k < N; ++k) {
-            std::string const n = std::to_string(k), g = f_.is(0) ? "" : f + "size_of(" + element("g", k) + ")";
-            small = both(small, "(size_of(d[" + n + "]) <= $floor * size_of(y[" + n + "]))");
-            rounded = both(rounded, "(size_of(r" + n + ") <= $rounding * (size_of(p[" + n + "])" + g + "))");
+            std::string const n = std::to_string(k), g = f_.is(0) ? "" : f + "size_of(" + element("g", k) + ")", more = k > 0 ? both : "";
+            small += more + "(size_of(d[" + n + "]) <= $floor * size_of(y[" + n + "]))";
+            rounded += more + "(size_of(r" + n + ") <= $rounding * (size_of(p[" + n + "])" + g + "))";
         }
-        std::string text = R"($inmask each = $small;
-$inmask together = $d <= $floor * $y;
+        // Of one member most steps end with the first line.
+        std::string const first = one_ ? "$inif ($small$not_far) break;\n$inmask each = 0;\n" : "$inmask each = $small;\n";
+        std::string const others = R"($inmask together = $d <= $floor * $y;
 $plausible$negligible$inif (iteration > 0) {
 $in    each |= $rounded;
 $in    together |= $r <= $rounding * ($all);
 $in}
-$insettled -= together | each;
+$insettled $counts together | each;
 $indone |= each | (settled > 2) | *lost;
-$inif (iteration == 1) late = ~done;
-$inif (iteration == $most) *lost |= ~done, done |= *lost;
+$inif (iteration == 1) late = none(done);
+$inif (iteration == $most) *lost |= none(done), done |= *lost;
 )";
-        return filled(text, {{"$small", small},
-                             {"$rounded", rounded},
-                             {"$plausible", has_constant_mass() ? "" : in + "each &= $r <= $all;\n" + in + "together &= $r <= $all;\n"},
-                             {"$negligible", has_constant_mass() and not f_.is(0) ? negligible(in, used) : ""},
-                             {"$in", in},
-                             {"$d", largest_of("d", N)},
-                             {"$floor", hilger::detail::c_spelling::number(hilger::detail::square_root_of_epsilon<double>() / 2)},
-                             {"$y", largest_of("y", N)},
-                             {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
-                             {"$r", rest},
-                             {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
-                             {"$most", std::to_string(most_rounds_in_lanes)}});
+        return filled(
+            first + others,
+            {{"$small", small},
+             {"$rounded", rounded},
+             {"$not_far", has_constant_mass() ? "" : " && $r <= $all"},
+             {"$counts", one_ ? "+=" : "-="},
+             {"$plausible", has_constant_mass() ? "" : in + (one_ ? "" : "each &= $r <= $all;\n" + in) + "together &= $r <= $all;\n"},
+             {"$negligible", has_constant_mass() and not f_.is(0) ? negligible(in, used) : ""},
+             {"$in", in},
+             {"$d", largest_of("d", N)},
+             {"$floor", hilger::detail::c_spelling::number(hilger::detail::square_root_of_epsilon<double>() / 2)},
+             {"$y", largest_of("y", N)},
+             {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
+             {"$r", rest},
+             {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
+             {"$most", std::to_string(most_rounds_in_lanes)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/step/small/one_node.hpp).

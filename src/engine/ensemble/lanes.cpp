@@ -123,7 +123,7 @@ std::vector<double> times_of(points<double> const& T) {
 std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, bool one) {
     int const d = what.lagrangian.formula().words().dimension();
     if (what.has_memory() or not what.besides.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
-    auto const here = one ? registers{2, {"-O3", "-w"}} : registers_here();
+    auto const here = one ? registers{1, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
     std::optional<double> lambda;
@@ -138,7 +138,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         if (not parts) return {};
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
         try {
-            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width, one);
+            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width);
         } catch (hilger::error::no_formula const&) { // it compares
             return {};
         }

@@ -20,12 +20,13 @@ public:
     static constexpr std::size_t most_letters = 64'000, most_letters_for_one = 32'000;
     /// Compiles and waits for it. Nothing where the method has more than one node in a part of its step, the problem a memory, a formula
     /// branches, more than a few coordinates or thousands of operations, or where machine code is off or there is no compiler.
-    /// For `one` member it is in all lanes of a narrow register.
+    /// For `one` member there is one lane.
     static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T, bool one = false);
 
     [[nodiscard]] int width() const { return width_; }
     /// All of T.
-    [[nodiscard]] std::vector<double> const& times() const { return times_; }
+    [[nodiscard]] std::vector<double> const& times() const& { return times_; }
+    [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
 
     /// Where a member begins: without p, from p = dL/dv. Without that, v is what its velocity is guessed to be.
     struct start {

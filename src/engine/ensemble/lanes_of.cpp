@@ -40,27 +40,55 @@ bool is_everywhere_smooth(symbol_list const& formulas) {
     return std::all_of(formulas.begin(), formulas.end(), good);
 }
 
-constexpr char const* prelude = R"(#include <math.h>
+// What a step is written in: of several members one in each lane of a register, and of one member plain numbers.
+constexpr char const* several = R"(#include <math.h>
 #include <string.h>
 
 enum { width = $width };
 typedef double lanes __attribute__((vector_size(8 * width)));
 typedef long long mask __attribute__((vector_size(8 * width)));
 
+#define none(m) (~(m))
+#define lane_of(x, k) (x)[k]
 static inline lanes all(double x) { return x - (lanes){0}; }
 static inline lanes either(mask m, lanes a, lanes b) { return (lanes)((m & (mask)a) | (~m & (mask)b)); }
 static inline lanes size_of(lanes x) { return (lanes)((mask)x & 0x7fffffffffffffffLL); }
-static inline lanes larger(lanes a, lanes b) { return either(a > b, a, b); }
-static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
-static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0.0), a * b, a / b); }
-#define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
 static inline int are_all(mask m)
 {
     long long all_of_them = -1;
     for (int k = 0; k < width; ++k) all_of_them &= m[k];
     return all_of_them != 0;
 }
-$each
+)";
+constexpr char const* one_alone = R"(#include <math.h>
+#include <string.h>
+
+enum { width = 1 };
+typedef double lanes;
+typedef long long mask;
+
+#define none(m) (!(m))
+#define lane_of(x, k) (x)
+#define all(x) (x)
+#define either(m, a, b) ((m) ? (a) : (b))
+#define size_of(x) fabs(x)
+#define are_all(m) (m)
+)";
+constexpr char const* of_both = R"(static inline lanes larger(lanes a, lanes b) { return either(a > b, a, b); }
+static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
+static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0.0), a * b, a / b); }
+#define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
+)";
+// Functions of the lanes; those of one member are in the C library.
+constexpr char const* functions_of_lanes = R"(#define EACH(f)                                        \
+    static inline lanes lanes_##f(lanes x)             \
+    {                                                  \
+        double in[width], out[width];                  \
+        memcpy(in, &x, sizeof x);                      \
+        for (int k = 0; k < width; ++k) out[k] = f(in[k]); \
+        memcpy(&x, out, sizeof x);                     \
+        return x;                                      \
+    }
 EACH(sqrt)
 EACH(tan)
 EACH(sinh)
@@ -71,34 +99,7 @@ EACH(asinh)
 EACH(cbrt)
 EACH(expm1)
 EACH(erf)
-$others
-#define sqrt lanes_sqrt
-#define tan lanes_tan
-#define sinh lanes_sinh
-#define cosh lanes_cosh
-#define tanh lanes_tanh
-#define atan lanes_atan
-#define asinh lanes_asinh
-#define cbrt lanes_cbrt
-#define expm1 lanes_expm1
-#define erf lanes_erf
-#define sin lanes_sin
-#define cos lanes_cos
-#define exp lanes_exp
-#define pow lanes_pow
-)";
-
-// Functions of the lanes: of several members, and of one that is in all of them.
-constexpr char const* each_of_several = R"(#define EACH(f)                                        \
-    static inline lanes lanes_##f(lanes x)             \
-    {                                                  \
-        double in[width], out[width];                  \
-        memcpy(in, &x, sizeof x);                      \
-        for (int k = 0; k < width; ++k) out[k] = f(in[k]); \
-        memcpy(&x, out, sizeof x);                     \
-        return x;                                      \
-    })";
-constexpr char const* others_of_several = R"(#if defined(__x86_64__) && defined(__GLIBC__)
+#if defined(__x86_64__) && defined(__GLIBC__)
 extern lanes _ZGV$isa_sin(lanes), _ZGV$isa_cos(lanes), _ZGV$isa_exp(lanes);
 static inline lanes lanes_sin(lanes x) { return _ZGV$isa_sin(x); }
 static inline lanes lanes_cos(lanes x) { return _ZGV$isa_cos(x); }
@@ -115,12 +116,22 @@ static inline lanes lanes_pow(lanes x, double n)
     for (int k = 0; k < width; ++k) out[k] = pow(in[k], n);
     memcpy(&x, out, sizeof x);
     return x;
-})";
-constexpr char const* each_of_one = "#define EACH(f) static inline lanes lanes_##f(lanes x) { return all(f(x[0])); }";
-constexpr char const* others_of_one = R"(EACH(sin)
-EACH(cos)
-EACH(exp)
-static inline lanes lanes_pow(lanes x, double n) { return all(pow(x[0], n)); })";
+}
+#define sqrt lanes_sqrt
+#define tan lanes_tan
+#define sinh lanes_sinh
+#define cosh lanes_cosh
+#define tanh lanes_tanh
+#define atan lanes_atan
+#define asinh lanes_asinh
+#define cbrt lanes_cbrt
+#define expm1 lanes_expm1
+#define erf lanes_erf
+#define sin lanes_sin
+#define cos lanes_cos
+#define exp lanes_exp
+#define pow lanes_pow
+)";
 
 // The numbers of a state in their order; m is behind all else. Velocities are there twice, so that the last ones are always in a row.
 constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][2][guesses][$n], m[brought + 1];
@@ -142,7 +153,7 @@ $momenta    memcpy(x + width * $n, p, sizeof p);
 $masses    for (int lane = 0; lane < width; ++lane) {
         double mass[$n][$n], nothing[$n] = {0.0};
         for (int j = 0; j < $n; ++j)
-            for (int k = 0; k < $n; ++k) mass[j][k] = K[j][k][lane];
+            for (int k = 0; k < $n; ++k) mass[j][k] = lane_of(K[j][k], lane);
         lost_lanes[lane] = mass_solve(mass, nothing) ? 0 : -1;
     }
 }
@@ -178,7 +189,7 @@ $remember            t += share;
         }
 )";
 constexpr char const* keeping = R"(        if (kept_q) {
-            for (int k = 0; k < $n; ++k) kept_q[k] = q[k][0], kept_p[k] = p[k][0];
+            for (int k = 0; k < $n; ++k) kept_q[k] = q[k], kept_p[k] = p[k];
             kept_q += $n;
             kept_p += $n;
         }
@@ -214,19 +225,16 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of) {
     return static_cast<std::size_t>(dimension) * (2 + guesses * of.parts.size());
 }
 
-std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width, bool one) {
+std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width) {
+    bool const one = width == 1;
     using hilger::detail::filled;
     int const N = what.dimension;
     auto const here = what.at(symbol::variable("t"), hilger::detail::c_array("q", N), hilger::detail::c_array("y", N));
     for (auto const& formulas : {symbol_list{here.L}, here.g, here.p, here.gq, here.gv, here.pq, here.pv})
         if (not is_everywhere_smooth(formulas)) return {};
     std::string const n = std::to_string(N);
-    std::string text = filled(prelude, {{"$each", one ? each_of_one : each_of_several},
-                                        {"$others", one ? others_of_one : others_of_several},
-                                        {"$width", std::to_string(width)},
-                                        {"$isa", width == 8   ? "eN8v"
-                                                 : width == 4 ? "dN4v"
-                                                              : "bN2v"}});
+    std::string text = (one ? std::string(one_alone) : filled(several, {{"$width", std::to_string(width)}})) + of_both;
+    if (not one) text += filled(functions_of_lanes, {{"$isa", width == 8 ? "eN8v" : width == 4 ? "dN4v" : "bN2v"}});
     struct solved {
         bool is_linear, is_inside;
     };

@@ -16,27 +16,22 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
     auto const begin = start_of(alone, {from, {}});
     if (not begin) return {};
     states_in_whole_steps made;
-    made.t = code->times();
-    auto const steps = static_cast<hilger::index_type>(made.t.size()) - 1;
-    made.q.resize(d * made.t.size());
-    made.p = made.q;
+    auto const steps = static_cast<hilger::index_type>(code->times().size()) - 1;
+    for (auto* x : {&made.q, &made.p}) x->reserve(d * code->times().size()), x->resize(d);
     lanes::group member(*code, {static_cast<std::size_t>(code->width()), *begin});
     for (std::size_t k = 0; k < d; ++k) made.q[k] = member.q(0, static_cast<int>(k)), made.p[k] = member.p(0, static_cast<int>(k));
-    for (hilger::index_type done = 0; done < steps;) {
+    hilger::index_type done = 0;
+    while (done < steps and not made.interrupted) {
         hilger::index_type const more = std::min(steps - done, at_once);
-        std::size_t const to = d * static_cast<std::size_t>(done + 1);
+        std::size_t const to = made.q.size(); // which grows as it is written to, while it is near
+        for (auto* x : {&made.q, &made.p}) x->resize(to + d * static_cast<std::size_t>(more));
         member.walk(more, made.q.data() + to, made.p.data() + to);
         if (not member.is_well(0)) return {};
         done += more;
-        if (done < steps and not goes_on(done)) {
-            made.interrupted = true;
-            auto const points = static_cast<std::size_t>(done + 1);
-            made.t.resize(points);
-            made.q.resize(d * points);
-            made.p.resize(d * points);
-            break;
-        }
+        made.interrupted = done < steps and not goes_on(done);
     }
+    made.t = std::move(*code).times();
+    made.t.resize(static_cast<std::size_t>(done + 1));
     return made;
 }
 
