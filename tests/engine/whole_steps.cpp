@@ -107,8 +107,8 @@ TEST_CASE("masses of q, with zeros on the diagonal, forces that couple some coor
     };
     auto const bead = stated("(1 + q[0]^2/4)*v[0]^2/2 - q[0]^2/2", 1);
     auto const indefinite = stated("v[0]*v[1] + v[2]*v[1]/2 + v[2]^2/8 - q[0]*q[1] - q[2]^2/8 - q[1]*q[2]/2", 3);
-    // rows 0 and 1 of the slopes have columns 0 and 1, row 2 has 0 and 2: an exchange of 0 and 2 gives row 0 what row 1 has not
-    auto const coupled = stated("dot(v, v)/2 - dot(q, q)/2", 3, {"-v[0]/64 - v[1]/32", "-v[0]/32 - v[1]/16", "4*q[0] - v[2]/64"});
+    // rows 0 and 1 of the slopes have columns 0 and 1, row 2 has 0 and 2 and the largest pivot: row 1 gets what it has not
+    auto const coupled = stated("dot(v, v)/2 - dot(q, q)/2", 3, {"-v[0]/2 - 8*v[1]", "8*v[0] - v[1]/2", "64*v[0] - v[2]"});
     auto const functions = stated("v[0]^2/2 - q[0]^2 - sqrt(1 + q[0]^2) - tanh(q[0])/8 - cosh(q[0])/16 + sinh(q[0])/32 - atan(q[0])/8 - "
                                   "tan(q[0]/4) - (2 + q[0])^2.5/64 - expm1(q[0]/8) - cbrt(2 + q[0])/16 - erf(q[0])/64 - asinh(q[0])/64 - "
                                   "norm(q)^3 - exp(-q[0])",
