@@ -8,7 +8,7 @@
 
 #include "hilger/adjoint/normal_form.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/text/operator.hpp"
+#include "hilger/text/operator_in_numbers.hpp"
 
 namespace hilger::text {
 
@@ -24,21 +24,16 @@ struct endless_scale {
         return S(static_cast<long long>(hilger::detail::random_element(uniform ? 7 : static_cast<std::uint64_t>(i) + 100).value()));
     }
 };
+/// The numbers c_k, from -reach.front to reach.back. `sizes` as in operator_in_numbers::row.
 template <class S>
-struct unit_on_endless {
-    endless_scale<S> T;
-    index_type at;
-    [[nodiscard]] endless_scale<S> const& root() const { return T; }
-    [[nodiscard]] S get(index_type i) const { return S(i == at ? 1 : 0); }
-};
-
-/// The numbers c_k, from -reach.front to reach.back.
-template <class S>
-std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach) {
-    operator_in_numbers<S> const op(a);
+std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach, bool sizes = false) {
     constexpr index_type here = 1000;
+    auto const numbers = operator_in_numbers<S>(a).row(endless_scale<S>{uniform}, here, sizes);
     std::vector<S> row;
-    for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(op.value(unit_on_endless<S>{{uniform}, here + k}, here));
+    for (index_type k = -reach.front; k <= reach.back; ++k) {
+        auto const c = numbers.find(here + k);
+        row.push_back(c == numbers.end() ? S(0) : c->second);
+    }
     return row;
 }
 /// The same in rationals; nothing where a factor is none. Here and below templates for one type each: who compiles many files instantiates
@@ -54,8 +49,9 @@ std::optional<std::vector<Exact>> exact_row_of(operator_formula const& a, bool u
 template <std::same_as<float50> Long>
 bool equal_rows(operator_formula const& a, operator_formula const& b, bool uniform, lost_points reach) {
     auto const x = row_of<Long>(a, uniform, reach), y = row_of<Long>(b, uniform, reach);
+    auto const of_x = row_of<Long>(a, uniform, reach, true), of_y = row_of<Long>(b, uniform, reach, true);
     for (std::size_t k = 0; k < x.size(); ++k)
-        if (Long const size = abs(x[k]) + abs(y[k]); abs(Long(x[k] - y[k])) > size * Long("1e-40")) return false;
+        if (abs(Long(x[k] - y[k])) > (of_x[k] + of_y[k]) * Long("1e-40")) return false;
     return true;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hilger/embedding/embedding.hpp"
+#include "hilger/text/operator_in_numbers.hpp"
 #include "hilger/text/operator_reading.hpp"
 #include "hilger/text/operator_writing.hpp"
 

@@ -173,6 +173,38 @@ TEST_CASE("how composed operators are written") {
     CHECK(operator_in("sigma[(1/2)[q]]") == operator_in("sigma[q]/2"));
     CHECK(text_of(operator_in("2/3*Delta_minus[(1 + sigma)*q]"), "") == "2/3*Delta_minus[1*identity + sigma]");
 }
+TEST_CASE("rows are what values are made of, on every scale") {
+    auto const T = uneven();
+    for (char const* words : {"Delta_plus[(sigma + 2*rho)[Delta_minus[q]]]", "(1 - 3*Delta_plus)[(rho - sigma/2)[q]]",
+                              "Delta_minus[Delta_plus[q]] - sigma[(q + Delta_minus[q])/3]"}) {
+        CAPTURE(words);
+        for (auto const& a :
+             {operator_in(words), operator_in(words).adjoint(), operator_in(words).adjoint(sum_weight::delta, sum_weight::delta)}) {
+            text::operator_in_numbers<Q> const op(a);
+            auto const f = function_on(T, some_values(8, 11));
+            for (index_type i = a.lost().front; i < 8 - a.lost().back; ++i) {
+                Q sum = 0;
+                for (auto const& [j, c] : op.row(T, i)) sum += c * f.get(j);
+                CHECK(sum == op.value(f, i));
+            }
+        }
+    }
+}
+TEST_CASE("high powers are compared at once, and roots that cancel are rounding") {
+    auto const power = [](operator_formula const& a, int n) {
+        auto made = a;
+        for (int k = 1; k < n; ++k) made = made * a;
+        return made;
+    };
+    operator_formula const one, mean = operator_in("(q + sigma[q])/2");
+    CHECK(power(mean, 60) == power(power(mean, 10), 6));
+    CHECK_FALSE(power(mean, 60) == power(mean, 59) * operator_in("(q + rho[q])/2"));
+    CHECK_FALSE(power(mean, 60) == power(mean, 59) * operator_in("(q + 2*sigma[q])/3"));
+    CHECK(operator_in("sqrt(2)*sqrt(2)*sigma[q] - 2*sigma[q] + q") == operator_in("0*sigma[q] + q"));
+    CHECK(operator_in("(sqrt(2) + sigma)[sqrt(2)*q - sigma[q]]") == operator_in("2*q - sigma[sigma[q]]"));
+    CHECK_FALSE(operator_in("sqrt(2)*sigma[q]") == operator_in("1.41421356237309504880168872420969807857*sigma[q]"));
+    CHECK_FALSE(operator_in("1e-30*sqrt(2)*sigma[q] + q") == operator_in("0*sigma[q] + q"));
+}
 TEST_CASE("what is no operator is refused where it stands") {
     auto const says = [](char const* words, char const* what) { CHECK_THROWS_WITH_AS((void)operator_in(words), what, error::unreadable); };
     says("q*q", "the operator, line 1, column 1: an operator is linear in q, and this product is not");

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSL-1.0
+// What a step is written in: of several members one in each lane of a register, and of one member plain numbers.
+#pragma once
+
+#include "hilger/formula/c_step.hpp"
+
+namespace engine {
+
+namespace lane_language {
+
+inline constexpr char const* several = R"(#include <math.h>
+#include <string.h>
+
+enum { width = $width };
+typedef double lanes __attribute__((vector_size(8 * width)));
+typedef long long mask __attribute__((vector_size(8 * width)));
+
+#define none(m) (~(m))
+#define lane_of(x, k) (x)[k]
+static inline lanes all(double x) { return x - (lanes){0}; }
+static inline lanes either(mask m, lanes a, lanes b) { return (lanes)((m & (mask)a) | (~m & (mask)b)); }
+static inline lanes size_of(lanes x) { return (lanes)((mask)x & 0x7fffffffffffffffLL); }
+static inline int are_all(mask m)
+{
+    long long all_of_them = -1;
+    for (int k = 0; k < width; ++k) all_of_them &= m[k];
+    return all_of_them != 0;
+}
+)";
+inline constexpr char const* one_alone = R"(#include <math.h>
+#include <string.h>
+
+enum { width = 1 };
+typedef double lanes;
+typedef long long mask;
+
+#define none(m) (!(m))
+#define lane_of(x, k) (x)
+#define all(x) (x)
+#define either(m, a, b) ((m) ? (a) : (b))
+#define size_of(x) fabs(x)
+#define are_all(m) (m)
+)";
+inline constexpr char const* of_both = R"(static inline lanes larger(lanes a, lanes b) { return either(a > b, a, b); }
+static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
+static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0.0), a * b, a / b); }
+#define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
+)";
+// Functions of the lanes; those of one member are in the C library.
+inline constexpr char const* functions = R"(#define EACH(f)                                        \
+    static inline lanes lanes_##f(lanes x)             \
+    {                                                  \
+        double in[width], out[width];                  \
+        memcpy(in, &x, sizeof x);                      \
+        for (int k = 0; k < width; ++k) out[k] = f(in[k]); \
+        memcpy(&x, out, sizeof x);                     \
+        return x;                                      \
+    }
+EACH(sqrt)
+EACH(tan)
+EACH(sinh)
+EACH(cosh)
+EACH(tanh)
+EACH(atan)
+EACH(asinh)
+EACH(cbrt)
+EACH(expm1)
+EACH(erf)
+#if defined(__x86_64__) && defined(__GLIBC__)
+extern lanes _ZGV$isa_sin(lanes), _ZGV$isa_cos(lanes), _ZGV$isa_exp(lanes);
+static inline lanes lanes_sin(lanes x) { return _ZGV$isa_sin(x); }
+static inline lanes lanes_cos(lanes x) { return _ZGV$isa_cos(x); }
+static inline lanes lanes_exp(lanes x) { return _ZGV$isa_exp(x); }
+#else
+EACH(sin)
+EACH(cos)
+EACH(exp)
+#endif
+static inline lanes lanes_pow(lanes x, double n)
+{
+    double in[width], out[width];
+    memcpy(in, &x, sizeof x);
+    for (int k = 0; k < width; ++k) out[k] = pow(in[k], n);
+    memcpy(&x, out, sizeof x);
+    return x;
+}
+#define sqrt lanes_sqrt
+#define tan lanes_tan
+#define sinh lanes_sinh
+#define cosh lanes_cosh
+#define tanh lanes_tanh
+#define atan lanes_atan
+#define asinh lanes_asinh
+#define cbrt lanes_cbrt
+#define expm1 lanes_expm1
+#define erf lanes_erf
+#define sin lanes_sin
+#define cos lanes_cos
+#define exp lanes_exp
+#define pow lanes_pow
+)";
+
+} // namespace lane_language
+
+inline std::string language_of(int width) {
+    using namespace lane_language;
+    using hilger::detail::filled;
+    if (width == 1) return std::string(one_alone) + of_both;
+    return filled(several, {{"$width", std::to_string(width)}}) + of_both +
+           filled(functions, {{"$isa", width == 8   ? "eN8v"
+                                       : width == 4 ? "dN4v"
+                                                    : "bN2v"}});
+}
+
+} // namespace engine
