@@ -12,27 +12,31 @@
 
 namespace hilger::detail {
 
-/// search_near, and where that ends without a root of an equation of one branch, x by growth from `last`: `set_share` makes `evaluate` and
-/// `correct` those of a step of that share of the length, from nearly 0 on, and is 1 before, and after where a root is found. x is of the
-/// size of a velocity at all of them. Where both end without a root, x, the residual and what is returned are of the search near.
+/// search_near, and where that ends without a root, x by growth from `last`: `set_share` makes `evaluate` and `correct` those of a step of
+/// that share of the length, from nearly 0 on, and is 1 before, and after where a root is found. x is of the size of a velocity at all of
+/// them. Where both end without a root, x, the residual and what is returned are of the search near.
 template <class X>
 branch_search search_or_grow(bool has_branches, X& x, X const& last, X& residual, equation_on_branches<X> const& evaluate,
                              correction_on_branches<X> const& correct, scalar_of<X> const& small,
                              function_view<void(scalar_of<X> const&)> const& set_share) {
     using S = scalar_of<X>;
     branch_search const how = search_near(has_branches, x, last, residual, evaluate, correct, small);
-    if (how == branch_search::found or has_branches or std::numeric_limits<S>::is_exact) return how;
+    if (how == branch_search::found or std::numeric_limits<S>::is_exact) return how;
     // By an eighth at once steps came to other roots; from an extrapolated x few are needed, however the velocity changes.
     S const most = S(1) / S(16), least = S(1) / S(1 << 24);
     S share = least, growth = most;
     X y = last, grown = last, slope = last - last, rest = residual;
+    auto const leads_to_root = [&](X& from) {
+        return (has_branches ? search_branches(from, rest, evaluate, correct, small)
+                             : follow_newton(from, rest, evaluate, correct, small)) == branch_search::found;
+    };
     set_share(share);
-    if (follow_newton(y, rest, evaluate, correct, small) != branch_search::found) growth = S(0);
+    if (not leads_to_root(y)) growth = S(0);
     for (int rounds = 0; share < S(1) and least < growth and rounds < 1024; ++rounds) {
         S const next = std::min(S(1), S(share + growth));
         grown = y + slope * S(next - share);
         set_share(next);
-        if (follow_newton(grown, rest, evaluate, correct, small) == branch_search::found) {
+        if (leads_to_root(grown)) {
             slope = (grown - y) * S(S(1) / (next - share));
             y = grown;
             share = next;

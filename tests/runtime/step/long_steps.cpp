@@ -26,6 +26,28 @@ struct quartic {
 };
 auto const beads = mechanical(1.0, chain{[](index_type k, auto const& r) { return k == 0 ? r * r * r * r / 4 : 0 * r; }});
 
+/// A stiff wall at 1, behind which the force begins with a kink, beside waves: V = 50 max(q - 1, 0)^2 - 3 cos(2 q).
+struct wall {
+    template <class X, class Y>
+    auto operator()(X const& q, Y const& v) const {
+        if constexpr (requires { q.size(); }) {
+            auto sum = v.squaredNorm() / 2 + 0 * q(0);
+            for (int k = 0; k < q.size(); ++k) {
+                auto const behind = max(q(k) - 1, 0.0);
+                sum += 3 * cos(2 * q(k)) - 50 * behind * behind;
+            }
+            return sum;
+        } else {
+            auto const behind = max(q - 1, 0.0);
+            return v * v / 2 + 3 * cos(2 * q) - 50 * behind * behind;
+        }
+    }
+};
+auto const walled = mechanical(1.0, chain{[](index_type k, auto const& r) {
+                                   auto const behind = max(r - 1, 0.0);
+                                   return k == 0 ? 50 * behind * behind - 3 * cos(2 * r) : 0 * behind;
+                               }});
+
 template <class V>
 double first(V x) {
     return detail::shape<V>::component(x, 0);
@@ -60,6 +82,30 @@ void solves_long_steps(L const& l, int d) {
             }
 }
 
+/// Steps into the wall, and out of it, that have one solution each: what it leaves of p - v + h/2 F(q + h v/2) is rounding.
+template <class V, class L>
+void goes_through_the_wall(L const& l, int d) {
+    CAPTURE(d);
+    for (auto const& given : {std::array{1.75, 1.3125, 1.3125},
+                              {1.1875, 1.3125, -0.4375},
+                              {1.4375, 1.5, 0.0},
+                              {1.125, 2.375, -0.875},
+                              {1.6875, 0.3125, 2.0625},
+                              {1.625, 1.125, 1.0},
+                              {0.875, -0.9375, 0.0},
+                              {1.1875, 0.125, 2.9375}}) {
+        double const h = given[0], q = given[1], p = given[2];
+        CAPTURE(h);
+        CAPTURE(q);
+        auto const walk = embed(l, mid_point).along(uniform(0.0, h, 1), all<V>(d, q), all<V>(d, p));
+        if (walked_whole(walk, 1)) {
+            double const v = (first(record(walk).states.back().q) - q) / h, at = q + h / 2 * v;
+            double const rounding = std::abs(p) + std::abs(v) + h / 2 * 100 * (1 + std::abs(q) + h * std::abs(v));
+            CHECK(std::abs(p - v - h / 2 * (100 * std::max(at - 1, 0.0) + 6 * std::sin(2 * at))) <= 16 * epsilon<double>() * rounding);
+        }
+    }
+}
+
 /// Lengths between 0.05 and 5, one unlike the next.
 std::vector<double> uneven(int steps) {
     std::vector<double> t{0};
@@ -92,6 +138,12 @@ double grown(double q, double p, double h) {
 
 } // namespace
 
+TEST_CASE("steps grow through kinks, too") {
+    goes_through_the_wall<double>(wall{}, 1);
+    goes_through_the_wall<Eigen::Vector2d>(wall{}, 2);
+    goes_through_the_wall<Eigen::VectorXd>(wall{}, 5);
+    goes_through_the_wall<Eigen::VectorXd>(walled, 1);
+}
 TEST_CASE("long steps have the solution that bisection finds") {
     solves_long_steps<double>(quartic{}, 1);
     solves_long_steps<Eigen::Vector2d>(quartic{}, 2);

@@ -50,7 +50,7 @@ struct small_table {
 };
 
 /// The step by a search: with branches from the iterate v on, or else from the last velocity, until the equation holds at what is returned;
-/// without them where Newton's path leads from the last velocity, or where growing steps lead.
+/// without them where Newton's path leads from the last velocity. Of both, where that fails, where growing steps lead.
 template <bool Compensated, class S, class V, class Components>
 class small_search;
 template <bool Compensated, class S, class V, int... K>
