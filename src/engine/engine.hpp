@@ -47,6 +47,8 @@ struct points {
     hilger::index_type steps = 0;
     std::vector<S> given;
     [[nodiscard]] bool is_uniform() const { return given.empty(); }
+    /// That of a uniform scale.
+    [[nodiscard]] std::optional<S> equal_step() const { return is_uniform() ? std::optional(step) : std::nullopt; }
 };
 
 template <class S>

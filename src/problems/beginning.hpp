@@ -2,6 +2,8 @@
 // What all walks of one problem begin with, whatever the method and the kind of its states, in each kind of numbers compiled once.
 #pragma once
 
+#include <optional>
+
 #include "compiled_once.hpp"
 #include "from_file.hpp"
 
@@ -54,6 +56,7 @@ struct beginning {
         return {V(q), V(v)};
     }
     [[nodiscard]] auto scale(hilger::index_type steps) const { return hilger::uniform(hilger::interval<S>{start, end}, steps); }
+    [[nodiscard]] std::optional<S> step(hilger::index_type steps) const { return scale(steps).h(); }
 };
 /// From q and v, compiled once for each S (in_numbers.hpp).
 template <class S>

@@ -55,7 +55,7 @@ std::vector<vector> embedded_between(engine::problem const& what, std::string co
         };
         if (method == "order-one") by(hilger::order_one);
         if (method == "mid-point") by(hilger::mid_point);
-        if (auto const lambda = engine::lambda_of<double>(what, method)) by(hilger::text::embedding_at(*lambda));
+        if (auto const lambda = engine::lambda_of<double>(what, method, T.h())) by(hilger::text::embedding_at(*lambda));
     });
     return q;
 }

@@ -55,7 +55,7 @@ std::unique_ptr<walk> begin_in_any_size(stated_problem const& what, configuratio
 template <class S>
 std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c) {
     return begin_in_any_size<S>(what, c, [&](auto const& use) {
-        with_number<S>(what.of, c, what.of.lagrangian, use);
+        with_number<S>(what.of, beginning_of<S>(what), c, what.of.lagrangian, use);
         with_method<S>(c.embedding, what.of.lagrangian, use);
     });
 }
@@ -63,7 +63,7 @@ template <class S>
 std::unique_ptr<walk> begin_with_force(stated_problem const& what, configuration const& c) {
     return begin_in_any_size<S>(what, c, [&](auto const& use) {
         engine::forced_problem const mechanics{what.of.lagrangian, *what.of.force};
-        with_number<S>(what.of, c, mechanics, use);
+        with_number<S>(what.of, beginning_of<S>(what), c, mechanics, use);
         if (c.embedding == "mid-point") use(hilger::embed(mechanics, hilger::mid_point));
         if constexpr (std::same_as<S, double>) {
             if (c.embedding == "order-one") use(hilger::embed(mechanics, hilger::order_one));

@@ -48,7 +48,7 @@ bool has_embedding(stated_problem const& what, std::string const& method) {
             hilger::error::raise<hilger::error::invalid_parameter>("between two ends all parts of a Lagrangian are read by one embedding");
         return true;
     }
-    return not what.of.has_memory() and engine::lambda_of<double>(what.of, method).has_value();
+    return not what.of.has_memory() and engine::lambda_of<double>(what.of, method, 1.0).has_value();
 }
 
 engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {

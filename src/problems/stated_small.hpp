@@ -13,7 +13,7 @@ std::unique_ptr<walk> begin_small(stated_problem const& what, configuration cons
     auto const& L = known_to<engine::small_lagrangian<S, D>>(what, [&] { return engine::small_lagrangian<S, D>(what.of.lagrangian); });
     std::unique_ptr<walk> made;
     auto const use = [&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.template from<V>()), begin.seen); };
-    if constexpr (Kind == method_kind::without_inner_points) with_number<S>(what.of, c, L, use);
+    if constexpr (Kind == method_kind::without_inner_points) with_number<S>(what.of, begin, c, L, use);
     with_method<Kind, S>(c.embedding, L, use);
     return made;
 }

@@ -59,8 +59,9 @@ void with_method(std::string const& name, L const& l, Use const& use) {
 /// Calls use(flow) with the method that is chosen on what moves, L or with a force, where it has a number in it, as theta:0.3 and
 /// embeddings in text have.
 template <class S, class Mechanics, class Use>
-void with_number(engine::problem const& of, configuration const& c, Mechanics const& mechanics, Use const& use) {
-    if (auto const lambda = engine::lambda_of<S>(of, c.embedding)) use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
+void with_number(engine::problem const& of, beginning<S> const& begin, configuration const& c, Mechanics const& mechanics, Use const& use) {
+    if (auto const lambda = engine::lambda_of<S>(of, c.embedding, begin.step(c.steps)))
+        use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
 }
 /// The walk of a free problem of D coordinates, with states of that size, in double or, without inner points, float, by a method of that
 /// kind.

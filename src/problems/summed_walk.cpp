@@ -45,7 +45,7 @@ bool names_parts(stated_problem const& what, std::string const& method) {
 bool is_for_parts(stated_problem const& what, std::string const& method) {
     if (not names_parts(what, method)) return false;
     std::vector<std::string> const methods = summands(method);
-    (void)engine::embeddings_of_sum<double>(read_by(what, methods), methods[0]);
+    (void)engine::embeddings_of_sum<double>(read_by(what, methods), methods[0], 1.0);
     return true;
 }
 
@@ -53,8 +53,8 @@ std::unique_ptr<walk> begin_summed(stated_problem const& what, configuration con
     if (c.scalar != "double") return nullptr;
     std::vector<std::string> const methods = summands(c.embedding);
     engine::problem const sum = read_by(what, methods);
-    auto const how = engine::embeddings_of_sum<double>(sum, methods[0]);
     auto const& begin = beginning_of<double>(what);
+    auto const how = engine::embeddings_of_sum<double>(sum, methods[0], begin.step(c.steps));
     auto const along = [&](auto const& force) {
         engine::summed_flow<double, std::remove_cvref_t<decltype(force)>> const flow(engine::summed_lagrangian(sum), force, how);
         return walk_along(flow.along(begin.scale(c.steps), begin.from()), begin.seen);

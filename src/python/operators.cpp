@@ -19,6 +19,7 @@ std::optional<text::stated> number_from(py::handle x, bool one_over = false) {
     try {
         return text::stated(one_over ? text::expression::number("1") / *e : *e, text::no_words(), "the factor of an operator");
     } catch (hilger::error::unreadable const&) {
+        if (not py::isinstance<text::expression>(x)) throw;
         throw py::type_error("the factor of an operator is a number, and here is the formula " + std::string(py::str(x)) + "; " +
                              how_to_say);
     }
@@ -41,6 +42,14 @@ py::object multiplied(operator_formula const& a, py::handle x, bool over) {
     return py::cast(a * x.cast<operator_formula>());
 }
 
+/// What nobody reads is not printed: a power of a sum grows by its terms each time.
+std::string printed(operator_formula const& a, hilger::print_style style) {
+    if (text::written(text::detail::formula_of(a, text::expression::variable("q")), 10'000)) return text::written(a, style);
+    auto const lost = a.lost();
+    std::string const words = "an operator of more than 10 000 characters, which loses " + std::to_string(lost.front) +
+                              " points at the beginning and " + std::to_string(lost.back) + " at the end";
+    return style == hilger::print_style::latex ? "\\text{" + words + "}" : words;
+}
 /// The number of the first point of T at which A[f] lives, and its values from there on.
 template <class S>
 py::tuple applied(operator_formula const& a, typename crossing<S>::given const& points, typename crossing<S>::given const& values) {
@@ -99,7 +108,12 @@ void add_operators(py::module_& m) {
                  return py::object(py::bool_(a == x.cast<operator_formula>()));
              })
         .def(
-            "equals", [](operator_formula const& a, operator_formula const& b, bool uniform) { return text::equal(a, b, uniform); },
+            "equals",
+            [](operator_formula const& a, py::handle x, bool uniform) {
+                auto const b = operator_from(x);
+                if (not b) throw py::type_error("an operator, as h.sigma, was expected, and here is " + std::string(py::repr(x)));
+                return text::equal(a, *b, uniform);
+            },
             py::arg("other"), py::arg("uniform") = false, "What == asks; with uniform=True on scales of equal steps alone.")
         .def(
             "adjoint", [](operator_formula const& a) { return a.adjoint(); },
@@ -107,8 +121,8 @@ void add_operators(py::module_& m) {
             "the Delta sum, adjoint(Delta_plus) = -Delta_minus. Of a sum it is taken between the sums of its first term.")
         .def_property_readonly(
             "text", [](operator_formula const& a) { return text::text_of(a); }, "As it is written in files, of q.")
-        .def("__repr__", [](operator_formula const& a) { return text::written(a, hilger::print_style::terminal); })
-        .def("_repr_latex_", [](operator_formula const& a) { return "$" + text::written(a, hilger::print_style::latex) + "$"; })
+        .def("__repr__", [](operator_formula const& a) { return printed(a, hilger::print_style::terminal); })
+        .def("_repr_latex_", [](operator_formula const& a) { return "$" + printed(a, hilger::print_style::latex) + "$"; })
         .def("_on_points", &applied<double>)
         .def("_on_points_exactly", &applied<hilger::Q>)
         .def("_on_points_in_50_digits", &applied<hilger::float50>)
@@ -118,9 +132,9 @@ void add_operators(py::module_& m) {
     m.def("require_method", [](engine::problem const& what, std::string const& method, bool in_double) {
         if (not engine::is_embedding_in_text(method)) return;
         if (in_double) // where factors may be rounded
-            (void)engine::lambda_of<double>(what, method);
+            (void)engine::lambda_of<double>(what, method, 1.0);
         else
-            (void)engine::lambda_of<hilger::float50>(what, method);
+            (void)engine::lambda_of<hilger::float50>(what, method, hilger::float50(1));
     });
 }
 

@@ -121,6 +121,22 @@ TEST_CASE("masses of q, with zeros on the diagonal, forces that couple some coor
     }
 }
 
+TEST_CASE("an embedding of which each length of step has its own lambda is that of this length, and none of several") {
+    kept_here const cache;
+    auto const pendulum = stated("v[0]^2/2 - (1 - cos(q[0]))", 1);
+    std::string const mid_point_of_equal = "integral(L(q + Delta_plus[q]/32, Delta_plus[q]))"; // h = 1/16
+    engine::initial<double> const from{vector::Constant(1, 0.5), second_datum::velocity, vector::Constant(1, 0.25)};
+    auto const own = walked(pendulum, mid_point_of_equal, equal, from), expected = walked(pendulum, "mid-point", equal, from);
+    REQUIRE(own.has_value());
+    REQUIRE(expected.has_value());
+    double worst = 0;
+    for (std::size_t k = 0; k < own->q.size(); ++k) worst = std::max(worst, std::abs(own->q[k] - expected->q[k]));
+    CHECK(worst <= 16 * static_cast<double>(steps) * epsilon<double>());
+    CHECK_FALSE(walked(pendulum, mid_point_of_equal, uneven(), from).has_value());
+    CHECK(bool(engine::lanes::of(pendulum, mid_point_of_equal, equal) != nullptr));
+    CHECK(bool(engine::lanes::of(pendulum, mid_point_of_equal, uneven()) == nullptr));
+}
+
 TEST_CASE("who stops it gets the points before, and is told how many there are") {
     kept_here const cache;
     auto const oscillator = stated("v[0]^2/2 - q[0]^2/2", 1);

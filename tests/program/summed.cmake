@@ -36,6 +36,14 @@ run(rubbed "[\"mid-point\", \"mid-point\"]" "force = \"-v/5\"\n")
 run(whole_rubbed "\"mid-point\"" "force = \"-v/5\"\n")
 compare(rubbed whole_rubbed "the same")
 compare(rubbed implicit "different")
+# A derivative in the position: the mid-point in steps of 1/10.
+set(own "integral(L(q + Delta_plus[q]/20, Delta_plus[q]))")
+run(own_whole "\"${own}\"")
+run(own_rubbed "\"${own}\"" "force = \"-v/5\"\n")
+run(own_list "[\"${own}\", \"${own}\"]")
+compare(own_whole whole_implicit "the same")
+compare(own_list whole_implicit "the same")
+compare(own_rubbed whole_rubbed "the same")
 # Members have their own parameters in each part.
 file(WRITE ${out}/members.csv "m\n2\n3\n")
 execute_process(COMMAND ${hilger} run implicit.toml --ensemble members.csv --out members WORKING_DIRECTORY ${out} RESULT_VARIABLE result

@@ -137,6 +137,60 @@ class Embeddings(unittest.TestCase):
         printed = repr(h.variation(L, h.uniform(0, 0.1, 9), self.pairs[2][0]))
         self.assertIn("1/2 ∂L/∂q(⋆) + 1/2 ρ[∂L/∂q(⋆)] − Δ₋[∂L/∂v(⋆)] = 0   on T±,   ⋆ = (1/2 q + 1/2 σ[q], Δ₊[q])", printed)
 
+    def test_a_lambda_for_each_length_of_step(self):
+        """q + Delta_plus[q]/20 is the mid-point where h = 1/10, and near the start where h is large: every engine knows."""
+        own = h.embedding(h.identity + h.Delta_plus / 20, h.Delta_plus)
+        equal, uneven = h.uniform(0, 0.1, 50), h.TimeScale([0, 0.1, 0.3, 0.35, 0.6, 1.0])
+
+        def near(x, y):
+            np.testing.assert_allclose(np.array(x.q, float), np.array(y.q, float), rtol=0, atol=1e-13)
+
+        for d in range(1, 6):
+            q, v = h.variables("q v", d)
+            L = h.Lagrangian(v @ v / 2 + sum(h.cos(q[k]) for k in range(d)) - q[0] * q[d - 1] / 8, q, v)
+            start = dict(q0=[0.5 + k / 4 for k in range(d)], v0=[0.25] * d)
+            for compiled in (False, True):
+                near(h.solve(h.variation(L, equal, own), **start, compiled=compiled), h.solve(h.variation(L, equal, h.midpoint), **start))
+                x = h.solve(h.variation(L, uneven, own), **start, compiled=compiled)
+                self.assertLess(x.residual(), 1e-13)
+        near(x, h.solve(h.variation(L, uneven, own), **start, compiled=False))
+        for scale in (equal, uneven):
+            EL, q0 = h.variation(pendulum, scale, own), np.array([0.5, 0.75, 1.0])
+            for lanes in (True, False):
+                many = h.solve_many(EL, q0=q0, v0=0.0, lanes=lanes)
+                for k in range(3):
+                    self.assertAlmostEqual(many.q[k][-1], h.solve(EL, q0=q0[k], v0=0.0).q[-1], delta=1e-13)
+        half = h.Lagrangian("v^2/4 - (1 - cos(q))/2")
+        EL = h.variation(half, equal, own)
+        near(h.solve(EL + EL, q0=1, v0=0), h.solve(h.variation(pendulum, equal, h.midpoint), q0=1, v0=0))
+        near(h.solve(h.variation(pendulum, equal, own), q0=1, qN=0.5), h.solve(h.variation(pendulum, equal, h.midpoint), q0=1, qN=0.5))
+        exact, whole = h.Lagrangian("v^2/4 - q^2/4"), h.Lagrangian("v^2/2 - q^2/2")
+        of = h.uniform(0, Fraction(1, 10), 4)
+        once = h.solve(h.variation(whole, of, h.midpoint), q0=1, v0=0)
+        EL = h.variation(exact, of, own)
+        self.assertEqual(list(h.solve(EL + EL, q0=1, v0=0).q), list(once.q))
+        self.assertEqual(list(h.solve(h.variation(whole, of, own), q0=1, v0=0).q), list(once.q))
+        EL = h.variation(half, uneven, own)
+        with self.assertRaisesRegex(h.InvalidParameter, "another mean of the ends for each length of the step"):
+            h.solve(EL + EL, q0=1, v0=0)
+        with self.assertRaisesRegex(h.InvalidParameter, "another mean of the ends for each length of the step"):
+            h.variation(pendulum, equal, own).c_code("own")
+
+    def test_what_operators_are_asked(self):
+        self.assertEqual(h.embedding("sigma^2", "Delta_plus"), h.embedding(h.sigma * h.sigma, "Delta_plus"))
+        self.assertIn("more than 10 000 characters", repr((h.sigma + h.identity) ** 22))
+        self.assertIn("more than 10 000 characters", ((h.sigma + h.identity) ** 22)._repr_latex_())
+        self.assertIn(r"\mathtt{sqrt(2)}", (h.sqrt(2) * h.sigma)._repr_latex_())
+        self.assertFalse(h.sigma.equals(2))
+        self.assertTrue(h.identity.equals(1))
+        for wrong in (lambda: h.adjoint(2), lambda: h.adjoint(h.midpoint), lambda: h.sigma.equals("sigma")):
+            with self.assertRaisesRegex(TypeError, "an operator, as h"):
+                wrong()
+        with self.assertRaises(h.Error):
+            h.sqrt(-1) * h.sigma == h.sigma
+        with self.assertRaisesRegex(h.Error, "there are q, identity, sigma, rho, Delta_plus, Delta_minus and numbers"):
+            h.embedding("(1 - c)*q + c*sigma[q]", "Delta_plus")
+
     def test_what_is_none(self):
         def refused(says, method, error=h.InvalidParameter):
             with self.assertRaisesRegex(error, says):

@@ -70,7 +70,7 @@ inline constexpr embedding_facts facts_<embedding<A, B, W, Checked>> = [] {
     using F = prime_field;
     using step = on_one_step<A, B, W, F>;
     if (step::nodes_ != 1 or step::controls != 2) return embedding_facts{};
-    F const h(7919), one(1), zero(0);
+    F const h = some_step, one(1), zero(0);
     auto const constant = step::constant(one), start = step::unit(0), end = step::unit(step::controls - 1);
     bool const plain = step::value(A{}, h, constant, 0) == one and step::value(B{}, h, constant, 0) == zero and
                        step::value(B{}, h, end, 0) * step::weight(A{}, B{}, h, 0) == one;

@@ -245,7 +245,9 @@ private:
         if (not x) refuse(n, "indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
         return *x;
     }
-    [[noreturn]] void refuse_name(node const& n) { refuse(n, "'" + n.name + "' has no meaning: there are " + words_.known()); }
+    [[noreturn]] void refuse_name(node const& n) {
+        refuse(n, "'" + n.name + "' has no meaning: there are " + (words_.known().empty() ? "numbers alone" : words_.known()));
+    }
     [[noreturn]] void refuse(node const& n, std::string const& why) {
         if (n.at.line == 0) error::raise<error::unreadable>(source_, ": ", why);
         error::raise<error::unreadable>(source_, ", line ", n.at.line, ", column ", n.at.column, ": ", why);

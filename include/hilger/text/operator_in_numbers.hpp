@@ -6,6 +6,7 @@
 #include <map>
 
 #include "hilger/text/operator.hpp"
+#include "hilger/text/write.hpp"
 
 namespace hilger::text {
 
@@ -44,6 +45,9 @@ private:
         auto const& n = a.root();
         item made{n.what, n.which, n.from, n.to, S(1), 0, 0};
         if (n.factor) made.factor = n.factor->template number<S>();
+        if (not is_finite(made.factor))
+            error::raise<error::not_finite>(n.factor->source(), ": ", written(n.factor->formula(), 80).value_or("a factor"),
+                                            " is no finite number");
         if (not n.parts.empty()) made.first = add(n.parts[0]);
         if (n.parts.size() > 1) made.second = add(n.parts[1]);
         items_.push_back(std::move(made));

@@ -120,13 +120,29 @@ private:
             expression const one = expression::number("1");
             return {x.is, {}, operator_formula::multiple(factor(one / y.number), x.op)};
         }
+        case kind::power: { // sigma^2 is sigma[sigma]
+            meant const x = meaning_of(n->parts[0]);
+            if (x.is == is::number) break;
+            if (x.is == is::function) refuse(*n, "an operator is linear in q, and this power is not");
+            return {x.is, {}, repeated(x.op, *n->parts[1])};
+        }
         default:
             break;
         }
         bool const is_word = n->what == kind::name or n->what == kind::element;
         if (is_word and n->name != "pi" and words_->find(n->name) == nullptr)
-            refuse(*n, "'" + n->name + "' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus and parameters");
+            refuse(*n, "'" + n->name + "' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus" +
+                           (words_->known().empty() ? " and numbers" : ", numbers and parameters"));
         return {is::number, expression(n), {}};
+    }
+    operator_formula repeated(operator_formula const& a, node const& times) const {
+        constexpr int most = 99;
+        bool const is_whole = times.what == kind::number and times.name.size() <= 2 and times.name.find('.') == std::string::npos;
+        int const n = is_whole ? std::stoi(times.name) : most + 1;
+        if (n > most) refuse(times, "an operator is repeated n = 0, 1, ... " + std::to_string(most) + " times, as in sigma^2");
+        operator_formula power;
+        for (int k = 0; k < n; ++k) power = power * a;
+        return power;
     }
     /// 1 + sigma: a number is a multiple of the identity.
     operator_formula applied(meant const& x) { return x.is == is::number ? operator_formula::multiple(factor(x.number), {}) : x.op; }

@@ -4,6 +4,7 @@
 // where a factor is none, as sqrt(2), in 50 digits.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "hilger/adjoint/normal_form.hpp"
@@ -20,21 +21,35 @@ struct endless_scale {
     using scalar_type = S;
     bool uniform = false;
     static constexpr index_type steps() { return 1'000'000; }
+    /// In numbers that round of the size of 1: beside long steps what is divided by them would be rounding.
     [[nodiscard]] S step(index_type i) const {
-        return S(static_cast<long long>(hilger::detail::random_element(uniform ? 7 : static_cast<std::uint64_t>(i) + 100).value()));
+        S const some(static_cast<long long>(hilger::detail::random_element(uniform ? 7 : static_cast<std::uint64_t>(i) + 100).value()));
+        return std::numeric_limits<S>::is_exact ? some : S(some / S(1LL << 60));
     }
 };
-/// The numbers c_k, from -reach.front to reach.back. `sizes` as in operator_in_numbers::row.
+/// A scale without ends whose steps are h.
 template <class S>
-std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach, bool sizes = false) {
+struct equal_steps {
+    using scalar_type = S;
+    S h;
+    static constexpr index_type steps() { return 1'000'000; }
+    [[nodiscard]] S const& step(index_type) const { return h; }
+};
+/// The numbers c_k, from -reach.front to reach.back. `sizes` as in operator_in_numbers::row.
+template <class S, class T>
+std::vector<S> row_on(T const& scale, operator_formula const& a, lost_points reach, bool sizes = false) {
     constexpr index_type here = 1000;
-    auto const numbers = operator_in_numbers<S>(a).row(endless_scale<S>{uniform}, here, sizes);
+    auto const numbers = operator_in_numbers<S>(a).row(scale, here, sizes);
     std::vector<S> row;
     for (index_type k = -reach.front; k <= reach.back; ++k) {
         auto const c = numbers.find(here + k);
         row.push_back(c == numbers.end() ? S(0) : c->second);
     }
     return row;
+}
+template <class S>
+std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach, bool sizes = false) {
+    return row_on<S>(endless_scale<S>{uniform}, a, reach, sizes);
 }
 /// The same in rationals; nothing where a factor is none. Here and below templates for one type each: who compiles many files instantiates
 /// what has long arithmetic in one of them.

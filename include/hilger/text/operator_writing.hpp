@@ -58,7 +58,7 @@ inline printed::expression written_parts(operator_formula const& a, printed::exp
         } catch (error::unreadable const&) { // no rational number
         }
         std::string const c = written(n.factor->formula(), 80).value_or("c");
-        return inner.times_constant({"(" + c + ")", "\\left(" + c + "\\right)"});
+        return inner.times_constant({"(" + c + ")", "\\left(\\mathtt{" + c + "}\\right)"});
     }
     case kind::sum:
         return part(0, f) + part(1, f);

@@ -71,7 +71,8 @@ template <std::same_as<Q> Exact>
 hilger::detail::consistency consistency_of(embedding_formula const& e, Exact const& rounding) {
     auto const in = [&]<class S>(S const& tolerance) {
         return with_operators<S>(e, true, [&]<class W>(auto const& a, auto const& b, W) {
-            return hilger::detail::examine<W>(a, b, S(7919), [&](S const& x, S const& y) { return magnitude(S(x - y)) <= tolerance; });
+            S const some = S(hilger::detail::some_step.value()) / S(1LL << 60);
+            return hilger::detail::examine<W>(a, b, some, [&](S const& x, S const& y) { return magnitude(S(x - y)) <= tolerance; });
         });
     };
     try {
@@ -132,13 +133,34 @@ template <class S>
 auto embedding_at(S const& lambda) {
     return make_embedding<delta_weight>(S(S(1) - lambda) * identity_T + lambda * sigma, Delta_plus, "the embedding");
 }
-/// The lambda with which embedding_at(lambda) makes the steps of an embedding: what is consistent in one step is an interpolation between
-/// its ends. @throws as require_one_step does
+/// Whether the position is another mean of the ends for each length of the step, as q + Delta_plus[q]/20.
+inline bool depends_on_step(embedding_formula const& e) {
+    auto const differs = [&]<class S>(S const& tolerance) {
+        auto const at = [&](S const& h, bool sizes = false) {
+            return detail::row_on<S>(detail::equal_steps<S>{h}, e.position, e.lost(), sizes);
+        };
+        auto const x = at(S(1)), y = at(S(3)), of_x = at(S(1), true), of_y = at(S(3), true);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (magnitude(S(x[k] - y[k])) > tolerance * S(of_x[k] + of_y[k])) return true;
+        return false;
+    };
+    try {
+        return differs(Q(0));
+    } catch (error::unreadable const&) { // a factor is no rational number
+        return differs(float50("1e-40"));
+    }
+}
+/// The lambda with which embedding_at(lambda) makes the steps of length h of an embedding: what is consistent in one step is an
+/// interpolation between its ends. Without h that of steps of any length.
+/// @throws as require_one_step does; error::invalid_parameter where there is no h and lambda depends on it
 template <class S>
-S lambda_of_step(embedding_formula const& e) {
+S lambda_of_step(embedding_formula const& e, std::optional<S> const& h = {}) {
     require_one_step(e, detail::rounding_of_factors<S>());
-    auto const row = detail::row_of<S>(e.position, true, e.lost());
-    return row[1];
+    if (not h and depends_on_step(e))
+        error::raise<error::invalid_parameter>("the position of ", e.text,
+                                               " is another mean of the ends for each length of the step, which is possible here on equal "
+                                               "steps alone");
+    return detail::row_on<S>(detail::equal_steps<S>{h.value_or(S(1))}, e.position, e.lost())[1];
 }
 
 } // namespace hilger::text

@@ -128,7 +128,8 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     int const brought = what.lagrangian.formula().words().brought();
     std::optional<double> lambda;
     try {
-        lambda = lambda_of<double>(what, method);
+        if (not T.is_uniform() and has_lambda_of_step(what, method)) return nullptr;
+        lambda = lambda_of<double>(what, method, T.equal_step());
     } catch (hilger::error::unreadable const&) {
         if (brought == 0) throw;
         return nullptr; // a factor that members bring with them

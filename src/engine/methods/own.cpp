@@ -7,14 +7,15 @@
 namespace engine {
 
 made embedded_with_numbers(problem const& what, std::string const& method, points<double> const& T) {
-    auto const lambda = lambda_of<double>(what, method);
-    if (not lambda) return nullptr;
+    bool const has_several = not T.is_uniform() and has_lambda_of_step(what, method);
+    auto const lambda = has_several ? std::nullopt : lambda_of<double>(what, method, T.equal_step());
+    if (not lambda and not has_several) return nullptr;
     return with_mechanics(what, [&](auto const& mechanics) -> made {
-        auto const small = [lambda = *lambda](auto const& L) { return hilger::embed(L, hilger::text::embedding_at(lambda)); };
+        auto const small = [lambda = lambda.value_or(0)](auto const& L) { return hilger::embed(L, hilger::text::embedding_at(lambda)); };
         auto const by = [&](auto const& how) -> made {
             auto const flow = hilger::embed(mechanics, how);
             // steps of vectors of any size see where the position is an end of the step, and are explicit
-            if (*lambda == 0 or *lambda == 1) return on_scale(flow, T, method);
+            if (has_several or *lambda == 0 or *lambda == 1) return on_scale(flow, T, method);
             return embedded_small(mechanics, flow, small, T, method);
         };
         if (is_embedding_in_text(method)) return with_own_embedding<double>(what, method, T.is_uniform(), by);

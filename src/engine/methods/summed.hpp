@@ -160,14 +160,14 @@ private:
 inline problem alone(problem::summand const& part) { return {part.lagrangian, {}, {}}; }
 
 template <class S>
-S lambda_of_part(problem const& one, std::string const& method) {
+S lambda_of_part(problem const& one, std::string const& method, std::optional<S> const& h) {
     std::string const operators = in_operators<S>(one, method);
     if (not is_embedding_in_text(operators))
         hilger::error::raise<hilger::error::invalid_parameter>(
             "what adds up is read in one step, by order-one, order-one-left, mid-point, theta:0.3 or an embedding, as "
             "integral(L(q, Delta_plus[q])), and not by '",
             method, "'");
-    return hilger::text::lambda_of_step<S>(own_embedding(one, operators));
+    return hilger::text::lambda_of_step<S>(own_embedding(one, operators), h);
 }
 
 template <class S, class Force, class Scale>
@@ -187,19 +187,19 @@ std::string summed_motion<S, Force, Scale>::equation(bool latex_wanted) const {
         return equation_in_double(what_, method_, uniform_, latex_wanted);
 }
 
-/// How each Lagrangian of a sum is read. @throws hilger::error::invalid_parameter, hilger::error::mismatch
+/// How each Lagrangian of a sum is read, in steps of length h or of any. @throws hilger::error::invalid_parameter, hilger::error::mismatch
 template <class S>
-embedding_list<S> embeddings_of_sum(problem const& what, std::string const& method) {
+embedding_list<S> embeddings_of_sum(problem const& what, std::string const& method, std::optional<S> const& h) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is beside one Lagrangian, and here are ",
                                                                what.besides.size() + 1);
-    embedding_list<S> how{{hilger::text::embedding_at(lambda_of_part<S>(what, method))}};
+    embedding_list<S> how{{hilger::text::embedding_at(lambda_of_part<S>(what, method, h))}};
     int const d = what.lagrangian.formula().words().dimension();
     for (auto const& part : what.besides) {
         if (int const other = part.lagrangian.formula().words().dimension(); other != d)
             hilger::error::raise<hilger::error::mismatch>("Lagrangians add up of the same coordinates, and here are ones of ", d,
                                                           " and of ", other);
-        how.parts.push_back(hilger::text::embedding_at(lambda_of_part<S>(alone(part), part.method)));
+        how.parts.push_back(hilger::text::embedding_at(lambda_of_part<S>(alone(part), part.method, h)));
     }
     return how;
 }
@@ -207,7 +207,7 @@ embedding_list<S> embeddings_of_sum(problem const& what, std::string const& meth
 /// The motion of a sum of actions, each in one step. @throws hilger::error::invalid_parameter, hilger::error::mismatch
 template <class S>
 std::unique_ptr<motion<S>> summed(problem const& what, std::string const& method, points<S> const& T) {
-    embedding_list<S> const how = embeddings_of_sum<S>(what, method);
+    embedding_list<S> const how = embeddings_of_sum<S>(what, method, T.equal_step());
     summed_lagrangian const sum(what);
     auto const on = [&]<class Scale>(auto const& flow, Scale const& scale) -> std::unique_ptr<motion<S>> {
         using force = std::remove_cvref_t<decltype(flow.mechanics().force)>;

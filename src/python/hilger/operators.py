@@ -28,6 +28,8 @@ Delta_minus = _core.read_operator("Delta_minus")
 
 def adjoint(A: Operator) -> Operator:
     """The operator B with <A f, g> = <f, B g> for all f that vanish at the ends of T; see Operator.adjoint."""
+    if not isinstance(A, Operator):
+        raise TypeError(f"an operator, as h.Delta_plus, was expected, and here is {A!r}")
     return A.adjoint()
 
 

@@ -104,6 +104,9 @@ class Solution:
     scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a two-sided fractional equation has positions
     alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends
     with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+
+    Momenta are those of the discrete Legendre map, p_i = -dL_h/dq_i of the step that begins at t_i; the p of a Hamiltonian system that is
+    printed is dL/dv at the nodes of the embedding: of order_one at t_i what x.p has at t_{i+1}.
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:

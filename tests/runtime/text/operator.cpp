@@ -219,9 +219,21 @@ TEST_CASE("what is no operator is refused where it stands") {
     CHECK_THROWS_AS((void)text::read("(q + 1)[0]"), error::unreadable);
     says("sigma(q, q)", "the operator, line 1, column 1: sigma acts on one function, as in sigma[q]");
     says("Delta[q]",
-         "the operator, line 1, column 1: 'Delta' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus and "
-         "parameters");
-    says("sin(q)", "the operator, line 1, column 5: 'q' has no meaning: there are ");
+         "the operator, line 1, column 1: 'Delta' has no meaning: there are q, identity, sigma, rho, Delta_plus, Delta_minus and numbers");
+    says("(q + sigma[q])^2", "the operator, line 1, column 2: an operator is linear in q, and this power is not");
+    for (char const* wrong : {"sigma^(1/2)", "sigma^1.5", "sigma^1e1", "sigma^-1", "sigma^100", "sigma^sigma"})
+        CHECK_THROWS_AS((void)operator_in(wrong), error::unreadable);
+    CHECK(operator_in("sigma^2") == operator_in("sigma[sigma]"));
+    CHECK(operator_in("((1 - sigma)^3)[q]") == operator_in("q - 3*sigma[q] + 3*sigma[sigma[q]] - sigma[sigma[sigma[q]]]"));
+    CHECK(operator_in("Delta_plus^0") == operator_formula());
+    for (char const* no_number : {"sqrt(-1)*sigma", "log(0)*sigma", "sigma/(1 - 1)", "(1/0)*sigma"}) {
+        CAPTURE(no_number);
+        CHECK_THROWS_AS((void)(operator_in(no_number) == operator_in("sigma")), error::exception);
+        CHECK_THROWS_AS((void)text::operator_in_numbers<double>(operator_in(no_number)), error::exception);
+    }
+    CHECK_FALSE(operator_in("sqrt(2)*(1 + sigma + sigma^2 + sigma^3) + Delta_plus^3") ==
+                operator_in("sqrt(2)*(1 + sigma + sigma^2 + sigma^3) - 5*Delta_plus^3"));
+    says("sin(q)", "the operator, line 1, column 5: 'q' has no meaning: there are numbers alone");
     auto const words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"x", "v", 0}});
     CHECK_THROWS_WITH_AS((void)operator_in("x*sigma[q]", words),
                          "the operator, line 1, column 1: a factor is a number, and this one depends on the state; an operator acts on q, "

@@ -123,6 +123,26 @@ TEST_CASE("random embeddings leave nothing of their equation, and are numbers be
     }
     CHECK(whole > 30);
 }
+TEST_CASE("a derivative in the position makes another mean of the ends for each length of the step") {
+    auto const how = embedding_in("integral(L(q + Delta_plus[q]/20, Delta_plus[q]))");
+    CHECK(text::depends_on_step(how));
+    CHECK(text::lambda_of_step<Q>(how, Q(1, 10)) == Q(1, 2));
+    CHECK(text::lambda_of_step<Q>(how, Q(1, 5)) == Q(1, 4));
+    CHECK(text::lambda_of_step<double>(how, 0.1) == 0.5);
+    CHECK_THROWS_AS((void)text::lambda_of_step<Q>(how), error::invalid_parameter);
+    auto const irrational = embedding_in("integral(L(q + sqrt(2)*Delta_plus[q]/20, Delta_plus[q]))");
+    CHECK(text::depends_on_step(irrational));
+    CHECK(abs(text::lambda_of_step<float50>(irrational, float50(1)) - sqrt(float50(2)) / 20) < 1e-49);
+    for (char const* words :
+         {"integral(L(q + Delta_plus[q] - Delta_plus[q], Delta_plus[q]))", "integral(L((q + sigma[q])/2, Delta_plus[q]))",
+          "integral(L(q + sqrt(2)*Delta_plus[q] - sqrt(2)*Delta_plus[q], Delta_plus[q]))",
+          "nabla_integral(L(rho[q]/3 + 2/3*q, Delta_minus[q]))"}) {
+        CAPTURE(words);
+        CHECK_FALSE(text::depends_on_step(embedding_in(words)));
+    }
+    // consistent in steps of length 7919 alone
+    CHECK_THROWS_AS((void)text::lambda_of_step<Q>(embedding_in("integral(L(q, (sigma[q] - q)/7919))"), Q(1)), error::invalid_parameter);
+}
 TEST_CASE("orders by a fit, of operators in text") {
     auto const pendulum = [](auto const& q, auto const& v) {
         using std::cos;
