@@ -47,7 +47,7 @@ static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0
 #define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
 )";
 // Functions of the lanes; those of one member are in the C library.
-inline constexpr char const* functions = R"(#define EACH(f)                                        \
+inline constexpr char const* functions_in_lanes = R"(#define EACH(f)                                        \
     static inline lanes lanes_##f(lanes x)             \
     {                                                  \
         double in[width], out[width];                  \
@@ -107,9 +107,9 @@ inline std::string language_of(int width) {
     using hilger::detail::filled;
     if (width == 1) return std::string(one_alone) + of_both;
     return filled(several, {{"$width", std::to_string(width)}}) + of_both +
-           filled(functions, {{"$isa", width == 8   ? "eN8v"
-                                       : width == 4 ? "dN4v"
-                                                    : "bN2v"}});
+           filled(functions_in_lanes, {{"$isa", width == 8   ? "eN8v"
+                                                : width == 4 ? "dN4v"
+                                                             : "bN2v"}});
 }
 
 } // namespace engine
