@@ -16,7 +16,8 @@ class operator_in_numbers {
     using kind = operator_formula::kind;
 
 public:
-    /// @throws error::unreadable where a factor is no number of type S, as a root in rationals
+    /// @throws error::unreadable where a factor is no number of type S, as a root in rationals; error::not_finite where it is NaN or
+    /// infinite
     explicit operator_in_numbers(operator_formula const& a) { add(a); }
 
     /// A[f] at point i of T, of a function with values get(i) on the scale root().
