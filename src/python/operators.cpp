@@ -72,7 +72,8 @@ void add_operators(py::module_& m) {
     py::class_<operator_formula>(
         m, "Operator",
         "A linear operator on functions on T: sums, multiples and compositions of identity, sigma, rho, Delta_plus "
-        "and Delta_minus. A * B and A[B] are A after B; A == B compares what they do, on every scale.")
+        "and Delta_minus. A * B and A[B] are A after B; A == B compares what they do on every scale, and the points that "
+        "they lose at its ends.")
         .def("__add__", [](operator_formula const& a, py::handle x) { return added(a, x, false, false); })
         .def("__radd__", [](operator_formula const& a, py::handle x) { return added(a, x, false, true); })
         .def("__sub__", [](operator_formula const& a, py::handle x) { return added(a, x, true, false); })
