@@ -3,11 +3,17 @@
 // the instruction sets of x86-64 at run time. Every other scalar, compiler or processor takes the same loops one number at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <vector>
+
+#include "hilger/error.hpp"
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define HILGER_DETAIL_X86 1
@@ -100,20 +106,30 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
     }
 }
 
-/// AVX-512 is left out: its loops are faster alone, and the scheme around them slower.
-enum class instructions { baseline, avx2 };
+/// Sets of instructions: what every processor of its kind has; AVX2 and fused products; AVX-512 (F and DQ) beside these.
+enum class instructions { baseline, avx2, avx512 };
 
-/// What this processor has, asked once.
+/// What this processor has, asked once, and all that hilger asks of it: the loops of histories and transforms here (AVX-512 is left out: its
+/// loops are faster alone, and the scheme around them slower), formulas in machine code, and lanes. How many processors there are is asked
+/// for threads of ensembles alone. HILGER_INSTRUCTIONS=baseline or avx2 in the environment hides what is beyond that.
+/// @throws error::invalid_parameter where that is none of the names above
 inline instructions available_instructions() {
-#ifdef HILGER_DETAIL_X86
     static instructions const found = [] {
+        auto most = instructions::baseline;
+#ifdef HILGER_DETAIL_X86
         __builtin_cpu_init();
-        return __builtin_cpu_supports("avx2") and __builtin_cpu_supports("fma") ? instructions::avx2 : instructions::baseline;
+        if (__builtin_cpu_supports("avx2") and __builtin_cpu_supports("fma"))
+            most = __builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512dq") ? instructions::avx512 : instructions::avx2;
+#endif
+        constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
+        char const* const said = std::getenv("HILGER_INSTRUCTIONS");
+        if (said == nullptr or *said == '\0') return most;
+        auto const named = std::find(std::begin(names), std::end(names), said);
+        if (named == std::end(names))
+            error::raise<error::invalid_parameter>("HILGER_INSTRUCTIONS is baseline, avx2 or avx512, and was '", said, "'");
+        return std::min(most, static_cast<instructions>(named - std::begin(names)));
     }();
     return found;
-#else
-    return instructions::baseline;
-#endif
 }
 
 } // namespace hilger::detail::memory

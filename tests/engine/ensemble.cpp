@@ -13,6 +13,7 @@ using engine::member;
 using engine::second_datum;
 using testing::kept_here;
 using testing::stated;
+using testing::there_is_a_c_compiler;
 using vector = Eigen::VectorXd;
 
 namespace {
@@ -49,6 +50,7 @@ bool same(std::vector<double> const& a, std::vector<double> const& b) {
 } // namespace
 
 TEST_CASE("threads change nothing") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const from = members(37);
     for (bool const in_lanes : {false, true}) {
@@ -67,6 +69,7 @@ TEST_CASE("threads change nothing") {
 }
 
 TEST_CASE("members with parameters of their own are what they are as problems of their own") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const from = members(5);
     auto const together = walked(cast_of(of_members(), true), from, 2), alone = walked(cast_of(of_members(), false), from, 2);
@@ -83,6 +86,7 @@ TEST_CASE("members with parameters of their own are what they are as problems of
 }
 
 TEST_CASE("momenta and next positions begin what velocities begin") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const all = cast_of(of_members(), true);
     auto const from = members(11);
@@ -99,6 +103,7 @@ TEST_CASE("momenta and next positions begin what velocities begin") {
 }
 
 TEST_CASE("who fails is told, and what is stopped keeps what there is") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const what = stated("v[0]^2/2 + q[0]^4", 1);
     std::vector<member> from;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/ensemble/lanes.hpp"
+#include "engine/machine_code/c_library.hpp"
 #include "stated.hpp"
 
 namespace lanes_tests {
@@ -12,6 +13,7 @@ using namespace hilger;
 using engine::lanes;
 using testing::kept_here;
 using testing::stated;
+using testing::there_is_a_c_compiler;
 using vector = Eigen::VectorXd;
 
 namespace {
@@ -20,31 +22,38 @@ namespace {
 vector some(int d, int m, double size) {
     return vector::NullaryExpr(d, [&](Eigen::Index k) { return size * std::sin(1.0 + 2.0 * static_cast<double>(k) + 0.7 * m); });
 }
-std::vector<lanes::start> starts(lanes const& code, int d, double size) {
+std::vector<lanes::start> starts(int d, double size, int members = 8) {
     std::vector<lanes::start> all;
-    for (int m = 0; m < code.width(); ++m) all.push_back({some(d, m, size), some(d, m + 10, size), {}, {}});
+    for (int m = 0; m < members; ++m) all.push_back({some(d, m, size), some(d, m + 10, size), {}, {}});
     return all;
 }
-/// The states of one lane, at all points.
+/// The states of one member, at all points.
 struct seen {
     std::vector<vector> q, p;
     std::vector<bool> is_well;
 };
+/// In as many groups as it takes; lanes that are left over begin as the last member.
 std::vector<seen> walked(lanes const& code, std::vector<lanes::start> const& from, index_type steps) {
     int const d = static_cast<int>(from[0].q.size());
-    lanes::group group(code, from);
+    auto const width = static_cast<std::size_t>(code.width());
     std::vector<seen> all(from.size());
-    for (index_type i = 0;; ++i) {
-        for (int m = 0; m < code.width(); ++m) {
-            vector q(d), p(d);
-            for (int k = 0; k < d; ++k) q(k) = group.q(m, k), p(k) = group.p(m, k);
-            all[static_cast<std::size_t>(m)].q.push_back(q);
-            all[static_cast<std::size_t>(m)].p.push_back(p);
-            all[static_cast<std::size_t>(m)].is_well.push_back(group.is_well(m));
+    for (std::size_t first = 0; first < from.size(); first += width) {
+        std::vector<lanes::start> some;
+        for (std::size_t m = first; m < first + width; ++m) some.push_back(from[std::min(m, from.size() - 1)]);
+        lanes::group group(code, some);
+        for (index_type i = 0; i <= steps; ++i) {
+            if (i > 0) group.walk(1);
+            for (int m = 0; m < code.width() and first + static_cast<std::size_t>(m) < from.size(); ++m) {
+                vector q(d), p(d);
+                for (int k = 0; k < d; ++k) q(k) = group.q(m, k), p(k) = group.p(m, k);
+                seen& to = all[first + static_cast<std::size_t>(m)];
+                to.q.push_back(q);
+                to.p.push_back(p);
+                to.is_well.push_back(group.is_well(m));
+            }
         }
-        if (i == steps) return all;
-        group.walk(1);
     }
+    return all;
 }
 constexpr index_type steps = 60;
 engine::points<double> const equal{0.25, 0.0625, steps, {}};
@@ -60,7 +69,7 @@ void check_lanes(engine::problem const& what, std::string const& method, engine:
     CAPTURE(d);
     auto const code = lanes::of(what, method, T);
     REQUIRE(bool(code != nullptr));
-    auto from = starts(*code, d, size);
+    auto from = starts(d, size);
     for (std::size_t m = 0; m < from.size(); ++m) at_rest(m, from[m]);
     auto const together = walked(*code, from, steps);
     auto alone = engine::embedded_in_one_step(what, method, T);
@@ -95,6 +104,7 @@ std::string const all_methods[] = {"order-one", "order-one-left", "mid-point", "
 } // namespace
 
 TEST_CASE("every method, from one coordinate to six, on equal and other steps") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     for (auto const& method : all_methods) {
         auto const pendulum = stated("v[0]^2/2 - (1 - cos(q[0]))", 1);
@@ -110,6 +120,7 @@ TEST_CASE("every method, from one coordinate to six, on equal and other steps") 
 }
 
 TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all kinds") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     for (auto const& method : {"mid-point", "order-one", "order-one-left"}) {
         check_lanes(stated("v[0]*v[1] + v[2]*v[1]/2 + v[2]^2/8 - q[0]^2/2 - q[1]^2/2 - q[2]^2", 3), method, equal, 0.5, 64);
@@ -125,7 +136,61 @@ TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all
     for (auto const& method : all_methods) check_lanes(in_time, method, uneven(), 0.5);
 }
 
+TEST_CASE("registers of any width make the same states, to the last bit") {
+    if (not there_is_a_c_compiler()) return;
+    kept_here const cache;
+    auto const with_functions = stated("v[0]^2*(2 + sin(q[0]))/2 - q[0]^2 - cos(q[0]) - exp(-q[0]) - sqrt(1 + q[0]^2) - tanh(q[0])/8 - "
+                                       "cosh(q[0])/16 + sinh(q[0])/32 - atan(q[0])/8 - tan(q[0]/4) - (2 + q[0])^2.5/64 - "
+                                       "expm1(q[0]/8) - cbrt(2 + q[0])/16 - erf(q[0])/64 - asinh(q[0])/64",
+                                       1);
+    auto const of_three = stated("dot(v, v)*(3 + cos(q[0]))/2 + v[0]*v[2]*q[1]/4 - dot(q, q)/2 - exp(q[2])/8", 3);
+    std::size_t same = 0, states = 0;
+    for (std::string const method : {"order-one", "order-one-left", "mid-point", "theta:0.25", "verlet", "kahan-li-8"})
+        for (auto const& T : {equal, uneven()})
+            for (auto const& what : {with_functions, of_three}) {
+                CAPTURE(method);
+                if (method == "kahan-li-8" and not T.is_uniform()) continue;
+                int const d = what.lagrangian.formula().words().dimension();
+                std::vector<seen> first;
+                for (int const width : {1, 2, 4, 8}) {
+                    CAPTURE(width);
+                    auto const code = lanes::of(what, method, T, width);
+                    REQUIRE(bool(code != nullptr));
+                    CHECK(code->width() == width);
+                    auto const made = walked(*code, starts(d, 0.25), steps);
+                    if (first.empty()) first = made;
+                    for (std::size_t m = 0; m < made.size(); ++m) {
+                        CHECK(made[m].is_well == first[m].is_well);
+                        for (std::size_t i = 0; i <= steps and made[m].is_well[i]; ++i, ++states)
+                            same += made[m].q[i] == first[m].q[i] and made[m].p[i] == first[m].p[i] ? 1U : 0U;
+                    }
+                }
+            }
+    CHECK(same == states);
+    CHECK(states > 40'000); // of 42944: the others are those of members that are lost on their way
+}
+
+TEST_CASE("the width of lanes is said by the environment") {
+    if (not there_is_a_c_compiler()) return;
+    kept_here const cache;
+    auto const before = engine::environment_variable("HILGER_LANES");
+    ::unsetenv("HILGER_LANES");
+    int const most = lanes::width_here();
+    for (int width = 1; width <= most; width *= 2) {
+        ::setenv("HILGER_LANES", std::to_string(width).c_str(), 1);
+        CHECK(lanes::of(stated("v[0]^2/2 - q[0]^2/2", 1), "mid-point", equal)->width() == width);
+    }
+    for (auto const& wrong : {std::to_string(2 * most), std::string("0"), std::string("3"), std::string("four"), std::string("2 ")}) {
+        ::setenv("HILGER_LANES", wrong.c_str(), 1);
+        auto const sentence = "HILGER_LANES is 1, 2, 4 or 8 and no more than the " + std::to_string(most) +
+                              " numbers that a register of this processor has, and was '" + wrong + "'";
+        CHECK_THROWS_WITH_AS(lanes::width_here(), sentence.c_str(), error::invalid_parameter);
+    }
+    before ? ::setenv("HILGER_LANES", before->c_str(), 1) : ::unsetenv("HILGER_LANES");
+}
+
 TEST_CASE("lanes start from rest with a drag, and where a norm is 0") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const dragged = stated("dot(v, v)/2 - dot(q, q)/2 - norm(q)*dot(q, q)", 2, {"-0.3*norm(v)*v[0]", "-0.3*norm(v)*v[1]"});
     for (std::string const method : {"mid-point", "order-one", "order-one-left"})
@@ -133,11 +198,12 @@ TEST_CASE("lanes start from rest with a drag, and where a norm is 0") {
 }
 
 TEST_CASE("small components beside large ones keep their digits") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const what = stated("v[0]^2/2 + v[1]^2*(1 + q[1]^2*1e16)/2 - q[0]^4/4 - q[1]^2/2 - q[1]^4*1e16/4", 2);
     auto const code = lanes::of(what, "mid-point", equal);
     REQUIRE(bool(code != nullptr));
-    auto from = starts(*code, 2, 1);
+    auto from = starts(2, 1);
     for (auto& x : from) x.q(1) *= 1e-8, x.v(1) *= 1e-8;
     auto const together = walked(*code, from, steps);
     auto const alone = engine::embedded_in_one_step(what, "mid-point", equal);
@@ -153,6 +219,7 @@ TEST_CASE("small components beside large ones keep their digits") {
 }
 
 TEST_CASE("of several velocities that solve a step it is the one that the flow takes alone") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     // a bead on the parabola q^2: the equations of its steps are of second and third degree in the velocity
     auto const bead = stated("(1 + 4*q[0]^2)*v[0]^2/2 - 9.81*q[0]^2", 1);
@@ -166,27 +233,24 @@ TEST_CASE("of several velocities that solve a step it is the one that the flow t
             auto alone = engine::embedded_in_one_step(bead, method, T);
             if (not alone) alone = engine::composed(bead, method, T);
             std::size_t elsewhere = 0, steps_made = 0;
-            for (int group = 0; group < 100; ++group) {
-                std::vector<lanes::start> from;
-                for (int m = 0; m < code->width(); ++m)
-                    from.push_back({1.5 * some(1, 10 * group + m, 1), 2 * some(1, 7 * group - m, 1), {}, {}});
-                auto const together = walked(*code, from, steps);
-                for (std::size_t m = 0; m < from.size(); ++m) {
-                    auto const& q = together[m].q;
-                    auto const& is_well = together[m].is_well;
-                    std::size_t i = 0;
-                    try {
-                        alone->walk({from[m].q, engine::second_datum::velocity, from[m].v}, [&](double, vector const& x, vector const&) {
-                            // rounding grows; another root is a leap
-                            bool const leaps = is_well[i] and std::abs(x(0) - q[i](0)) > 1e-6;
-                            elsewhere += leaps ? 1 : 0;
-                            return is_well[i++] and not leaps;
-                        });
-                    } catch (error::exception const&) { // there is none that is near
-                        elsewhere += is_well[i] ? 1 : 0;
-                    }
-                    steps_made += i;
+            std::vector<lanes::start> from;
+            for (int m = 0; m < 800; ++m) from.push_back({1.5 * some(1, m, 1), 2 * some(1, 3 * m + 1, 1), {}, {}});
+            auto const together = walked(*code, from, steps);
+            for (std::size_t m = 0; m < from.size(); ++m) {
+                auto const& q = together[m].q;
+                auto const& is_well = together[m].is_well;
+                std::size_t i = 0;
+                try {
+                    alone->walk({from[m].q, engine::second_datum::velocity, from[m].v}, [&](double, vector const& x, vector const&) {
+                        // rounding grows; another root is a leap
+                        bool const leaps = is_well[i] and std::abs(x(0) - q[i](0)) > 1e-6;
+                        elsewhere += leaps ? 1 : 0;
+                        return is_well[i++] and not leaps;
+                    });
+                } catch (error::exception const&) { // there is none that is near
+                    elsewhere += is_well[i] ? 1 : 0;
                 }
+                steps_made += i;
             }
             CHECK(elsewhere == 0);
             CHECK(steps_made > 5000);
@@ -194,12 +258,14 @@ TEST_CASE("of several velocities that solve a step it is the one that the flow t
 }
 
 TEST_CASE("what would take the compiler minutes is nothing for lanes") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     CHECK(bool(lanes::of(stated("v[0]^2/2 - sum(i, 1, 20, cos(i*q[0])/i^2)", 1), "mid-point", equal) != nullptr));
     CHECK(bool(lanes::of(stated("v[0]^2/2 - sum(i, 1, 2000, cos(i*q[0])/i^2)", 1), "mid-point", equal) == nullptr));
 }
 
 TEST_CASE("lanes do not know of each other, and who fails loses nobody else") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const what = stated("v[0]^2/2 + 10*q[0]^3/3 - cos(q[0])", 1);
     engine::points<double> const T{0, 0.125, 5, {}};
@@ -229,53 +295,50 @@ TEST_CASE("lanes do not know of each other, and who fails loses nobody else") {
 }
 
 TEST_CASE("who has no mass is lost at the beginning, though the equation of a step is regular") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     for (std::string const method : {"mid-point", "theta:0.25"}) {
         auto const code = lanes::of(stated("q[0]^2*v[0]^2/2 - q[0]^2/2 - q[0]", 1), method, {0, 1, 3, {}});
         REQUIRE(bool(code != nullptr));
-        std::vector<lanes::start> from(static_cast<std::size_t>(code->width()), {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
+        std::vector<lanes::start> from(8, {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
         from[1].q(0) = 0;
-        lanes::group group(*code, from);
-        for (int m = 0; m < code->width(); ++m) CHECK(group.is_well(m) == (m != 1));
+        auto const all = walked(*code, from, 0);
+        for (std::size_t m = 0; m < from.size(); ++m) CHECK(all[m].is_well[0] == (m != 1));
     }
 }
 
 TEST_CASE("a mass that vanishes on the way is lost there, and so is what is beyond all numbers") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const for_a_while = lanes::of(stated("v[0]^2*(2 - t)/2", 1), "order-one", {0, 1, 4, {}});
     REQUIRE(bool(for_a_while != nullptr));
-    lanes::group going(*for_a_while, starts(*for_a_while, 1, 1));
-    going.walk(1);
-    for (int m = 0; m < for_a_while->width(); ++m) CHECK(going.is_well(m));
-    going.walk(3);
-    for (int m = 0; m < for_a_while->width(); ++m) CHECK(not going.is_well(m));
+    for (auto const& member : walked(*for_a_while, starts(1, 1), 4)) {
+        CHECK(member.is_well[1]);
+        CHECK(not member.is_well[4]);
+    }
 
     auto const code = lanes::of(stated("v[0]^2*q[0]/2", 1), "order-one", {0, 1, 3, {}});
     REQUIRE(bool(code != nullptr));
-    std::vector<lanes::start> from(static_cast<std::size_t>(code->width()), {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
+    std::vector<lanes::start> from(2, {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
     from[1].q(0) = 0;
-    lanes::group group(*code, from);
-    group.walk(1);
-    CHECK(group.is_well(0));
-    CHECK(not group.is_well(1));
+    auto const with_and_without = walked(*code, from, 1);
+    CHECK(with_and_without[0].is_well[1]);
+    CHECK(not with_and_without[1].is_well[1]);
 
     auto const free = lanes::of(stated("v[0]^2/2", 1), "order-one", {0, 1, 3, {}});
     REQUIRE(bool(free != nullptr));
-    from.assign(from.size(), {vector::Constant(1, 1), vector::Constant(1, 0), {}, {}});
     from[1].q(0) = from[1].v(0) = 1e308;
-    lanes::group beyond(*free, from);
-    beyond.walk(1);
-    CHECK(beyond.is_well(0));
-    CHECK(not beyond.is_well(1));
+    auto const one_beyond = walked(*free, from, 1);
+    CHECK(one_beyond[0].is_well[1]);
+    CHECK(not one_beyond[1].is_well[1]);
 
     auto const flat = lanes::of(stated("(v[0]/10 + 3*v[1]/10)^2/2 - q[0]", 2), "mid-point", {0, 1, 3, {}});
     REQUIRE(bool(flat != nullptr));
-    lanes::group nowhere(*flat, starts(*flat, 2, 1));
-    nowhere.walk(1);
-    for (int m = 0; m < flat->width(); ++m) CHECK(not nowhere.is_well(m));
+    for (auto const& member : walked(*flat, starts(2, 1), 1)) CHECK(not member.is_well[1]);
 }
 
 TEST_CASE("what lanes are not for") {
+    if (not there_is_a_c_compiler()) return;
     kept_here const cache;
     auto const none = [](engine::problem const& what, std::string const& method) { return lanes::of(what, method, equal) == nullptr; };
     auto const oscillator = stated("v[0]^2/2 - q[0]^2/2", 1);

@@ -11,6 +11,7 @@
 
 #include "engine/machine_code/machine_code.hpp"
 #include "engine/motions.hpp"
+#include "support/there.hpp"
 
 namespace hilger::testing {
 

@@ -7,6 +7,8 @@
 #include "hilger/error_free.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/operator/weights.hpp"
+#include "hilger/simd.hpp"
+#include "support/there.hpp"
 
 namespace error_free_tests {
 
@@ -100,7 +102,8 @@ TEST_CASE("a sum into one of its terms, and of vectors") {
 
 #if defined(__GNUC__) && defined(__x86_64__)
 TEST_CASE("inlined into a function for processors with fused products") {
-    if (not __builtin_cpu_supports("fma")) return;
+    using namespace detail::memory;
+    if (not testing::is_there(available_instructions() >= instructions::avx2, "fused product")) return;
     for (double const x : numbers<double>())
         for (double const y : numbers<double>()) {
             double const product = x * y;

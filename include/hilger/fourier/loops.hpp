@@ -57,7 +57,7 @@ struct fourier_passes {
     fourier_passes() {
 #ifdef HILGER_DETAIL_X86
         if constexpr (std::is_same_v<S, double> or std::is_same_v<S, float>) {
-            if (available_instructions() == instructions::avx2) split = split_avx2<S>, join = join_avx2<S>;
+            if (available_instructions() >= instructions::avx2) split = split_avx2<S>, join = join_avx2<S>;
         }
 #endif
     }

@@ -100,7 +100,7 @@ struct sums {
     sums() {
 #ifdef HILGER_DETAIL_X86
         if constexpr (std::is_same_v<S, double> or std::is_same_v<S, float>) {
-            if (available_instructions() == instructions::avx2) {
+            if (available_instructions() >= instructions::avx2) {
                 product_sum = product_sum_avx2<S>;
                 relax = relax_avx2<S>;
             }

@@ -66,16 +66,32 @@ EACH(asinh)
 EACH(cbrt)
 EACH(expm1)
 EACH(erf)
-#if defined(__x86_64__) && defined(__GLIBC__)
-extern lanes _ZGV$isa_sin(lanes), _ZGV$isa_cos(lanes), _ZGV$isa_exp(lanes);
-static inline lanes lanes_sin(lanes x) { return _ZGV$isa_sin(x); }
-static inline lanes lanes_cos(lanes x) { return _ZGV$isa_cos(x); }
-static inline lanes lanes_exp(lanes x) { return _ZGV$isa_exp(x); }
+#if defined(__AVX2__) && defined(__GLIBC__)
+// Those of the C library for 4 and for 8 numbers have the same bits, those for 1 and for 2 have others.
+#if defined(__AVX512F__) && $width == 8
+typedef double full __attribute__((vector_size(64)));
+#define OF_FULL(f) _ZGVeN8v_##f
 #else
-EACH(sin)
-EACH(cos)
-EACH(exp)
+typedef double full __attribute__((vector_size(32)));
+#define OF_FULL(f) _ZGVdN4v_##f
 #endif
+#define FULL(f)                                                               \
+    extern full OF_FULL(f)(full);                                             \
+    static inline lanes lanes_##f(lanes x)                                    \
+    {                                                                         \
+        enum { count = (sizeof(lanes) + sizeof(full) - 1) / sizeof(full) };   \
+        full all_of_it[count] = {{0}};                                        \
+        memcpy(all_of_it, &x, sizeof x);                                      \
+        for (int k = 0; k < count; ++k) all_of_it[k] = OF_FULL(f)(all_of_it[k]); \
+        memcpy(&x, all_of_it, sizeof x);                                      \
+        return x;                                                             \
+    }
+#else
+#define FULL EACH
+#endif
+FULL(sin)
+FULL(cos)
+FULL(exp)
 static inline lanes lanes_pow(lanes x, double n)
 {
     double in[width], out[width];
@@ -105,11 +121,8 @@ static inline lanes lanes_pow(lanes x, double n)
 inline std::string language_of(int width) {
     using namespace lane_language;
     using hilger::detail::filled;
-    if (width == 1) return std::string(one_alone) + of_both;
-    return filled(several, {{"$width", std::to_string(width)}}) + of_both +
-           filled(functions_in_lanes, {{"$isa", width == 8   ? "eN8v"
-                                                : width == 4 ? "dN4v"
-                                                             : "bN2v"}});
+    if (width == 0) return std::string(one_alone) + of_both;
+    return filled(std::string(several) + of_both + functions_in_lanes, {{"$width", std::to_string(width)}});
 }
 
 } // namespace engine

@@ -11,6 +11,7 @@
 #include "engine/machine_code/machine_code.hpp"
 #include "engine/methods/lambda.hpp"
 #include "engine/motions.hpp"
+#include "hilger/simd.hpp"
 
 namespace engine {
 
@@ -24,18 +25,15 @@ struct registers {
     std::vector<std::string> options;
 };
 registers registers_here() {
-    std::vector<std::string> options{"-O3", "-w"};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512dq")) {
-        options.insert(options.end(), {"-mavx512f", "-mavx512dq"});
-        return {8, options};
+    using namespace hilger::detail::memory;
+    switch (available_instructions()) {
+    case instructions::avx512:
+        return {8, {"-O3", "-w", "-mavx2", "-mavx512f", "-mavx512dq"}};
+    case instructions::avx2:
+        return {4, {"-O3", "-w", "-mavx2"}};
+    default:
+        return {2, {"-O3", "-w"}};
     }
-    if (__builtin_cpu_supports("avx2")) {
-        options.emplace_back("-mavx2");
-        return {4, options};
-    }
-#endif
-    return {2, options};
 }
 
 /// The Lagrangian or a force in symbols, with those that states bring as m[0], m[1], ...
@@ -120,10 +118,19 @@ std::vector<double> times_of(points<double> const& T) {
     return elements_of<double>(hilger::uniform(T.start, T.step, T.steps));
 }
 
-std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, bool one) {
+int lanes::width_here() {
+    int const most = registers_here().width;
+    auto const said = environment_variable("HILGER_LANES");
+    if (not said) return most;
+    for (int width = 1; width <= most; width *= 2)
+        if (*said == std::to_string(width)) return width;
+    hilger::error::raise<hilger::error::invalid_parameter>("HILGER_LANES is 1, 2, 4 or 8 and no more than the ", most,
+                                                           " numbers that a register of this processor has, and was '", *said, "'");
+}
+
+std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, int width) {
     int const d = what.lagrangian.formula().words().dimension();
     if (what.has_memory() or not what.besides.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
-    auto const here = one ? registers{1, {"-O3", "-w"}} : registers_here();
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();
     std::optional<double> lambda;
@@ -139,19 +146,19 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         if (not parts) return {};
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
         try {
-            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, here.width);
+            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, width);
         } catch (hilger::error::no_formula const&) { // it compares
             return {};
         }
     });
-    if (text.empty() or text.size() > (one ? most_letters_for_one : most_letters)) return nullptr;
-    auto const library = compiled(text, here.options);
+    if (text.empty() or text.size() > (width == alone ? most_letters_for_one : most_letters)) return nullptr;
+    auto const library = compiled(text, width == alone ? std::vector<std::string>{"-O3", "-w"} : registers_here().options);
     if (not library) return nullptr;
     std::unique_ptr<lanes> made(new lanes);
     made->begin_ = reinterpret_cast<decltype(made->begin_)>(library->find("begin"));
     made->walk_ = reinterpret_cast<decltype(made->walk_)>(library->find("walk"));
     if (made->begin_ == nullptr or made->walk_ == nullptr) return nullptr;
-    made->width_ = here.width;
+    made->width_ = std::max(width, 1);
     made->dimension_ = d;
     made->brought_ = brought;
     made->size_ = size;

@@ -134,7 +134,7 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of) {
 }
 
 std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width) {
-    bool const one = width == 1;
+    bool const one = width == 0;
     using hilger::detail::filled;
     int const N = what.dimension;
     auto const here = what.at(symbol::variable("t"), hilger::detail::c_array("q", N), hilger::detail::c_array("y", N));

@@ -11,7 +11,7 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
     constexpr hilger::index_type at_once = 4096; // steps before somebody may stop it
     auto const d = static_cast<std::size_t>(what.lagrangian.formula().words().dimension());
     if (static_cast<std::size_t>(from.q0.size()) != d or static_cast<std::size_t>(from.other.size()) != d) return {}; // which is said there
-    auto const code = lanes::of(what, method, T, true);
+    auto const code = lanes::of(what, method, T, lanes::alone);
     if (not code) return {};
     auto const begin = start_of(alone, {from, {}});
     if (not begin) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/machine_code/c_library.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -59,6 +60,20 @@ std::optional<files::path> folder() {
     if (::stat(path.c_str(), &about) != 0 or about.st_uid != ::geteuid() or (about.st_mode & (S_IWGRP | S_IWOTH)) != 0) return {};
     return path;
 }
+/// As many libraries as these stay in the folder, each with its text.
+constexpr std::size_t most_kept = 256;
+/// The oldest files go, and with them what a process that was killed has left. Another process may do the same, or use what goes: it has
+/// loaded that, or compiles it again.
+void forget_the_oldest(files::path const& where) {
+    std::error_code never_mind;
+    std::vector<std::pair<files::file_time_type, files::path>> all;
+    for (files::directory_iterator at(where, never_mind), end; at != end; at.increment(never_mind))
+        all.emplace_back(files::last_write_time(at->path(), never_mind), at->path());
+    if (all.size() <= 2 * most_kept) return;
+    std::sort(all.begin(), all.end());
+    all.resize(all.size() - 2 * most_kept);
+    for (auto const& [when, path] : all) files::remove(path, never_mind);
+}
 /// The text with the options in it, so that it is known by both.
 std::string with_options(std::string text, std::vector<std::string> const& options) {
     std::string said;
@@ -113,12 +128,9 @@ void c_library::begin() {
     library_ += ".so";
     source_ = kept_;
     source_ += ".c";
-    if (files::exists(library_)) {
-        if (content(source_) == text_)
-            load();
-        else
-            result_ = status::failed; // another text of this hash
-        return;
+    if (auto const kept = content(source_); kept and files::exists(library_)) {
+        if (*kept != text_) result_ = status::failed; // and of this hash
+        if (result_ == status::failed or load()) return;
     }
     std::string const own = '.' + std::to_string(::getpid()) + '.' + std::to_string(reinterpret_cast<std::uintptr_t>(this));
     own_source_ = kept_;
@@ -164,15 +176,17 @@ void c_library::finish() {
     std::error_code failed;
     files::rename(own_source_, source_, failed);
     if (not failed) files::rename(own_library_, library_, failed);
-    if (failed)
-        result_ = status::failed;
-    else
-        load();
+    if (failed or not load()) result_ = status::failed;
+    forget_the_oldest(kept_.parent_path());
 }
 
-void c_library::load() {
+bool c_library::load() {
     loaded_ = ::dlopen(library_.c_str(), RTLD_NOW | RTLD_LOCAL); // stays: somebody may be in it when the program ends
-    result_ = loaded_ == nullptr ? status::failed : status::done;
+    if (loaded_ == nullptr) return false;
+    result_ = status::done;
+    std::error_code never_mind;
+    for (auto const& used : {source_, library_}) files::last_write_time(used, files::file_time_type::clock::now(), never_mind);
+    return true;
 }
 
 void c_library::forget_files() {

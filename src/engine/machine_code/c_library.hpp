@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // C that becomes part of the running process: text, a file, a process of the system's compiler and a library that is loaded, in this order;
 // each step waits for nothing but is looked at again when somebody asks. What is compiled is kept under the name of its text's hash in the
-// user's folder for such things, with the text beside it, which is compared: a hash is no proof.
+// user's folder for such things, with the text beside it, which is compared: a hash is no proof. 256 libraries stay there, those last used.
 #pragma once
 
 #include <filesystem>
@@ -36,7 +36,7 @@ private:
     void begin();
     void spawn();
     void finish();
-    void load();
+    bool load();
     void forget_files();
     std::string text_;
     std::vector<std::string> options_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/machine_code/c_library.hpp"
+#include "hilger/simd.hpp"
 
 namespace engine {
 
@@ -24,6 +25,7 @@ std::vector<std::string> const options{"-O2", "-ftree-vectorize", "-fno-builtin-
 
 /// Loops over nodes are made vectors of. Two components of one are not, where they were written one by one: the processor would wait.
 std::vector<std::string> node_options() {
+    using namespace hilger::detail::memory;
     std::vector<std::string> all{"-O3",
                                  "-fno-tree-slp-vectorize",
                                  "-fno-math-errno",
@@ -32,9 +34,7 @@ std::vector<std::string> node_options() {
                                  "-fno-builtin-cos",
                                  "-fno-builtin-sinf",
                                  "-fno-builtin-cosf"};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) all.emplace_back("-mavx2");
-#endif
+    if (available_instructions() >= instructions::avx2) all.emplace_back("-mavx2");
     return all;
 }
 

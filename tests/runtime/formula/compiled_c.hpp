@@ -11,6 +11,7 @@
 
 #include "hilger/formula/c_code.hpp"
 #include "hilger/hilger.hpp"
+#include "support/there.hpp"
 
 namespace hilger::testing {
 
@@ -24,7 +25,7 @@ public:
         if (mkdtemp(name.data()) == nullptr) return;
         folder_ = name;
         std::ofstream(folder_ / "generated.c") << code;
-        std::string const command = "cc -std=c99 -Wall -Wextra -Werror -pedantic -shared -fPIC -o '" + (folder_ / "generated.so").string() +
+        std::string const command = "${CC:-cc} -std=c99 -Wall -Wextra -Werror -pedantic -shared -fPIC -o '" + (folder_ / "generated.so").string() +
                                     "' '" + (folder_ / "generated.c").string() + "' -lm";
         if (std::system(command.c_str()) == 0) object_ = dlopen((folder_ / "generated.so").c_str(), RTLD_NOW);
     }
@@ -45,11 +46,6 @@ private:
     std::filesystem::path folder_;
     void* object_ = nullptr;
 };
-inline bool there_is_a_c_compiler() {
-    static bool const there = std::system("cc --version >/dev/null 2>&1") == 0;
-    if (not there) MESSAGE("there is no cc here: the generated C is not compiled");
-    return there;
-}
 using lagrangian_in_c = double(double const*, double const*);
 using momentum_of_ = void(double const*, double const*, double*);
 using residual_of = void(double, double const*, double const*, double const*, double*);

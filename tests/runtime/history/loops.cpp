@@ -29,7 +29,7 @@ std::vector<loops<S>> all_loops() {
     baseline.pass.join = detail::memory::join_baseline<S>;
     std::vector<loops<S>> all{baseline};
 #ifdef HILGER_DETAIL_X86
-    if (detail::memory::available_instructions() == detail::memory::instructions::avx2) {
+    if (detail::memory::available_instructions() >= detail::memory::instructions::avx2) {
         loops<S> avx2;
         avx2.name = "AVX2";
         avx2.sum.product_sum = detail::memory::product_sum_avx2<S>;
