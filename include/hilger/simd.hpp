@@ -109,9 +109,9 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
 /// Sets of instructions: what every processor of its kind has; AVX2 and fused products; AVX-512 (F and DQ) beside these.
 enum class instructions { baseline, avx2, avx512 };
 
-/// What this processor has, asked once, and all that hilger asks of it: the loops of histories and transforms here (AVX-512 is left out: its
-/// loops are faster alone, and the scheme around them slower), formulas in machine code, and lanes. How many processors there are is asked
-/// for threads of ensembles alone. HILGER_INSTRUCTIONS=baseline or avx2 in the environment hides what is beyond that.
+/// What this processor has, asked once, and all that hilger asks of it: the loops of histories and transforms here (AVX-512 is left out:
+/// its loops are faster alone, and the scheme around them slower), formulas in machine code, and lanes. How many processors there are is
+/// asked for threads of ensembles alone. HILGER_INSTRUCTIONS=baseline or avx2 in the environment hides what is beyond that.
 /// @throws error::invalid_parameter where that is none of the names above
 inline instructions available_instructions() {
     static instructions const found = [] {

@@ -3,6 +3,7 @@
 // it is known to be the same.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 
 #include <dlfcn.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "engine/machine_code/machine_code.hpp"
@@ -79,7 +81,8 @@ public:
         }
         out.close();
         std::string const library = (where / "all.so").string();
-        REQUIRE(std::system(("${CC:-cc} -O1 -shared -fPIC -ffp-contract=off -o " + library + ' ' + (where / "all.c").string() + " -lm").c_str()) ==
+        REQUIRE(std::system(
+                    ("${CC:-cc} -O1 -shared -fPIC -ffp-contract=off -o " + library + ' ' + (where / "all.c").string() + " -lm").c_str()) ==
                 0);
         void* const loaded = ::dlopen(library.c_str(), RTLD_NOW);
         REQUIRE(loaded != nullptr);
@@ -228,6 +231,73 @@ TEST_CASE("what is compiled is kept, and used where it is the same text in a fol
         ::setenv("CC", "cc -pipe", 1);
         check(1006, true);
         ::unsetenv("CC");
+    }
+}
+
+namespace {
+std::vector<files::path> files_in(files::path const& there) { return {files::directory_iterator(there), {}}; }
+/// Steps of a seed, translated at once; whether they are those that are interpreted.
+bool are_the_same(unsigned seed) {
+    random_potential const U(seed);
+    engine::set_machine_code(engine::machine_code::at_once); // forgets what it has looked at
+    auto const with = walked(in_text(U), 300);
+    engine::set_machine_code(engine::machine_code::off);
+    auto const without = walked(in_text(U), 300);
+    engine::set_machine_code(engine::machine_code::at_once);
+    return std::equal(with.states.begin(), with.states.end(), without.states.begin(), without.states.end(),
+                      [](auto const& a, auto const& b) { return a.q == b.q and a.p == b.p; });
+}
+} // namespace
+
+TEST_CASE("512 files stay, and those that were used last") {
+    if (not testing::there_is_a_c_compiler()) return;
+    folder const here;
+    kept_in const cache(here.path);
+    files::path const kept = here.path / "hilger";
+    CHECK(are_the_same(1000));
+    auto const used = files_in(kept);
+    CHECK(used.size() >= 2);
+    auto const hours_ago = [](int hours) { return files::file_time_type::clock::now() - std::chrono::hours(hours); };
+    for (auto const& file : used) files::last_write_time(file, hours_ago(2000));
+    std::vector<files::path> older;
+    for (int k = 0; k < 600; ++k) {
+        older.push_back(kept / ("older" + std::to_string(k)));
+        std::ofstream(older.back()) << k;
+        files::last_write_time(older.back(), hours_ago(1000 - k));
+    }
+    CHECK(are_the_same(1000)); // from what is kept, which is the oldest
+    CHECK(files_in(kept).size() == used.size() + older.size());
+    CHECK(are_the_same(1001));
+    CHECK(files_in(kept).size() == 512);
+    for (auto const& file : used) CHECK(files::exists(file));
+    CHECK(not files::exists(older.front()));
+    CHECK(files::exists(older.back()));
+}
+
+TEST_CASE("processes that compile the same, while what is kept goes, all take the same steps") {
+    if (not testing::there_is_a_c_compiler()) return;
+    folder const here;
+    kept_in const cache(here.path);
+    files::path const kept = here.path / "hilger";
+    int const before = engine::formulas_in_machine_code();
+    CHECK(are_the_same(1000));
+    CHECK(engine::formulas_in_machine_code() > before);
+    std::vector<::pid_t> others;
+    for (int k = 0; k < 4; ++k) {
+        others.push_back(::fork());
+        if (others.back() != 0) continue;
+        bool all = true;
+        for (unsigned seed = 1000; seed < 1012; ++seed) all = are_the_same(seed % 4 + 1000) and all;
+        ::_exit(all ? 0 : 1);
+    }
+    for (std::size_t running = others.size(); running > 0;) {
+        std::error_code never_mind;
+        for (auto const& file : files_in(kept))
+            if (file.stem().extension().empty()) files::remove(file, never_mind); // none that is being compiled
+        int code = 0;
+        if (::waitpid(-1, &code, WNOHANG) <= 0) continue;
+        CHECK(code == 0);
+        --running;
     }
 }
 

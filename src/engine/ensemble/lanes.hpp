@@ -20,8 +20,8 @@ public:
     static constexpr std::size_t most_letters = 64'000, most_letters_for_one = 32'000;
     /// Compiles and waits for it. Nothing where the method has more than one node in a part of its step, the problem a memory, a formula
     /// branches, more than a few coordinates or thousands of operations, or where machine code is off or there is no compiler.
-    /// States are the same to the last bit at every width: 1, 2, 4 or 8, and those of several registers where one is not as wide. One member
-    /// `alone` has plain numbers, and its functions are those of the C library.
+    /// States are the same to the last bit at every width: 1, 2, 4 or 8, and those of several registers where one is not as wide. One
+    /// member `alone` has plain numbers, and its functions are those of the C library.
     static std::unique_ptr<lanes> of(problem const& what, std::string const& method, points<double> const& T, int width = width_here());
     static constexpr int alone = 0;
     /// As many doubles as a register has, or HILGER_LANES of the environment.

@@ -31,8 +31,8 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of);
 /// walks n steps from t[i], which is i steps behind the beginning; h is their length, or 0 where it is that between the times. A lane in
 /// which a step fails is lost from there on: its number in `lost` is -1. Lanes are independent of each other to the last bit. Nothing where
 /// a formula has branches, or domains that its derivatives do not know of, as log(1 - q) with 1/(1 - q).
-/// Where `width` is 0 there is one member, all are plain numbers, functions those of the C library, masks branches, and q and p behind each step go to kept_q
-/// and kept_p, where these are not null.
+/// Where `width` is 0 there is one member, all are plain numbers, functions those of the C library, masks branches, and q and p behind each
+/// step go to kept_q and kept_p, where these are not null.
 std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width);
 
 } // namespace engine

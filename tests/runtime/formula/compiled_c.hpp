@@ -25,8 +25,8 @@ public:
         if (mkdtemp(name.data()) == nullptr) return;
         folder_ = name;
         std::ofstream(folder_ / "generated.c") << code;
-        std::string const command = "${CC:-cc} -std=c99 -Wall -Wextra -Werror -pedantic -shared -fPIC -o '" + (folder_ / "generated.so").string() +
-                                    "' '" + (folder_ / "generated.c").string() + "' -lm";
+        std::string const command = "${CC:-cc} -std=c99 -Wall -Wextra -Werror -pedantic -shared -fPIC -o '" +
+                                    (folder_ / "generated.so").string() + "' '" + (folder_ / "generated.c").string() + "' -lm";
         if (std::system(command.c_str()) == 0) object_ = dlopen((folder_ / "generated.so").c_str(), RTLD_NOW);
     }
     compiled(compiled const&) = delete;
