@@ -231,12 +231,12 @@ int run_ensemble(run_options const& options) {
     std::string const path = (std::filesystem::path(options.out) / (what.name + ".npy")).string();
     bool const beside = ours.ranks == 1 and std::filesystem::exists(path);
     std::string written = beside ? (std::filesystem::path(options.out) / (what.name + ".interrupted.npy")).string() : path;
-    array_file const file(written, {members, points, 2 * d});
-    std::vector<double> numbers(static_cast<std::size_t>((end - first) * points * 2 * d), std::numeric_limits<double>::quiet_NaN());
-    file.write(first * points * 2 * d, numbers); // whatever becomes of us, nobody takes an older file for the result
     stop_asked = false;
     std::signal(SIGINT, ask_members_to_stop);
     std::signal(SIGTERM, ask_members_to_stop);
+    array_file const file(written, {members, points, 2 * d});
+    std::vector<double> numbers(static_cast<std::size_t>((end - first) * points * 2 * d), std::numeric_limits<double>::quiet_NaN());
+    file.write(first * points * 2 * d, numbers); // whatever becomes of us, nobody takes an older file for the result
     std::atomic<index_type> done = 0;
     auto const made =
         engine::walk_all(all, {table.members().begin() + first, table.members().begin() + end}, stride, threads, stop_asked, done);

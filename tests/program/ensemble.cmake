@@ -14,7 +14,7 @@ initial = { q = 2, v = "1/3" }
 file(WRITE ${out}/members.csv "# q, g, k[0]\n1,9.81,0\n2, 9.81, 0\n\n0.5,1/2,0\n1.5,1.6,1e-2\n40,9.81,1000\n-1,3,0\n0.25,9,0.125\n")
 function(run result_is folder members)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env ${ARGN} ${hilger} run pendulum.toml --ensemble ${members} --out ${folder} --every 30
-    WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complained TIMEOUT 60)
+    WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complained)
   if(NOT result EQUAL ${result_is})
     message(FATAL_ERROR "expected ${result_is}: ${result}: ${said}${complained}")
   endif()
@@ -50,10 +50,11 @@ endif()
 # What is interrupted leaves the file of who came to the end, and keeps its own beside it; one of which nobody comes to the end has failed.
 string(REPEAT "1,9.81,0\n" 4000 rows)
 file(WRITE ${out}/for_minutes.csv "q,g,k[0]\n${rows}")
-execute_process(COMMAND timeout --signal=INT 2 ${hilger} run pendulum.toml --ensemble for_minutes.csv --out one --steps 10000000
+execute_process(COMMAND sh -c "\"$0\" run pendulum.toml --ensemble for_minutes.csv --out one --steps 10000000 &
+  while [ ! -e one/pendulum.interrupted.npy ]; do kill -0 $! || exit; sleep 0.1; done; kill -INT $!; wait $!" ${hilger}
   WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said)
 file(SHA256 ${out}/one/pendulum.npy again)
-if(NOT one STREQUAL again OR NOT EXISTS ${out}/one/pendulum.interrupted.npy)
+if(NOT result EQUAL 130 OR NOT one STREQUAL again OR NOT EXISTS ${out}/one/pendulum.interrupted.npy)
   message(SEND_ERROR "an interrupted ensemble (${result}) took the place of a whole one: ${said}")
 endif()
 expect("Written: one/pendulum.interrupted.npy")
@@ -66,8 +67,11 @@ run(1 far far.csv)
 expect("1 failed")
 # An older file, of another size, is no result.
 file(WRITE ${out}/three/pendulum.npy "something else")
-foreach(rank IN ITEMS 2 0 1)
-  run(0 three members.csv OMPI_COMM_WORLD_RANK=${rank} OMPI_COMM_WORLD_SIZE=3)
+# On machines whose registers have one number, two, and as many as here.
+set(ranks 2 0 1)
+set(widths 1 2 "")
+foreach(rank width IN ZIP_LISTS ranks widths)
+  run(0 three members.csv OMPI_COMM_WORLD_RANK=${rank} OMPI_COMM_WORLD_SIZE=3 HILGER_LANES=${width})
 endforeach()
 file(SHA256 ${out}/one/pendulum.npy one)
 file(SHA256 ${out}/three/pendulum.npy three)
@@ -81,15 +85,6 @@ if(NOT one STREQUAL three)
 endif()
 run(0 three members.csv OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=9)
 expect("pendulum: none of 7, mid-point")
-find_program(mpirun mpirun)
-if(mpirun)
-  execute_process(COMMAND ${mpirun} --allow-run-as-root --oversubscribe -n 4 ${hilger} run pendulum.toml --ensemble members.csv --out four --every 30
-    WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE complained TIMEOUT 60)
-  file(SHA256 ${out}/four/pendulum.npy four)
-  if(NOT result EQUAL 0 OR NOT one STREQUAL four)
-    message(SEND_ERROR "four ranks wrote another file than one (${result}): ${complained}")
-  endif()
-endif()
 
 # same_end(<scene> <its name> <array> <state>): the last q and p of a run are state number so many of an array.
 function(same_end scene name array state)
@@ -97,8 +92,8 @@ function(same_end scene name array state)
   file(STRINGS ${out}/alone/${name}.csv rows)
   list(GET rows -1 row)
   math(EXPR at "128 + ${state} * 2 * 8")
-  execute_process(COMMAND od -A n -t f8 -j ${at} -N 16 ${out}/${array} OUTPUT_VARIABLE numbers)
-  execute_process(COMMAND awk -v "row=${row}" -v "numbers=${numbers}" "BEGIN { split(row, x, \",\"); split(numbers, y, \" \"); print x[2], y[1], x[3], y[2]; exit !((x[2] - y[1])^2 < 1e-24 && (x[3] - y[2])^2 < 1e-24 && x[2]^2 > 1e-4) }"
+  execute_process(COMMAND env LC_ALL=C od -A n -t f8 -j ${at} -N 16 ${out}/${array} OUTPUT_VARIABLE numbers)
+  execute_process(COMMAND env LC_ALL=C awk -v "row=${row}" -v "numbers=${numbers}" "BEGIN { split(row, x, \",\"); split(numbers, y, \" \"); print x[2], y[1], x[3], y[2]; exit !((x[2] - y[1])^2 < 1e-24 && (x[3] - y[2])^2 < 1e-24 && x[2]^2 > 1e-4) }"
     RESULT_VARIABLE differs OUTPUT_VARIABLE all_four)
   if(NOT differs EQUAL 0)
     message(SEND_ERROR "the run of ${scene} alone ends in other numbers than the member: ${all_four}")

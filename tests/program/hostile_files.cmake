@@ -3,7 +3,7 @@
 # What files say is never a command, never a place that is not theirs, and never half a result.
 file(REMOVE_RECURSE ${out})
 function(hilger_says what)
-  execute_process(COMMAND ${hilger} ${ARGN} WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said TIMEOUT 60)
+  execute_process(COMMAND ${hilger} ${ARGN} WORKING_DIRECTORY ${out} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT said MATCHES "${what}")
     message(SEND_ERROR "hilger ${ARGN}: ${what} was expected, and it said (${result}): ${said}")
   endif()

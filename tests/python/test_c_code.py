@@ -3,23 +3,23 @@
 
 import ctypes
 import pathlib
-import shutil
 import subprocess
 import tempfile
 import unittest
 
+import needs
 import numpy as np
 
 import hilger as h
 
 
-@unittest.skipUnless(shutil.which("cc"), "there is no C compiler")
+@needs.c_compiler
 class Code(unittest.TestCase):
     def step_of(self, EL, name, folder):
         source, library = (pathlib.Path(folder) / f"{name}.{end}" for end in ("c", "so"))
         source.write_text(EL.c_code(name))
         flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-shared", "-fPIC"]
-        subprocess.run(["cc", *flags, str(source), "-o", str(library), "-lm"], check=True)
+        subprocess.run([*needs.CC, *flags, str(source), "-o", str(library), "-lm"], check=True)
         return getattr(ctypes.CDLL(str(library)), f"{name}_step")
 
     def follows(self, EL, name, q0, v0, timed=False):

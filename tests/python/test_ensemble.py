@@ -10,6 +10,7 @@ import threading
 import unittest
 import warnings
 
+import needs
 import numpy as np
 
 import hilger as h
@@ -78,6 +79,7 @@ class Ensemble(unittest.TestCase):
         with self.assertRaisesRegex(h.InvalidParameter, "k is an array of numbers"):
             h.solve_many(EL, q0=[1.0, 2.0], v0=0.0, parameters={"k": [1.0, None]})
 
+    @needs.c_compiler
     def test_lanes_agree_with_those_alone_and_do_not_know_of_each_other(self):
         rng = np.random.default_rng(2)
         q0, v0 = rng.uniform(-0.3, 0.3, (2, 21, 2))
@@ -99,6 +101,7 @@ class Ensemble(unittest.TestCase):
                         again = h.solve_many(EL, q0=q0, every=1, **start)
                         np.testing.assert_allclose(again.q, many.q, rtol=0, atol=200 * 64 * epsilon)
 
+    @needs.c_compiler
     def test_parameters_of_members(self):
         L = h.Lagrangian("m*v^2/2 - k[0]*q^2/2 - k[1]*q^4/4 - g*q", m=1, k=[1, 2], g=0)
         m, g = np.linspace(1, 2, 11), np.linspace(-0.25, 0.25, 11)

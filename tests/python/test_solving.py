@@ -463,7 +463,6 @@ class Endings(unittest.TestCase):
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             x = h.solve(EL, q0=1.0, v0=0.0)
-        self.assertGreater(len(x), 100)
         self.assertLess(len(x), 50_000_000)
         self.assertIn("interrupted", x.stopped)
         self.assertEqual([w.category for w in said], [RuntimeWarning])

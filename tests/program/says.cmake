@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSL-1.0
+# cmake -D says=<regular expression> -D code=<exit code> -P says.cmake -- <program> <arguments...>
+# The program ends with this code, and what it writes matches: a program that fails behind its sentence has not said it.
+cmake_minimum_required(VERSION 3.22)
+set(command)
+set(is_command FALSE)
+math(EXPR last "${CMAKE_ARGC} - 1")
+foreach(at RANGE ${last})
+  if(is_command)
+    list(APPEND command "${CMAKE_ARGV${at}}")
+  elseif(CMAKE_ARGV${at} STREQUAL "--")
+    set(is_command TRUE)
+  endif()
+endforeach()
+execute_process(COMMAND ${command} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+message("${said}")
+if(NOT result STREQUAL code)
+  message(SEND_ERROR "the program ended with ${result}, and ${code} was expected")
+endif()
+if(NOT said MATCHES "${says}")
+  message(SEND_ERROR "expected: ${says}")
+endif()
