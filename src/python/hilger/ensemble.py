@@ -59,9 +59,10 @@ def solve_many(
     rank gets the whole, which does not depend on their number; `progress` is of its share.
 
     With `lanes` the members of order_one, order_one_left, midpoint, verlet and kahan_li_8 that have up to six coordinates, no memory, no
-    branches, no formulas of thousands of operations and nothing that is not defined everywhere (log, asin, atan2, q^v) step several at once, in the lanes of the processor's
-    registers, and agree with what `solve` makes of each to rounding. Without,
-    and everywhere else (with no C compiler, see `machine_code`), they agree to the last bit.
+    branches, no formulas of thousands of operations and nothing that is not defined everywhere (log, asin, atan2, q^v) step several at once,
+    in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding; how many lanes there are changes no
+    bit, but functions of the C library may differ in their last ones on a processor without AVX2. Without, and everywhere else (with no C
+    compiler, see `machine_code`), they agree to the last bit.
     """
     for what, n in (("every", every), ("threads", threads)):
         if n == 0 and what == "threads":

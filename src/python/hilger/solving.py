@@ -237,7 +237,8 @@ def machine_code(how: str = "on") -> None:
     """Whether formulas become machine code: "on", as it is, once they have been evaluated a thousand times and the system's C compiler is
     ready with them; "off"; or "at once", waiting for the compiler. Results are the same to the last bit.
 
-    What is compiled is kept in the folder hilger of $XDG_CACHE_HOME or ~/.cache. HILGER_MACHINE_CODE=off in the environment says "off".
+    What is compiled is kept in the folder hilger of $XDG_CACHE_HOME or ~/.cache, the 256 libraries last used. HILGER_MACHINE_CODE=off in the
+    environment says "off".
     """
     if not isinstance(how, str):
         raise TypeError(f'machine code is "on", "off" or "at once", and here is {how!r}')
