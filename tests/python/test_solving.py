@@ -3,7 +3,9 @@
 
 import pickle
 import signal
+import sys
 import threading
+import time
 import unittest
 import warnings
 from fractions import Fraction
@@ -502,13 +504,28 @@ class Endings(unittest.TestCase):
             h.solve(endless, q0=1.0, v0=0.0, progress=broken)
 
     def test_others_run_meanwhile(self):
-        done = threading.Event()
-        other = threading.Thread(target=done.set)
-        EL = h.variation(pendulum, h.uniform(0, 0.01, 1_000_000))
-        other.start()
-        h.solve(EL, q0=1.0, v0=0.0)
-        self.assertTrue(done.is_set())
-        other.join()
+        # No thread is asked to give way, so another one counts on between two points of a solution only where solve lets it.
+        counted, seen, ended = [0], [], threading.Event()
+
+        def count():
+            while not ended.is_set():
+                counted[0] += 1
+                time.sleep(0)
+
+        def has_counted(t, q, p):
+            seen.append(counted[0])
+            return seen[-1] > seen[0]
+
+        other, interval = threading.Thread(target=count), sys.getswitchinterval()
+        sys.setswitchinterval(3600)
+        try:
+            other.start()
+            h.solve(h.variation(pendulum, h.uniform(0, 0.01, 1_000_000), h.gauss(4)), q0=1.0, v0=0.0, until=has_counted)
+        finally:
+            ended.set()
+            sys.setswitchinterval(interval)
+            other.join()
+        self.assertGreater(seen[-1], seen[0])
 
 
 if __name__ == "__main__":
