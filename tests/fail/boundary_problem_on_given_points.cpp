@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: has the weights of one step h, and this integral is over a scale of given points
-// expect-clang: fractional_difference<grunwald_letnikov, run_time<double>, hilger::side::minus>::name() + " has the weights of one step h, and this integral is over " + Root::kind()
 // Fractional differences are convolutions; on unequal steps they are none.
 #include "hilger/boundary/solve.hpp"
 #include "hilger/scale/time_scale.hpp"

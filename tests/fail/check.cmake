@@ -4,10 +4,11 @@
 #                   "// alone: <why>"; with g++ it is what hilger includes of others
 # must=compile      the twin, compiled as it is, compiles; ${source} may have those of many cases
 # must=not_compile  with MUST_NOT_COMPILE defined it does not. The first line with "error:" contains the text of the line
-#                   "// expect: <text>", and the message has fewer than 25 lines, not counting those that say who included whom.
+#                   "// expect: <text>", and the message has fewer than 25 lines, not counting those that say who included whom. Of clang
+#                   a sentence that is put together from names is in pieces in a note, as arguments of sentence().
 # A case with several mistakes has lines "// expect 1: <text>", "// expect 2: <text>" ..., and MUST_NOT_COMPILE is the number of the mistake.
-# Where clang 14 writes something else - a sentence that is put together as the expression that puts it together, or a compiler's own
-# message - there is a line "// expect-clang: <text>" (or "// expect-clang 2: <text>") beside it. "// lines: <n>" and "// lines-clang: <n>",
+# Where clang 14 writes something else, a compiler's own message, there is a line "// expect-clang: <text>" (or "// expect-clang 2: <text>")
+# beside it. "// lines: <n>" and "// lines-clang: <n>",
 # with the number of the mistake as above, raise the limit where most lines are the compiler's own.
 cmake_minimum_required(VERSION 3.22)
 
@@ -80,6 +81,9 @@ function(check_mistake number)
     message(FATAL_ERROR "The message has no line with error:.")
   endif()
   set(first "${CMAKE_MATCH_1}")
+  if(compiler_id MATCHES "Clang" AND message MATCHES "in call to 'sentence\\({{\"([^\n]*)\"}}\\)'")
+    string(REPLACE "\"}, {\"" "" first "${CMAKE_MATCH_1}")
+  endif()
   string(FIND "${first}" "${expected}" position)
   if(position EQUAL -1)
     message(NOTICE "${message}")

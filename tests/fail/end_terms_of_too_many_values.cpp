@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: the end terms of Delta_plus need g where A f lives, on T^{+}, and it lives on T
-// expect-clang: "the end terms of " + derivative<nodes, hilger::side::plus>::name() + " need g where A f lives, on " + domain<nodes, 0, 1>::name() + ", and it lives on " + domain<nodes, 0, 0>::name()
 // <Delta_plus[f], g> has no use for g(b), and its adjoint must not use it either.
 #include "hilger/calculus.hpp"
 

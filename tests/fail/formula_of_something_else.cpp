@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a function on T is made from a formula that takes its points, or from a std::vector of its values
-// expect-clang: "a function on " + domain<nodes, 0, 0>::name() + " is made from a formula that takes its points, or from a std::vector of its values"
 // The points of T are doubles.
 #include "hilger/calculus.hpp"
 

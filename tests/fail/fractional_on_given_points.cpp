@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: Delta_minus_alpha<1/2> has the weights of one step h, and this function lives on
-// expect-clang: fractional_difference<grunwald_letnikov, fraction<1, 2>, hilger::side::minus>::name() + " has the weights of one step h, and this function lives on " + time_scale<double>::kind()
 #include "hilger/calculus.hpp"
 
 using namespace hilger;

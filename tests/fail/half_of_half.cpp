@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: half, circ and their lambda siblings are made from T, and this scale is T_half
-// expect-clang: "half, circ and their lambda siblings are made from T, and this scale is " + domain<between<fraction<1, 2>>, 0, 0>::name() + "; for the points of a derived scale as a T of its own write time_scale(scale)"
 // The points of a derived scale make a T of their own when asked to.
 #include "hilger/calculus.hpp"
 

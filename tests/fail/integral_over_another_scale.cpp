@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: this needs a function on T_half, and the one given lives on T
-// expect-clang: "this needs a function on " + domain<between<fraction<1, 2>>, 0, 0>::name() + ", and the one given lives on " + domain<nodes, 0, 0>::name()
 // The integral over T_half needs the values at the mid-points.
 #include "hilger/calculus.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a sum of operators needs one scale to act on, and sigma acts on T, rho_o on T_o
-// expect-clang: "a sum of operators needs one scale to act on, and " + shift<nodes, hilger::side::plus>::name() + " acts on " + nodes::name() + ", " + shift<joined<fraction<1, 2>>, hilger::side::minus>::name() + " on " + joined<fraction<1, 2>>::name()
 // The two summands act on functions on different scales.
 #include "hilger/calculus.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a sum of operators needs one scale to map to, and pi_inverse maps to T_half, Delta_plus to T
-// expect-clang: "a sum of operators needs one scale to map to, and " + projection<fraction<1, 2>, true>::name() + " maps to " + between<fraction<1, 2>>::name() + ", " + derivative<nodes, hilger::side::plus>::name() + " to " + nodes::name()
 // The two summands make functions on different scales.
 #include "hilger/calculus.hpp"
 

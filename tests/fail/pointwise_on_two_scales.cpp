@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: apply_pointwise needs both functions on one scale, and they live on T and on T_half
-// expect-clang: pointwise_application::name() + " needs both functions on one scale, and they live on " + domain<nodes, 0, 0>::name() + " and on " + domain<between<fraction<1, 2>>, 0, 0>::name()
+// lines-clang: 25
 // The third function is on another scale, and the message names it, not the second.
 #include "hilger/calculus.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a product needs both functions on one scale, and they live on T_half and on T
-// expect-clang: a_product::name() + " needs both functions on one scale, and they live on " + domain<between<fraction<1, 2>>, 0, 0>::name() + " and on " + domain<nodes, 0, 0>::name()
 // T_half and T have no point in common.
 #include "hilger/calculus.hpp"
 

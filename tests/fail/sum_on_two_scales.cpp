@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a sum needs both functions on one scale, and they live on T and on T_o
-// expect-clang: a_sum::name() + " needs both functions on one scale, and they live on " + domain<nodes, 0, 0>::name() + " and on " + domain<joined<fraction<1, 2>>, 0, 0>::name()
 // The values of f at the mid-points are somebody's choice: extend is one of them.
 #include "hilger/calculus.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: on_half acts on functions on T_o, and this one lives on T_{o,1/3}
-// expect-clang: restriction_to<fraction<1, 2>, false>::name() + " acts on functions on " + joined<fraction<1, 2>>::name() + ", and this one lives on " + domain<joined<fraction<1, 3>>, 0, 0>::name()
 // Every lambda has scales of its own.
 #include "hilger/calculus.hpp"
 

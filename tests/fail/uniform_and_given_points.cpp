@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: a product needs both functions on one scale, and one lives on a uniform scale, the other on a scale of given points
-// expect-clang: a_product::name() + " needs both functions on one scale, and one lives on " + uniform_scale<double, -1>::kind() + ", the other on " + time_scale<double>::kind() + " of another type"
 // Their points may agree; the types do not know.
 #include "hilger/calculus.hpp"
 

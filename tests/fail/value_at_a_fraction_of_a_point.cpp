@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: f[i] takes the number i of a point of T; the value at t is f(t)
-// expect-clang: "f[i] takes the number i of a point of " + domain<nodes, 0, 0>::name() + "; the value at t is f(t)"
 // f[0.3] would be f[0].
 #include "hilger/calculus.hpp"
 

@@ -14,7 +14,7 @@ namespace hilger::testing {
 template <discrete_function F>
 std::string values(F const& f) {
     std::ostringstream out;
-    out << F::domain_type::name().view() << ':';
+    out << F::domain_type::name().text().view() << ':';
     char const* separator = " ";
     for (index_type i = f.first(); i <= f.last(); ++i) {
         out << separator << f[i];

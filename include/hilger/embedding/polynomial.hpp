@@ -73,7 +73,7 @@ struct polynomial_reading : linear_operator<polynomial_reading<Degree, Quadratur
     using quadrature = Quadrature;
 
     static constexpr reach reads{{}, reach::local(0.5, 0.5).between};
-    static constexpr auto name() { return fixed_text(IsSlope ? "polynomial_slope<" : "polynomial_value<") + digits<Degree>() + ">"; }
+    static constexpr auto name() { return fixed_text("polynomial_") + (IsSlope ? "slope<" : "value<") + digits<Degree>() + ">"; }
     template <int F, int B>
     constexpr auto image(domain<from, F, B> const&) const {
         return domain<to, Count*((F + Degree - 1) / Degree), Count*((B + Degree - 1) / Degree)>{};

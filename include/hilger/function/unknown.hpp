@@ -8,7 +8,7 @@
 
 namespace hilger {
 
-template <fixed_text Name = fixed_text("q"), class Base = nodes>
+template <text_argument Name = "q", class Base = nodes>
 struct unknown : discrete_function_tag {
     using domain_type = hilger::domain<Base>;
     static constexpr auto name() { return Name; }

@@ -7,7 +7,7 @@
 
 namespace hilger {
 
-template <fixed_text Name, class Base>
+template <text_argument Name, class Base>
 constexpr auto operator_of(unknown<Name, Base> const&) {
     if constexpr (std::same_as<Base, nodes>)
         return identity_T;
@@ -23,7 +23,7 @@ constexpr auto operator_of(applied<A, F> const& expression) {
 }
 
 /// The unknown of a symbolic expression.
-template <fixed_text Name, class Base>
+template <text_argument Name, class Base>
 constexpr auto unknown_of(unknown<Name, Base> const& q) {
     return q;
 }

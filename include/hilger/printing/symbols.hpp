@@ -70,7 +70,7 @@ spelled foot(joined<Lambda> const& base) {
 template <class Base>
     requires requires { Base::foot(); }
 spelled foot(Base const&) {
-    std::string const at(Base::foot().view());
+    std::string const at(Base::foot().text().view());
     return {at, at.substr(at.starts_with('_') ? 1 : 0)};
 }
 /// A letter with a foot, and +, - after it.

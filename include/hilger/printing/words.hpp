@@ -141,7 +141,7 @@ expression written_alone(tail_integral_at<Lambda> const&, expression const& f) {
 inline expression written_alone(from_start const&, expression const& f) { return f + f.marked({"(a)", "(a)"}).times(-1, 1); }
 template <class G, class Order, side Side>
 expression written_alone(fractional_difference<G, Order, Side> const& a, expression const& f) {
-    std::string name(G::name().view());
+    std::string name(G::name().text().view());
     if (name.starts_with("bdf<")) name = "BDF" + name.substr(4, 1);
     bool const plain = name == "Delta", up = Side == side::plus;
     std::string order, shown;
@@ -156,7 +156,7 @@ expression written_alone(fractional_difference<G, Order, Side> const& a, express
 /// An operator of the user's.
 template <class A>
 expression written_alone(A const&, expression const& f) {
-    std::string const name(A::name().view());
+    std::string const name(A::name().text().view());
     return with_symbol(f, {name, "\\mathrm{" + name + "}"});
 }
 

@@ -167,10 +167,8 @@ private:
     static constexpr auto marks() {
         if constexpr (Count == 0)
             return fixed_text("");
-        else {
-            char const mark[2] = {Mark, '\0'};
-            return fixed_text<2>(mark) + marks<Count - 1, Mark>();
-        }
+        else
+            return fixed_text(Mark == '+' ? "+" : "-") + marks<Count - 1, Mark>();
     }
 };
 

@@ -112,7 +112,7 @@ public:
         return a.size() == b.size() and std::equal(a.begin(), a.end(), b.begin());
     }
     friend std::ostream& operator<<(std::ostream& out, Derived const& scale) {
-        out << Derived::domain_type::name().view();
+        out << Derived::domain_type::name().text().view();
         if (scale.empty()) return out << " = {}";
         out << " = {" << scale.element(scale.first());
         index_type const shown = std::min<index_type>(scale.size(), 3);

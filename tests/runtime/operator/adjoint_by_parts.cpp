@@ -30,7 +30,7 @@ auto all_of(Root const& T) {
 
 template <class A, class Root>
 void check_by_parts(A const& a, Root const& T) {
-    INFO(std::string(A::name().view()));
+    INFO(std::string(A::name().text().view()));
     for (int seed = 1; seed < 4; ++seed) {
         auto const f = arbitrary(all_of<typename A::from>(T), seed);
         auto const g = arbitrary(all_of<typename A::to>(T), seed + 4);
@@ -41,7 +41,7 @@ void check_by_parts(A const& a, Root const& T) {
 
 template <class A, class Root>
 void check_by_parts_inside(A const& a, Root const& T) {
-    INFO(std::string(A::name().view()));
+    INFO(std::string(A::name().text().view()));
     auto const f = arbitrary(all_of<typename A::from>(T), 2);
     auto const g = arbitrary(all_of<typename A::to>(T), 5);
     auto const one = by_parts(a, restrict_to(f, interior(f.scale())), g);

@@ -25,7 +25,7 @@ double component(double t, int j) { return (j + 1) * t * t - j * t + 0.5 * j; }
 
 template <class Vector, class A, class Root>
 void check_componentwise(A const& a, Root const& T) {
-    INFO(std::string(A::name().view()));
+    INFO(std::string(A::name().text().view()));
     auto const scale = all_of<typename A::from>(T);
     auto const u = function_on(scale, [](double t) {
         Vector x(3);
