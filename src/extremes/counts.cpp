@@ -107,8 +107,8 @@ rows counts(scope how) {
     sums(all, report ? 100'000'000 : 1'000'000);
     index_type const N = report ? 10'000'000 : 1'000'000;
     std::string const n = few_digits(static_cast<double>(N));
-    // Each step rounds q and p, by half an epsilon or less: as if by chance, that has the deviation sqrt(N/6). Ten of them.
-    double const by_chance = 10 * std::sqrt(static_cast<double>(N) / 6);
+    // Each step rounds q and p, by half an epsilon or less: as if by chance, that has the deviation sqrt(N/6). Five of them.
+    double const by_chance = 5 * std::sqrt(static_cast<double>(N) / 6);
     all.push_back(kept("energy of the oscillator, steps " + n, drift(embed(oscillator, mid_point), N), by_chance));
     // The sums are exact then; what is left is the rounding of increments, h = 1/16 times smaller.
     all.push_back(kept("the same with compensated sums", drift(embed(oscillator, mid_point, compensated), N), by_chance / 16));

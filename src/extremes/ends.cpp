@@ -24,17 +24,16 @@ rows ends(scope) {
     rows all;
     auto const right = embed(pendulum, order_one);
     auto const left = embed(pendulum, order_one_left);
-    // A step with lambda is by h lambda dL/dq away from one with 0, and rounds; both add up, and the pendulum magnifies linearly.
-    double const N = steps_made;
-    auto const bound = [&](double distance) { return (distance / epsilon<double>() * 0.0625 + 4) * N * N / 2; };
-    all.push_back(kept("theta at lambda = 1e-300 is order one", apart(embed(pendulum, theta_at(1e-300)), right), bound(0)));
-    all.push_back(kept("theta at lambda = 1e-15 is order one", apart(embed(pendulum, theta_at(1e-15)), right), bound(1e-15)));
-    all.push_back(kept("theta at lambda = 1 - 1e-15 is order one, left", apart(embed(pendulum, theta_at(1 - 1e-15)), left), bound(1e-15)));
+    // A step with lambda = 1e-15 is by h lambda dL/dq, a quarter of an epsilon, away from one with 0; both round. Two of these make the
+    // same sums here and are not apart at all; a compiler may contract the one and not the other.
+    double const bound = 400;
+    all.push_back(kept("theta at lambda = 1e-300 is order one", apart(embed(pendulum, theta_at(1e-300)), right), bound));
+    all.push_back(kept("theta at lambda = 1e-15 is order one", apart(embed(pendulum, theta_at(1e-15)), right), bound));
+    all.push_back(kept("theta at lambda = 1 - 1e-15 is order one, left", apart(embed(pendulum, theta_at(1 - 1e-15)), left), bound));
     double const last = 1 - epsilon<double>() / 2;
+    all.push_back(kept("theta at the last lambda below 1 is order one, left", apart(embed(pendulum, theta_at(last)), left), bound));
     all.push_back(
-        kept("theta at the last lambda below 1 is order one, left", apart(embed(pendulum, theta_at(last)), left), bound(1.2e-16)));
-    all.push_back(kept("theta at lambda = 1/2 at run time is mid-point", apart(embed(pendulum, theta_at(0.5)), embed(pendulum, mid_point)),
-                       bound(0)));
+        kept("theta at lambda = 1/2 at run time is mid-point", apart(embed(pendulum, theta_at(0.5)), embed(pendulum, mid_point)), bound));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = 0", [] { (void)theta_at(0.0); }));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = 1", [] { (void)theta_at(1.0); }));
     all.push_back(refused<error::invalid_parameter>("theta at lambda = NaN", [] { (void)theta_at(std::nan("")); }));
@@ -48,9 +47,9 @@ rows ends(scope) {
     };
     // Points, values and the sum round; e^t is at most t times as sensitive.
     all.push_back(kept("integral over T_lambda, lambda = 0", in_epsilons(integral_at(0), float50(at_left)), 0));
-    all.push_back(kept("integral over T_lambda, lambda = 1e-15", in_epsilons(integral_at(1e-15), float50(at_left)), 12));
+    all.push_back(kept("integral over T_lambda, lambda = 1e-15", in_epsilons(integral_at(1e-15), float50(at_left)), 4));
     all.push_back(
-        kept("integral over T_lambda, lambda = 1 - 1e-15: the nabla integral", in_epsilons(integral_at(1 - 1e-15), float50(at_right)), 12));
+        kept("integral over T_lambda, lambda = 1 - 1e-15: the nabla integral", in_epsilons(integral_at(1 - 1e-15), float50(at_right)), 4));
     all.push_back(refused<error::invalid_parameter>("T_lambda, lambda = 1", [&] { (void)at_lambda(T, 1.0); }));
     all.push_back(refused<error::invalid_scale>("T_{o,lambda}, lambda = 1e-15: two points would be one",
                                                 [&] { (void)circ(uniform(1.0, 0.0625, 64), 1e-15); }));
