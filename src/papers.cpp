@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "papers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -46,19 +47,15 @@ std::string agreement::seen(std::string const& where, bool agrees, std::string c
     return text + (reason.empty() ? " !" : " *");
 }
 
-std::string agreement::number(std::string const& where, std::string const& printed, double computed, double bound,
-                              std::string const& reason) {
-    double const units = hilger::papers::difference_in_units(computed, printed), difference = computed - std::stod(printed);
-    bool const agrees = std::abs(units) <= 0.5;
+std::string agreement::number(std::string const& where, std::string const& printed, double computed,
+                              std::vector<known_difference> const& known) {
+    auto const is = [&](std::string const& digits) { return std::abs(hilger::papers::difference_in_units(computed, digits)) <= 0.5; };
+    bool const agrees = is(printed);
     ++numbers_;
     agreeing_ += agrees ? 1 : 0;
-    std::string why;
-    if (std::abs(difference) <= bound)
-        why = reason;
-    else if (units > 0.5 and units < 1)
-        why = "cut off after its last digit";
-    return seen(where + ", printed " + printed + ", computed " + formatted("%.*g", computed, 4), agrees, why,
-                formatted("%+.*e", difference, 1));
+    auto const difference = std::find_if(known.begin(), known.end(), [&](auto const& d) { return d.where == where and is(d.value); });
+    return seen(where + ", printed " + printed + ", computed " + formatted("%.*g", computed, 6), agrees,
+                difference == known.end() ? "" : difference->reason, formatted("%+.*e", computed - std::stod(printed), 1));
 }
 
 std::string agreement::order(std::string const& where, int claimed, double fitted) {

@@ -17,14 +17,19 @@ struct papers_options {
 /// @throws hilger::error::invalid_parameter for a paper of another name, unreadable where nothing can be written
 int run_papers(papers_options const& options);
 
+/// A number that is known not to be as it was printed: its name, what it is instead, and why.
+struct known_difference {
+    std::string where, value, reason;
+};
+
 /// How often a paper and this program agree.
 class agreement {
 public:
     /// A number as it was printed, and as it is computed. They agree when their difference is at most half a unit of the last digit
-    /// printed. Where they do not, a difference of up to `bound` has the reason given, and one below a unit is a digit cut off.
-    /// Returns the difference and, where there is one, a mark.
-    std::string number(std::string const& where, std::string const& printed, double computed, double bound = 0,
-                       std::string const& reason = "");
+    /// printed. One of those known to differ agrees with its own value in the same way. Returns the difference and, where there is one, a
+    /// mark.
+    std::string number(std::string const& where, std::string const& printed, double computed,
+                       std::vector<known_difference> const& known = {});
     /// An order as it was claimed and as it was fitted: within 0.02.
     std::string order(std::string const& where, int claimed, double fitted);
     /// A statement in exact rationals, so many times.
