@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "plot.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
@@ -30,9 +31,12 @@ bool run_gnuplot(std::filesystem::path const& directory, std::string const& scri
 std::string draw(std::string const& directory, std::string const& name, std::string const& commands) {
     std::filesystem::path const folder(directory);
     std::string const script = name + ".gp", picture = name + ".png";
+    int plots = 0;
+    std::istringstream lines(commands);
+    for (std::string line; std::getline(lines, line);) plots += line.starts_with("plot ") or line.starts_with("splot ") ? 1 : 0;
     return run_gnuplot(folder, script,
-                       "set terminal pngcairo size 1500,720 font 'sans,12'\nset output '" + picture + "'\nset multiplot layout 1,2\n" +
-                           commands + "unset multiplot\n")
+                       "set terminal pngcairo size " + std::to_string(750 * plots) + ",720 font 'sans,12'\nset output '" + picture +
+                           "'\nset multiplot layout 1," + std::to_string(plots) + '\n' + commands + "unset multiplot\n")
                ? (folder / picture).string()
                : (folder / script).string() + " (a gnuplot script: gnuplot itself did not run)";
 }
@@ -40,8 +44,17 @@ std::string draw(std::string const& directory, std::string const& name, std::str
 std::string sketch(std::string const& directory, std::string const& name, std::string const& commands) {
     std::filesystem::path const folder(directory);
     if (not run_gnuplot(folder, name + ".txt.gp", "set terminal dumb size 100,28\nset output '" + name + ".txt'\n" + commands)) return "";
-    std::ifstream written(folder / (name + ".txt"));
-    return {std::istreambuf_iterator<char>(written), {}};
+    std::string text;
+    {
+        std::ifstream written(folder / (name + ".txt"));
+        text.assign(std::istreambuf_iterator<char>(written), {});
+    }
+    std::erase(text, '\f'); // what gnuplot begins a page with
+    auto const marks =
+        std::count_if(text.begin(), text.end(), [](char c) { return std::string_view("*#$%@&=").find(c) != std::string::npos; });
+    if (8 * marks > 100 * 28) text.clear();
+    std::ofstream(folder / (name + ".txt")) << text;
+    return text;
 }
 
 std::ofstream create(std::string const& directory, std::string const& name) {

@@ -122,9 +122,10 @@ private:
     /// One plot, by gnuplot's numbers of columns, from 1; of all y over one x, or of each over its own.
     void plot(std::string const& title, std::vector<std::size_t> const& x, std::vector<std::size_t> const& y, bool equal) const {
         std::string const units = x[0] == 0 and not s_.units.empty() ? " / " + s_.units : "";
-        s_.picture += "set title '" + title + "'; set size " + (equal ? "ratio -1" : "noratio") + "; set xlabel '" +
-                      (x.size() == 1 ? s_.columns[x[0]] : "") + units + "'; set ylabel '" + (y.size() == 1 ? s_.columns[y[0]] : "") +
-                      "'\nplot ";
+        // Not enhanced: of q_12 that would make an index 1 and a 2.
+        s_.picture += "set key noenhanced; set title '" + title + "' noenhanced; set size " + (equal ? "ratio -1" : "noratio") +
+                      "; set xlabel '" + (x.size() == 1 ? s_.columns[x[0]] : "") + units + "' noenhanced; set ylabel '" +
+                      (y.size() == 1 ? s_.columns[y[0]] : "") + "' noenhanced\nplot ";
         for (std::size_t k = 0; k < y.size(); ++k)
             s_.picture += (k == 0 ? "<rows> using " : ", <rows> using ") + std::to_string(x[x.size() == 1 ? 0 : k] + 1) + ':' +
                           std::to_string(y[k] + 1) + " with lines " + (y.size() == 1 ? "notitle" : "title '" + s_.columns[y[k]] + "'");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <optional>
 
 #include "hilger/error.hpp"
@@ -144,54 +145,54 @@ void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
     if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
 }
 
-/// Within single quotes of gnuplot's.
-std::string quoted(std::string const& text) {
-    std::string all;
-    for (char const c : text) all += c == '\'' ? "''" : std::string(1, c);
-    return all;
-}
-/// All that was measured on the left, and the two fronts on the right; what double reaches of the fronts as text, too.
-void picture(std::string const& out, scene const& what, std::vector<point> const& points, std::vector<point> const& ours,
-             std::vector<point> const& theirs, double largest_error) {
+/// A picture for double and shorter numbers and, where there are any, one for longer ones: all that was measured as points, the fronts of
+/// hilger and of the fastest peer as lines, and the name of a method where it begins on a front. The first as text, too.
+void picture(std::string const& out, scene const& what, std::vector<point> const& points) {
     auto const name = "trade_" + what.name;
     std::ofstream rows = create(out, name + ".csv");
-    rows
-        << "# method, steps or tolerance, seconds, error; two blank lines between methods, and before the fronts of hilger and its peers\n";
+    rows << "# method, steps or tolerance, seconds, error; two blank lines after all of hilger, its front, the names on it, and of peers; "
+            "in "
+            "double, then in more digits\n";
     int blocks = 0;
-    auto const write = [&](std::vector<point> const& all, std::string const& method) {
-        for (auto const& p : all)
-            if (method.empty() or p.method == method)
-                rows << '"' << p.method << "\"," << p.steps << ',' << p.seconds << ',' << p.error << '\n';
+    auto const write = [&](std::vector<point> const& all) {
+        for (auto const& p : all) rows << '"' << p.method << "\"," << p.steps << ',' << p.seconds << ',' << p.error << '\n';
         rows << "\n\n";
-        return "'" + name + ".csv' index " + std::to_string(blocks++) + " using 3:4 with ";
+        return all.empty() ? 0 : ++blocks;
     };
-    std::string everything = "set title '" + what.name + "'; set key outside right font ',9'\nplot ";
-    std::vector<std::string> known;
-    for (auto const& p : points) {
-        if (std::find(known.begin(), known.end(), p.method) != known.end()) continue;
-        everything += (known.empty() ? "" : ", ") + write(points, p.method) + "linespoints pt 7 ps 0.5 dt " + (p.ours ? "1" : "3") +
-                      " title '" + quoted(p.method) + "'";
-        known.push_back(p.method);
+    auto const data = [&](int block) { return "'" + name + ".csv' index " + std::to_string(block - 1) + " using 3:4"; };
+    std::string plots, letters;
+    for (bool const is_long : {false, true}) {
+        std::string panel, in_letters;
+        double least = 1e300, most = 0;
+        for (bool const ours : {true, false}) {
+            std::vector<point> all;
+            std::copy_if(points.begin(), points.end(), std::back_inserter(all),
+                         [&](point const& p) { return p.ours == ours and p.method.ends_with("digits") == is_long; });
+            if (all.empty()) continue;
+            for (auto const& p : all) least = std::min(least, p.seconds), most = std::max(most, p.seconds);
+            auto const front = front_of(all, [](point const&) { return true; });
+            std::vector<point> names;
+            std::unique_copy(front.begin(), front.end(), std::back_inserter(names),
+                             [](point const& a, point const& b) { return a.method == b.method; });
+            std::string const who = ours ? "hilger" : "the fastest peer", colour = ours ? " lc rgb '#0072b2'" : " lc rgb '#d55e00'",
+                              measured = data(write(all)), fastest = data(write(front));
+            panel += (panel.empty() ? "" : ", ") + measured + " with points pt 7 ps 0.4" + colour + " notitle, " + fastest +
+                     " with steps lw 2" + colour + " title '" + who + "', " + data(write(names)) + ":1 with labels point pt 7 ps 0.8" +
+                     colour + " font ',9'" + (ours ? " right offset -0.7,-0.4" : " left offset 0.7,0.4") + " noenhanced tc" +
+                     colour.substr(3) + " notitle";
+            in_letters += (in_letters.empty() ? "" : ", ") + fastest + " with points pt '" + (ours ? 'h' : 'p') + "' title '" + who + "'";
+        }
+        if (panel.empty()) continue;
+        std::ostringstream range; // with room for names
+        range << "set xrange [" << least / 20 << ':' << most * 20 << "]; ";
+        plots +=
+            range.str() + "set title '" + what.name + (is_long ? ", more digits than double" : "") + "' noenhanced\nplot " + panel + '\n';
+        if (letters.empty()) letters = "plot " + in_letters + '\n';
     }
-    std::string fronts = "\nset title 'What is reached in a time'; set key inside top right font ',12'\nplot ", letters = "plot ";
-    double longest = 0;
-    auto const add = [&](std::vector<point> const& front, char const* title, char const* style, char letter) {
-        if (front.empty()) return;
-        std::string const data = write(front, ""), named = std::string(" title '") + title + "'";
-        fronts += data + style + named + ", ";
-        letters += data + "points pt '" + letter + "'" + named + ", ";
-        for (auto const& p : front)
-            if (p.error > 1e-15) longest = std::max(longest, p.seconds);
-    };
-    add(ours, "hilger", "steps lw 3", 'h');
-    add(theirs, "the fastest peer", "steps lw 2 dt 3", 'p');
     if (not rows.flush()) hilger::error::raise<hilger::error::unreadable>("cannot write '", name, ".csv'");
-    std::string const axes = "set logscale xy; set xlabel 'seconds'; set ylabel 'error' offset 1; set grid\n";
-    std::cout << '\n'
-              << sketch(out, name,
-                        axes + "unset grid; set format '1e%L'; set yrange [1e-16:" + std::to_string(largest_error) +
-                            "]; set xrange [:" + std::to_string(2 * longest) + "]\n" + letters + '\n');
-    std::cout << "Written: " << draw(out, name, axes + "set format '10^{%L}'\n" + everything + fronts + '\n') << '\n';
+    std::string const axes = "set logscale xy; set xlabel 'seconds'; set ylabel 'error' offset 1; set key top right\n";
+    std::cout << '\n' << sketch(out, name, axes + "set format '1e%L'\n" + letters);
+    std::cout << "Written: " << draw(out, name, axes + "set grid; set format '10^{%L}'\n" + plots) << '\n';
 }
 
 } // namespace
@@ -234,7 +235,7 @@ int run_trade(trade_options const& options) {
         auto const best = cheapest(ours, options.accuracy);
         std::cout << "\nfor " << options.accuracy << ": " << (best ? told(best) : std::string("nothing here is as accurate")) << '\n';
     }
-    picture(options.out, what, points, ours, theirs, reference.largest_error());
+    picture(options.out, what, points);
     return 0;
 }
 
