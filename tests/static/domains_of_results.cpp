@@ -70,11 +70,13 @@ static_assert(lives_on<between<fraction<1, 3>>, 0, 0>(on_lambda<1, 3>[extend_lam
 static_assert(extend_at(0.3)[f].domain().base.lambda.value == 0.3);
 
 // What lives where is said in words, too.
-static_assert(domain<nodes>::name().text().view() == "T" and domain<T_half>::name().text().view() == "T_half" and domain<T_o>::name().text().view() == "T_o");
+static_assert(domain<nodes>::name().text().view() == "T" and domain<T_half>::name().text().view() == "T_half" and
+              domain<T_o>::name().text().view() == "T_o");
 static_assert(domain<nodes, 1, 2>::name().text().view() == "T^{++-}" and domain<T_o, 0, 1>::name().text().view() == "T_o^{+}");
 static_assert(domain<between<fraction<12, 35>>>::name().text().view() == "T_12/35" and
               domain<joined<fraction<1, 3>>>::name().text().view() == "T_{o,1/3}");
-static_assert((Delta_minus * Delta_plus).name().text().view() == "Delta_minus[Delta_plus]" and Delta_h_plus.name().text().view() == "Delta_h_plus");
+static_assert((Delta_minus * Delta_plus).name().text().view() == "Delta_minus[Delta_plus]" and
+              Delta_h_plus.name().text().view() == "Delta_h_plus");
 static_assert(rho_o.name().text().view() == "rho_o" and sigma_on<between<fraction<1, 3>>>.name().text().view() == "sigma_on<T_1/3>");
 
 } // namespace
