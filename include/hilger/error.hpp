@@ -45,7 +45,7 @@ struct unreadable : exception {
 struct singular : exception {
     using exception::exception;
 };
-/// A callable that is no single formula in its arguments: it compares them, or has a constant that is not a finite double.
+/// A callable that is no single formula in its arguments: it compares them, has a constant that is not a finite double, or is too deep.
 struct no_formula : exception {
     using exception::exception;
 };

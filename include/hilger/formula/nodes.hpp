@@ -13,6 +13,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "hilger/error.hpp"
+
 namespace hilger {
 
 enum class operation : unsigned char {
@@ -60,6 +62,7 @@ struct formula {
     std::string name;  ///< of a variable
     int component = 0; ///< of a variable that is part of a vector; -1 for one that is not
     pointer a, b;
+    int depth = 1; ///< of operations in operations, which the table counts
 
     [[nodiscard]] bool is_leaf() const { return op == operation::number or op == operation::variable; }
 };
@@ -148,6 +151,9 @@ constexpr bool has_branches(operation op) {
     }
 }
 
+/// Formulas are differentiated, written and let go by recursion, and a stack has room for more levels than these.
+inline constexpr int deepest_formula = 2000;
+
 /// The thread's nodes, held as long as somebody holds them.
 class formula_table {
 public:
@@ -155,12 +161,17 @@ public:
         thread_local formula_table table;
         return table;
     }
-    /// The node that equals f; a + b and b + a are one node, the first that was made.
+    /// The node that equals f; a + b and b + a are one node, the first that was made. @throws error::no_formula where it is too deep
     formula::pointer node(formula f) {
         bool const commutes = f.op == operation::plus or f.op == operation::times;
         if (commutes)
             if (auto const found = find({f.op, f.value, f.name, f.component, f.b, f.a})) return found;
         if (auto const found = find(f)) return found;
+        f.depth = 1 + std::max(f.a ? f.a->depth : 0, f.b ? f.b->depth : 0);
+        if (f.depth > deepest_formula)
+            error::raise<error::no_formula>("a formula has at most ", deepest_formula,
+                                            " operations inside of each other, as a sum of so many terms has, and this one has more: sums "
+                                            "of partial sums are less deep");
         if (nodes_.size() >= sweep_at_) sweep();
         auto made = std::make_shared<formula const>(std::move(f));
         nodes_.insert_or_assign(key(*made), made);

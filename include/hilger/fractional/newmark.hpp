@@ -5,12 +5,14 @@
 // r_n being the load f(t_n) less the internal force, in which fractional derivatives have the weights of any generating function.
 // The unknown of a step is the increment u_{n+1} - u_n, which is also what histories are given, and the sums of positions and momenta are
 // compensated: differences of positions, whose rounding grows like n^2, are nowhere formed.
+// A load that says when it jumps, by a member switching_times(a, b), is read so that the order stays two (fractional/switched_load.hpp).
 // u_0 and u'_0 need not be zero, and no start-up step is: with weights of order two the order is two for all alpha in ]0, 2[.
 //   auto const scheme = newmark<bdf<2>>(fractional_structure{M, C, K, tau, alpha}, load);            the G^alpha-Newmark scheme
 //   for (auto const& [t, u, p] : scheme.along(uniform(0.0, h, N), initial_velocity{u0, v0})) ...
 #pragma once
 
 #include "hilger/fractional/structure.hpp"
+#include "hilger/fractional/switched_load.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/trajectory/stepping.hpp"
 
@@ -69,7 +71,7 @@ public:
     public:
         /// @throws error::singular when M + beta h^2 (K + what memory adds to it) is
         memory(newmark_flow const& f, S const& h, V const& like)
-            : h_(h), response_(f.structure_, f.policy_, h, like), A_(matrix_of_a_step(f), "the matrix of a Newmark step"),
+            : h_(h), load_(h), response_(f.structure_, f.policy_, h, like), A_(matrix_of_a_step(f), "the matrix of a Newmark step"),
               r_(zero_like(like)), d_(r_), u_(r_), by_(r_), zero_(r_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {}
 
         /// One step h further. @throws error::mismatch when h is not the length that the history has or the load has another dimension,
@@ -151,7 +153,7 @@ public:
         /// d_ = f(t) - internal force at the next point of the history, which takes u or not.
         void force(newmark_flow const& f, S const& t, V const& u, V const& increment, bool taken) {
             detail::tally<S>::add(detail::work::force);
-            d_ = f.load_(t);
+            load_.read(f.load_, t, not begun_, d_);
             if (s::dimension(d_) != s::dimension(u))
                 error::raise<error::mismatch>("a load has one component for each degree of freedom, and this one has ", s::dimension(d_),
                                               " for ", s::dimension(u));
@@ -165,6 +167,7 @@ public:
             return f.structure_.mass + response_.stiffness(f.structure_) * S(Beta::template as<S>() * h_ * h_);
         }
         S h_;
+        detail::switched_load<S> load_;
         typename Structure::template response<G, Policy, S, V> response_;
         detail::factorized<B> A_;
         V r_, d_, u_, by_, zero_;

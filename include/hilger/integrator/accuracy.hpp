@@ -4,7 +4,8 @@
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, 1e-10);
 // Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
 // `hilger trade` measure. Over kinks all methods lose their order, and the mid-point embedding, whose steps cost least, takes their place.
-// L itself has no jumps: no derivative sees them.
+// Where a Lagrangian or force switches in time is said by a member switching_times(a, b), as formulas in text have it: the solution then
+// has points there. L has no jumps in the state: no derivative sees them.
 #pragma once
 
 #include "hilger/integrator/doubling.hpp"

@@ -7,7 +7,7 @@
 
 #include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/text/read.hpp"
-#include "hilger/text/stated.hpp"
+#include "hilger/text/switching.hpp"
 
 namespace hilger::text {
 
@@ -25,6 +25,11 @@ public:
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
+    /// Where it switches in ]a, b[ (text/switching.hpp): an accurate solution has points there.
+    template <class S>
+    [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
+        return text::switching_times<S>({&of_}, a, b);
+    }
     /// What is traced of it.
     [[nodiscard]] hilger::detail::kept_formulas& kept() const { return *kept_; }
 
@@ -58,6 +63,13 @@ public:
     }
     [[nodiscard]] bool reads_time() const {
         return std::any_of(of_.begin(), of_.end(), [](stated const& f) { return f.reads(meaning::role::time); });
+    }
+    /// Where a component of it switches in ]a, b[.
+    template <class S>
+    [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
+        std::vector<stated const*> all;
+        for (stated const& f : of_) all.push_back(&f);
+        return text::switching_times<S>(all, a, b);
     }
     [[nodiscard]] std::vector<stated> const& formulas() const { return of_; }
 

@@ -15,9 +15,9 @@ public:
     ///         vector, a function with a wrong number of arguments
     stated(expression what, std::shared_ptr<vocabulary const> words, std::string source);
 
-    /// The value at (t, q, v), states given by component: q(k) is component k.
+    /// The value at (t, q, v), states given by component: q(k) is component k. With `everywhere` both parts of choices are evaluated.
     template <class T, class Q, class V>
-    T value(T const& t, Q const& q, V const& v) const;
+    T value(T const& t, Q const& q, V const& v, bool everywhere = false) const;
     [[nodiscard]] vocabulary const& words() const { return *words_; }
     [[nodiscard]] expression const& formula() const { return what_; }
     /// Whether one of the names in it stands for the time, or for velocities.
@@ -48,8 +48,8 @@ private:
 };
 
 template <class T, class Q, class V>
-T stated::value(T const& t, Q const& q, V const& v) const {
-    return detail::evaluator<T, Q, V>(*words_, source_, t, q, v).value(what_.root());
+T stated::value(T const& t, Q const& q, V const& v, bool everywhere) const {
+    return detail::evaluator<T, Q, V>(*words_, source_, t, q, v, everywhere).value(what_.root());
 }
 
 inline stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)

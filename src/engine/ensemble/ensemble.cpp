@@ -145,14 +145,15 @@ ensemble walk_all(cast const& all, std::vector<member> const& from, hilger::inde
             hilger::error::raise<hilger::error::mismatch>("a member has ", words.dimension(), " coordinates and brings ", words.brought(),
                                                           " parameters, and here are ", who.from.q0.size(), ", ", who.from.other.size(),
                                                           " and ", who.parameters.size());
-    auto const times = times_of(all.T);
-    auto const steps = static_cast<hilger::index_type>(times.size()) - 1;
+    auto const steps = all.T.steps;
     ensemble made;
     made.members = static_cast<hilger::index_type>(from.size());
     made.dimension = words.dimension();
     made.points = points_kept(steps, stride);
-    for (hilger::index_type kept = 0; kept < made.points; ++kept)
-        made.t.push_back(times[static_cast<std::size_t>(std::min(kept * stride, steps))]);
+    for (hilger::index_type kept = 0; kept < made.points; ++kept) {
+        auto const i = std::min(kept * stride, steps);
+        made.t.push_back(times_of(all.T, i, i).front());
+    }
     made.q.assign(made.place(made.members, 0), std::numeric_limits<double>::quiet_NaN());
     made.p = made.q;
     made.failures.resize(from.size());

@@ -113,9 +113,13 @@ std::shared_ptr<c_library const> compiled(std::string const& text, std::vector<s
 
 } // namespace
 
-std::vector<double> times_of(points<double> const& T) {
-    if (not T.is_uniform()) return T.given;
-    return elements_of<double>(hilger::uniform(T.start, T.step, T.steps));
+std::vector<double> times_of(points<double> const& T, hilger::index_type first, hilger::index_type last) {
+    if (not T.is_uniform()) return {T.given.begin() + first, T.given.begin() + last + 1};
+    std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(last - first + 1));
+    auto const scale = hilger::uniform(T.start, T.step, T.steps);
+    for (hilger::index_type i = first; i <= last; ++i) times.push_back(scale.element(i));
+    return times;
 }
 
 int lanes::width_here() {
@@ -162,8 +166,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
     made->dimension_ = d;
     made->brought_ = brought;
     made->size_ = size;
-    made->step_ = T.is_uniform() ? T.step : 0;
-    made->times_ = times_of(T);
+    made->T_ = T;
     return made;
 }
 
@@ -180,13 +183,14 @@ lanes::group::group(lanes const& code, std::vector<start> const& from)
         for (int first = 2 * d; first < brought; first += d) put(lane, first, at.v);
         put(lane, brought, at.parameters);
     }
-    code.begin_(code.times_.front(), x_.data(), lost_.data());
+    code.begin_(times_of(code.T_, 0, 0).front(), x_.data(), lost_.data());
     for (int lane = 0; lane < width; ++lane)
         if (auto const& p = from[static_cast<std::size_t>(lane)].p; p.size() > 0) put(lane, d, p);
 }
 
 void lanes::group::walk(hilger::index_type steps, double* q, double* p) {
-    code_.walk_(done_, steps, code_.times_.data(), code_.step_, x_.data(), lost_.data(), q, p);
+    code_.walk_(done_, steps, times_of(code_.T_, done_, done_ + steps).data(), code_.T_.equal_step().value_or(0), x_.data(), lost_.data(),
+                q, p);
     done_ += steps;
 }
 

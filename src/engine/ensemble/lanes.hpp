@@ -10,8 +10,8 @@
 
 namespace engine {
 
-/// All of T.
-std::vector<double> times_of(points<double> const& T);
+/// Points `first` to `last` of T.
+std::vector<double> times_of(points<double> const& T, hilger::index_type first, hilger::index_type last);
 
 class lanes {
 public:
@@ -29,9 +29,6 @@ public:
     static int width_here();
 
     [[nodiscard]] int width() const { return width_; }
-    /// All of T.
-    [[nodiscard]] std::vector<double> const& times() const& { return times_; }
-    [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
 
     /// Where a member begins: without p, from p = dL/dv. Without that, v is what its velocity is guessed to be.
     struct start {
@@ -62,8 +59,7 @@ private:
     lanes() = default;
     int width_ = 0, dimension_ = 0, brought_ = 0;
     std::size_t size_ = 0; ///< of a member's state, in numbers
-    std::vector<double> times_;
-    double step_ = 0; ///< 0 where the steps are not equal
+    points<double> T_;
     void (*begin_)(double, double*, long long*) = nullptr;
     void (*walk_)(long, long, double const*, double, double*, long long*, double*, double*) = nullptr;
 };

@@ -76,9 +76,9 @@ $state    const long most = step > 0.0 ? guesses : 2;
     mask lost;
     memcpy(&lost, lost_lanes, sizeof lost);
     for (long i = begin; i < begin + n && !are_all(lost); ++i) {
-        const double h = step > 0.0 ? step : times[i + 1] - times[i];
+        const double h = step > 0.0 ? step : times[i + 1 - begin] - times[i - begin];
         const double *of = through[i + 1 < most ? i : most - 1];
-        double t = times[i];
+        double t = times[i - begin];
         (void)of;
 $parts$keeping        now = now + 1 == guesses ? 0 : now + 1;
     }

@@ -16,8 +16,8 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
     auto const begin = start_of(alone, {from, {}});
     if (not begin) return {};
     states_in_whole_steps made;
-    auto const steps = static_cast<hilger::index_type>(code->times().size()) - 1;
-    for (auto* x : {&made.q, &made.p}) x->reserve(d * code->times().size()), x->resize(d);
+    auto const steps = T.steps;
+    for (auto* x : {&made.q, &made.p}) x->reserve(d * static_cast<std::size_t>(steps + 1)), x->resize(d);
     lanes::group member(*code, {static_cast<std::size_t>(code->width()), *begin});
     for (std::size_t k = 0; k < d; ++k) made.q[k] = member.q(0, static_cast<int>(k)), made.p[k] = member.p(0, static_cast<int>(k));
     hilger::index_type done = 0;
@@ -30,8 +30,7 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
         done += more;
         made.interrupted = done < steps and not goes_on(done);
     }
-    made.t = std::move(*code).times();
-    made.t.resize(static_cast<std::size_t>(done + 1));
+    made.t = times_of(T, 0, done);
     return made;
 }
 

@@ -30,6 +30,11 @@ public:
         else
             return f;
     }
+    /// Where it jumps, or has a kink.
+    template <class T>
+    [[nodiscard]] std::vector<T> switching_times(T const& a, T const& b) const {
+        return force_ ? force_->switching_times(a, b) : std::vector<T>{};
+    }
 
 private:
     vector<S> constant_;
