@@ -45,6 +45,10 @@ struct unreadable : exception {
 struct singular : exception {
     using exception::exception;
 };
+/// Ends that determine what lies between them to less than half of the digits, as those that are half a period of an oscillator apart.
+struct ill_conditioned : exception {
+    using exception::exception;
+};
 /// A callable that is no single formula in its arguments: it compares them, has a constant that is not a finite double, or is too deep.
 struct no_formula : exception {
     using exception::exception;

@@ -42,6 +42,7 @@
 
 // Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
 #include "hilger/boundary/extrapolation.hpp"
+#include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"

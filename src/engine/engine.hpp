@@ -75,10 +75,11 @@ struct state {
     vector<S> q, p;
 };
 
-/// What joins two ends, at the points of T; without momenta where the equation has none.
+/// What joins two ends, at the points of T; without momenta where the equation has none. A warning is a sentence, or nothing.
 template <class S>
 struct joined {
     std::vector<vector<S>> q, p;
+    std::string warning{};
 };
 
 /// A problem with its method on its scale.
@@ -99,12 +100,12 @@ public:
     /// @throws hilger::error::invalid_parameter where the method has no equation in positions, or a memory
     [[nodiscard]] virtual joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess = {},
                                             std::stop_token const& stop = {}) const = 0;
-    /// What the positions at the points of T leave of the equation that the method comes from, at the points inside steps that the momenta
-    /// lead to, where there are any; of compositions, what they and the momenta leave of those of their parts; with a memory, what those
-    /// that `from` leads to leave of it.
+    /// What the positions at the points of T leave, in roundings of the terms of a row or as an absolute number, of the equation that the
+    /// method comes from, at the points inside steps that the momenta lead to, where there are any; of compositions, what they and the
+    /// momenta leave of those of their parts; with a memory, what those that `from` leads to leave of it.
     /// @throws hilger::error::invalid_parameter where it has none
-    [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
-                                     std::vector<vector<S>> const& momenta) const = 0;
+    [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions, std::vector<vector<S>> const& momenta,
+                                     bool absolute) const = 0;
     /// The discrete Euler-Lagrange equation and Hamiltonian system, or what the method is called.
     [[nodiscard]] virtual std::string equation(bool latex) const = 0;
     /// H(p, q) = p v - L at a state, with the velocity near the given one where several have its momentum.

@@ -58,24 +58,25 @@ public:
     [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
                                     std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
-            auto const x = solved_between(equation_of(flow_, T_), first, last, guess, stop);
-            return {values_on_T(x), values_on_T(momenta_of(flow_, x))};
+            hilger::ends_report<S> report;
+            auto const x = solved_between(equation_of(flow_, T_), first, last, guess, stop, report);
+            return {values_on_T(x), values_on_T(momenta_of(flow_, x)), report.warning};
         } else
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
                                     : "is solved from initial values: what joins two ends is found for embeddings");
     }
-    [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions,
-                             std::vector<vector<S>> const& momenta) const override {
+    [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions, std::vector<vector<S>> const& momenta,
+                             bool absolute) const override {
         for (auto const* all : {&positions, &momenta})
             for (vector<S> const& x : *all) require_coordinates(x);
         if constexpr (is_judged_by_states<Flow, S, Scale>) {
             hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
             for (std::size_t i = 0; i < positions.size(); ++i)
                 run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta.at(i)});
-            return largest_residual(flow_, run);
+            return absolute ? largest_residual(flow_, run) : relative_residual(flow_, run);
         } else if constexpr (has_memory<Flow>) {
             S worst(0);
-            along(from, [&](auto const& path) { worst = largest_residual(path); });
+            along(from, [&](auto const& path) { worst = absolute ? largest_residual(path) : relative_residual(path); });
             return worst;
         } else
             refuse("has no equation in the positions at the points of T alone");
@@ -137,11 +138,12 @@ protected:
     }
     template <class Equation>
     [[nodiscard]] auto solved_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
-                                      std::vector<vector<S>> const& guess, std::stop_token const& stop) const {
+                                      std::vector<vector<S>> const& guess, std::stop_token const& stop,
+                                      hilger::ends_report<S>& report) const {
         hilger::boundary_values<vector<S>> const ends{first, last};
         auto const& force = flow_.mechanics().force;
-        return guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop)
-                             : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop);
+        return guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop, &report)
+                             : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop, &report);
     }
     /// Without those inside the steps.
     template <class X>

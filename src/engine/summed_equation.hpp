@@ -73,6 +73,12 @@ public:
         return engine::function_list(parts_[0].residual_slope(x, k, kept.first),
                                      others([&](auto const& part, std::size_t n) { return part.residual_slope(x, k, kept.second[n]); }));
     }
+    template <discrete_function X, class Kept>
+    auto residual_size(X const& x, index_type k, Kept const& kept) const {
+        auto sum = parts_[0].residual_size(x, k, kept.first);
+        for (std::size_t n = 1; n < parts_.size(); ++n) sum += parts_[n].residual_size(x, k, kept.second[n - 1]);
+        return sum;
+    }
 };
 
 } // namespace hilger

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Solutions between two ends: computed at once, and then walked along.
+#include <iostream>
+
 #include "engine/methods/lambda.hpp"
 #include "engine/motions.hpp"
 #include "from_file.hpp"
@@ -50,7 +52,10 @@ std::vector<vector> embedded_between(engine::problem const& what, std::string co
     std::vector<vector> q;
     engine::with_mechanics(what, [&](auto const& mechanics) {
         auto const by = [&](auto const& how) {
-            auto const x = solve(equation_of(hilger::embed(mechanics, how), T), T, ends, mechanics.force);
+            hilger::ends_report<double> report;
+            auto const x = solve(equation_of(hilger::embed(mechanics, how), T), T, ends, mechanics.force, hilger::detail::straight_line{},
+                                 {}, &report);
+            if (not report.warning.empty()) std::cerr << "warning: " << report.warning << '\n';
             for (hilger::index_type i = x.first(); i <= x.last(); ++i) q.push_back(x[i]);
         };
         if (method == "order-one") by(hilger::order_one);

@@ -40,6 +40,7 @@ PYBIND11_MODULE(_core, m) {
     });
     add_error<error::unreadable>(m, "Unreadable", value);
     add_error<error::singular>(m, "Singular", base);
+    add_error<error::ill_conditioned>(m, "IllConditioned", base);
     add_error<error::no_formula>(m, "NoFormula", base);
     add_error<error::no_convergence>(m, "NoConvergence", base);
     bindings::add_expressions(m);

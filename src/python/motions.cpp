@@ -97,17 +97,17 @@ void add_motion(py::module_& m, char const* name) {
                      for (auto const& x : states) all.insert(all.end(), x.data(), x.data() + x.size());
                      return with::array(std::move(all), static_cast<int>(a.size()));
                  };
-                 return py::make_tuple(array(found.q), array(found.p));
+                 return py::make_tuple(array(found.q), array(found.p), found.warning);
              })
         .def("residual",
              [](motion const& path, given const& q0, std::string const& what, given const& other, std::vector<given> const& positions,
-                std::vector<given> const& momenta) {
+                std::vector<given> const& momenta, bool absolute) {
                  auto const from = initial_of<S>(q0, what, other);
                  std::vector<engine::vector<S>> q, p;
                  for (given const& x : positions) q.push_back(with::vector_of(x));
                  for (given const& x : momenta) p.push_back(with::vector_of(x));
                  py::gil_scoped_release const others_run;
-                 S const worst = path.residual(from, q, p);
+                 S const worst = path.residual(from, q, p, absolute);
                  py::gil_scoped_acquire const here;
                  return with::word(worst);
              })

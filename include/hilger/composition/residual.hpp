@@ -13,12 +13,48 @@
 #include <vector>
 
 #include "hilger/composition/composition.hpp"
+#include "hilger/integrator/residual.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
 #include "hilger/trajectory/recording.hpp"
 
 namespace hilger {
 
 namespace detail {
+
+/// The momenta with which the parts of a step do not meet: the largest difference, and the largest in roundings of its own terms.
+template <class S>
+struct differences_of_momenta {
+    S largest{0}, in_roundings{0};
+    template <class V>
+    void add(V const& difference, V const& size, S const& h) {
+        largest = larger(largest, S(magnitude(difference) / magnitude(h)));
+        in_roundings = larger(in_roundings, largest_in_roundings(difference, size));
+    }
+    [[nodiscard]] S asked_by(by_size) const { return largest; }
+    [[nodiscard]] S asked_by(by_rounding) const { return in_roundings; }
+};
+/// The sums of the sizes of the terms of momenta_of_step, and of what the rounding of q0 and q1 does to them.
+template <class Derivatives, class S, class V>
+std::pair<V, V> sizes_of_momenta(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0, V const& q1) {
+    V before = zero_like(q0), after = before;
+    for (int k = 0; k < b.nodes; ++k) {
+        auto const sum = [&](S const& first, S const& last) { return V(sizes(q0) * S(magnitude(first)) + sizes(q1) * S(magnitude(last))); };
+        V const of_q = sum(b.a(k, 0), b.a(k, 1)), of_v = sum(b.b(k, 0), b.b(k, 1));
+        auto const at =
+            derivatives.expand(b.part_of(k), b.time(k, t, h), V(q0 * b.a(k, 0) + q1 * b.a(k, 1)), V(q0 * b.b(k, 0) + q1 * b.b(k, 1)));
+        V force = sizes(V(at.e.by_q)), momentum = sizes(V(at.e.by_v));
+        add_sizes(force, at.e.qq, of_q);
+        add_sizes(force, at.e.qv, of_v);
+        add_sizes(momentum, at.vq_, of_q);
+        add_sizes(momentum, at.e.vv, of_v);
+        auto const add = [&](V& to, int end) {
+            to = to + force * S(magnitude(S(b.w(k) * b.a(k, end)))) + momentum * S(magnitude(S(b.w(k) * b.b(k, end))));
+        };
+        add(before, 0);
+        add(after, 1);
+    }
+    return {std::move(before), std::move(after)};
+}
 
 /// One part of a step, or a step that is none.
 template <class Flow, class S, class V>
@@ -33,9 +69,10 @@ class judged_part<flow<F, Force, E, Sums>, S, V> {
 
 public:
     judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(derivatives_at_nodes(f.mechanics())) {}
-    /// x, with the momentum that it has arrived with, to the end of the part: *end, or where a step leads. `off` becomes at least the
-    /// distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step.
-    void go(of const& f, state<S, V>& x, S const& h, V const& near, V const* end, S& off) {
+    /// x, with the momentum that it has arrived with, and the size of its terms, to the end of the part: *end, or where a step leads. `off`
+    /// learns of the distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step of
+    /// length `whole`.
+    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, differences_of_momenta<S>& off) {
         state<S, V> y = x;
         if (end != nullptr)
             y.q = *end;
@@ -43,8 +80,11 @@ public:
             memory_.start_with(f, x, near);
             memory_.advance(f, y, h);
         }
-        auto [before, after] = momenta_of_step(derivatives_, tableau_of(f.embedding(), h), x.t, h, x.q, y.q);
-        off = larger(off, S(magnitude(V(x.p - before))));
+        auto const b = tableau_of(f.embedding(), h);
+        auto [before, after] = momenta_of_step(derivatives_, b, x.t, h, x.q, y.q);
+        auto [size_before, size_after] = sizes_of_momenta(derivatives_, b, x.t, h, x.q, y.q);
+        off.add(V(x.p - before), V(size + size_before), whole);
+        size = std::move(size_after);
         x = {S(x.t + h), std::move(y.q), std::move(after)};
     }
 
@@ -63,8 +103,11 @@ public:
     judged_part(of const& f, S const& h, V const& like) : lengths_(whole<S>(f.parts())) {
         for (std::size_t turn = 0; turn < turns; ++turn) add(f, turn, h, like, all{});
     }
-    void go(of const& f, state<S, V>& x, S const& h, V const& near, V const* end, S& off) {
-        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, x, h, near, end, off, all{});
+    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, differences_of_momenta<S>& off) {
+        auto const one = [&](std::size_t k, auto const& flow, auto& part) {
+            part.go(flow, x, size, S(lengths_[k] * h), near, k + 1 == Parts::size ? end : nullptr, whole, off);
+        };
+        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, one, all{});
     }
 
 private:
@@ -72,11 +115,8 @@ private:
     void add(of const& f, std::size_t turn, S const& h, V const& like, std::index_sequence<J...>) {
         (std::get<J>(parts_).emplace_back(std::get<J>(f.flows()), S(lengths_[turn * sizeof...(Flows) + J] * h), like), ...);
     }
-    template <std::size_t... J>
-    void take(of const& f, std::size_t turn, state<S, V>& x, S const& h, V const& near, V const* end, S& off, std::index_sequence<J...>) {
-        auto const one = [&](std::size_t k, auto const& flow, auto& part) {
-            part.go(flow, x, S(lengths_[k] * h), near, k + 1 == Parts::size ? end : nullptr, off);
-        };
+    template <class One, std::size_t... J>
+    void take(of const& f, std::size_t turn, One const& one, std::index_sequence<J...>) {
         (one(turn * sizeof...(Flows) + J, std::get<J>(f.flows()), std::get<J>(parts_)[turn]), ...);
     }
     std::array<S, Parts::size> lengths_;
@@ -84,52 +124,48 @@ private:
 };
 
 /// Of states at the points of T, one after the other, and the flow that should have walked them.
-template <class Flow, class Scale, class States>
-auto largest_residual_of_parts(Flow const& method, Scale const& T, States const& states) {
+template <class Judge, class Flow, class Scale, class States>
+auto judged_parts(Judge const& judge, Flow const& method, Scale const& T, States const& states) {
     auto at = std::begin(states);
     auto from = *at;
     using V = decltype(from.q);
     using S = decltype(from.t);
     std::optional<judged_part<Flow, S, V>> part;
-    S worst(0);
+    differences_of_momenta<S> off;
     for (index_type i = T.first(); i < T.last(); ++i) {
         S const h = T.domain().base.step(T.root(), i);
         ++at;
         if (not part) part.emplace(method, h, from.q);
-        S off(0);
-        part->go(method, from, h, mean_velocity(from, *at), &at->q, off);
-        worst = larger(worst, S(larger(off, S(magnitude(V(from.p - at->p)))) / magnitude(h)));
+        V size = sizes(from.p);
+        part->go(method, from, size, h, mean_velocity(from, *at), &at->q, h, off);
+        off.add(V(from.p - at->p), V(size + sizes(at->p)), h);
         from = *at;
     }
-    return worst;
+    return off.asked_by(judge);
 }
-template <class Flow, class S, class V, class Scale>
-auto largest_residual_of_parts(Flow const& method, recording<S, V, Scale> const& run) {
+
+/// What a trajectory leaves of the equations of a composition's parts, forces included, divided by the step: of the size of the residual of
+/// one step (integrator/residual.hpp).
+template <class Judge, class Parts, class... Flows, class Scale, class V>
+auto judged(Judge const& judge, trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
+    return judged_parts(judge, path.method(), path.scale(), path);
+}
+/// The same of an embedding that is read from the end of each step (composition/reversed.hpp).
+template <class Judge, class F, class Force, class E, sums Sums, class Scale, class V>
+auto judged(Judge const& judge, trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
+    return judged_parts(judge, path.method(), path.scale(), path);
+}
+/// The same of states that were kept, wherever they come from.
+template <class Judge, class Parts, class... Flows, class S, class V, class Scale>
+auto judged(Judge const& judge, composed_flow<Parts, Flows...> const& method, recording<S, V, Scale> const& run) {
     require_complete(run);
-    return largest_residual_of_parts(method, run.scale, run.states);
+    return judged_parts(judge, method, run.scale, run.states);
+}
+template <class Judge, class F, class Force, class E, sums Sums, class S, class V, class Scale>
+auto judged(Judge const& judge, flow<F, Force, reversed<E>, Sums> const& method, recording<S, V, Scale> const& run) {
+    require_complete(run);
+    return judged_parts(judge, method, run.scale, run.states);
 }
 
 } // namespace detail
-
-/// The largest component of what a trajectory leaves of the equations of a composition's parts, forces included, divided by the step: of
-/// the size of the residual of one step (integrator/residual.hpp). @throws what walking does
-template <class Parts, class... Flows, class Scale, class V>
-auto largest_residual(trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
-    return detail::largest_residual_of_parts(path.method(), path.scale(), path);
-}
-/// The same of an embedding that is read from the end of each step (composition/reversed.hpp).
-template <class F, class Force, class E, sums Sums, class Scale, class V>
-auto largest_residual(trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
-    return detail::largest_residual_of_parts(path.method(), path.scale(), path);
-}
-/// The same of states that were kept, wherever they come from. @throws error::mismatch where there is not one at each point of their scale
-template <class Parts, class... Flows, class S, class V, class Scale>
-auto largest_residual(composed_flow<Parts, Flows...> const& method, recording<S, V, Scale> const& run) {
-    return detail::largest_residual_of_parts(method, run);
-}
-template <class F, class Force, class E, sums Sums, class S, class V, class Scale>
-auto largest_residual(flow<F, Force, reversed<E>, Sums> const& method, recording<S, V, Scale> const& run) {
-    return detail::largest_residual_of_parts(method, run);
-}
-
 } // namespace hilger

@@ -62,6 +62,15 @@ bool all_finite(V const& x) {
     return true;
 }
 
+/// The magnitudes of the components.
+template <class V>
+V sizes(V const& x) {
+    if constexpr (requires { x.size(); })
+        return x.cwiseAbs();
+    else
+        return magnitude(x);
+}
+
 /// @throws error::mismatch when two parts of a state have different lengths.
 template <class V>
 void require_same_dimension(V const& x, V const& y, char const* what) {

@@ -14,18 +14,21 @@ namespace hilger {
 namespace detail {
 
 /// D_0, ..., D_N of one damping. Caputo's derivative is that of q less its start, and its tangent for beta >= 1, which itself has the
-/// derivative v0 for beta = 1; of Riemann and Liouville's the first value counts `jump`.
+/// derivative v0 for beta = 1; of Riemann and Liouville's the first value counts `jump`. Or the sums of the sizes of their terms.
 template <class Damping, class S, class V>
-std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, S const& jump) {
+std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, S const& jump, bool only_sizes) {
     using G = typename Damping::generating;
     S const beta = d.order.template as<S>();
     bool const caputo = d.history == initial_history::caputo;
-    auto const w = first_weights<G>(beta, static_cast<index_type>(q.size()));
+    auto w = first_weights<G>(beta, static_cast<index_type>(q.size()));
+    for (S& weight : w)
+        if (only_sizes) weight = magnitude(weight);
     S const scale = leading_weight<G>(beta) / power(h, beta);
     std::vector<V> y, D;
     for (std::size_t k = 0; k < q.size(); ++k) {
         y.push_back(caputo ? V(q[k] - q[0]) : k == 0 ? V(q[0] * jump) : q[k]);
         if (caputo and not(beta < S(1))) y[k] = y[k] - v0 * S(h * S(static_cast<long long>(k)));
+        if (only_sizes) y[k] = sizes(q[k]) + sizes(q[0]) + sizes(v0) * S(h * S(static_cast<long long>(k)));
         V sum = zero_like(q[0]);
         for (std::size_t n = 0; n <= k; ++n) sum = sum + y[k - n] * w[n];
         D.push_back(V(sum * scale));
@@ -43,11 +46,12 @@ void add_damping(V& to, Damping const& d, S const& factor, V const& D) {
 
 /// The forces of a damping at t_1, ..., t_{N-1}.
 template <class... Dampings, class S, class V>
-std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0) {
+std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0,
+                             bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
     for_each_in(reading.dampings, [&]<class D>(D const& d) {
         S const theta = S(1) / S(2) + lag_of<typename D::generating, S>() * d.order.template as<S>();
-        auto const derivative = differences_along(d, h, q, v0, S(S(1) / S(2)));
+        auto const derivative = differences_along(d, h, q, v0, S(S(1) / S(2)), only_sizes);
         for (std::size_t i = 0; i + 1 < q.size(); ++i)
             for (std::size_t end : {i, i + 1}) {
                 add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1]);
@@ -59,20 +63,20 @@ std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const
     return force;
 }
 template <class Damping, class S, class V>
-std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0) {
+std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0,
+                             bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
-    auto const derivative = differences_along(reading.damping, h, q, v0, S(1));
+    auto const derivative = differences_along(reading.damping, h, q, v0, S(1), only_sizes);
     for (std::size_t i = 0; i < q.size(); ++i) add_damping(force[i], reading.damping, S(-1), derivative[i]);
     return force;
 }
 
-} // namespace detail
-
-/// As largest_residual of a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is
-/// seen here. @throws as walking does
-template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
-    requires(controls_of<embedding<A, B, W>> == 2)
-auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
+/// As along a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is seen here.
+template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
+auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
+    static_assert(controls_of<embedding<A, B, W>> == 2,
+                  "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
+                  "points of T alone that this could be judged by");
     using S = typename Scale::root_type::scalar_type;
     auto const& flow = path.method().undamped();
     auto const& mechanics = flow.mechanics();
@@ -81,31 +85,31 @@ auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, 
     std::vector<V> q;
     for (auto const& x : path) q.push_back(x.q);
     auto const start = *path.begin();
-    V const v0 = path.starting_velocity() ? *path.starting_velocity()
-                                          : velocity_of(detail::at_time{mechanics.lagrangian, start.t}, start.q, start.p);
-    auto const damping = detail::damping_along(path.method().damping(), T.h(), q, v0);
+    V const v0 =
+        path.starting_velocity() ? *path.starting_velocity() : velocity_of(at_time{mechanics.lagrangian, start.t}, start.q, start.p);
+    auto const along = [&](bool only_sizes) { return damping_along(path.method().damping(), T.h(), q, v0, only_sizes); };
+    auto const damping = along(false);
     auto const equation = equation_of(flow, T);
-    auto const judge = [&](auto const& residual) {
-        S worst(0);
-        for (index_type i = residual.first(); i <= residual.last(); ++i) {
-            V const r = residual.get(i) + damping[static_cast<std::size_t>(i)];
-            for (int k = 0; k < detail::shape<V>::dimension(r); ++k)
-                worst = detail::larger(worst, S(magnitude(detail::shape<V>::component(r, k))));
-        }
-        return worst;
-    };
-    auto const x = function_on(T, q);
-    return judge(equation.residual(x, mechanics.force));
+    values_so_far<V, std::remove_const_t<decltype(T)>> const x{{}, &T, &q};
+    auto const residual = equation.residual(x, mechanics.force);
+    constexpr bool relative = std::same_as<Judge, by_rounding>;
+    std::vector<V> size, damping_size;
+    if constexpr (relative) {
+        size = sizes_of_rows(equation, x, residual.first(), residual.last(), equation.derivatives(mechanics.force));
+        damping_size = along(true);
+    }
+    S worst(0);
+    for (index_type i = residual.first(); i <= residual.last(); ++i) {
+        auto const k = static_cast<std::size_t>(i);
+        V const r = residual.get(i) + damping[k];
+        if constexpr (relative)
+            worst =
+                larger(worst, largest_in_roundings(r, V(size[k - static_cast<std::size_t>(residual.first())] + sizes(damping_size[k]))));
+        else
+            worst = larger(worst, S(magnitude(r)));
+    }
+    return worst;
 }
 
-/// Refused.
-template <class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
-    requires(controls_of<embedding<A, B, W>> > 2)
-auto largest_residual(trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
-    static_assert(sizeof(path) == 0,
-                  "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
-                  "points of T alone that this could be judged by");
-    return typename Scale::root_type::scalar_type(0);
-}
-
+} // namespace detail
 } // namespace hilger

@@ -14,6 +14,7 @@
 #include "hilger/newton/newton.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/given_state.hpp"
+#include "hilger/variational/relative_residual.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {
@@ -24,18 +25,6 @@ namespace detail {
 template <class Values, class S>
 concept states_over = std::ranges::input_range<Values> and is_given_state<std::ranges::range_value_t<Values>> and
     is_exact_state<std::ranges::range_value_t<Values>, S>;
-
-/// What there is of a function on T, or on T with points inside its steps, while it is made.
-template <class V, class Root, class Base = nodes>
-struct values_so_far : function_interface<values_so_far<V, Root, Base>> {
-    using root_type = Root;
-    using domain_type = hilger::domain<Base>;
-    Root const* T;
-    std::vector<V> const* values;
-    [[nodiscard]] Root const& root() const { return *T; }
-    [[nodiscard]] static constexpr domain_type domain() { return {}; }
-    [[nodiscard]] V const& get(index_type i) const { return (*values)[static_cast<std::size_t>(i)]; }
-};
 
 } // namespace detail
 

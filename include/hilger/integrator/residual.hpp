@@ -51,50 +51,51 @@ auto scale_of_steps(Scale const& T) {
 }
 
 /// At positions in C(T), also where the equation has points inside the steps.
-template <class Action, discrete_function X, class Force>
-auto largest_of_equation(euler_lagrange<Action> const& equation, X const& q, Force const& force) {
-    if constexpr (std::same_as<typename Action::position_type::from, nodes>)
-        return largest_residual(equation, q, force);
+template <class Judge, class Flow, discrete_function X>
+    requires requires(Flow const& method, X const& q) { equation_of(method, q.root()); }
+auto judged(Judge const& judge, Flow const& method, X const& q) {
+    auto const equation = equation_of(method, q.root());
+    auto const& force = method.mechanics().force;
+    if constexpr (std::same_as<typename std::remove_cvref_t<decltype(equation.action())>::position_type::from, nodes>)
+        return judge(equation, q, force);
     else
-        return largest_residual(equation, with_inner_points(equation, q, force), force);
+        return judge(equation, with_inner_points(equation, q, force), force);
 }
-/// At states on a scale, as the flow walked them.
-template <class Flow, class Scale, class S, class V>
-auto largest_of_walk(Flow const& method, Scale const& scale, std::vector<state<S, V>> const& states) {
-    auto const T = scale_of_steps(scale);
+/// Along a trajectory, at the points inside the steps that the steps led to.
+template <class Judge, class F, class Force, class E, sums Sums, class Scale, class V>
+    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, scale_of_steps(T)); }
+auto judged(Judge const& judge, trajectory<flow<F, Force, E, Sums>, Scale, V> const& path) {
+    auto const& method = path.method();
+    auto const T = scale_of_steps(path.scale());
     auto const equation = equation_of(method, T);
-    return largest_residual(equation, inner_points_of_walk(method, equation, T, states), method.mechanics().force);
+    return judge(equation, positions_along(equation, T, path), method.mechanics().force);
+}
+/// At states that were kept, as the flow walks them.
+template <class Judge, class F, class Force, class E, sums Sums, class S, class V, class Scale>
+    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, scale_of_steps(T)); }
+auto judged(Judge const& judge, flow<F, Force, E, Sums> const& method, recording<S, V, Scale> const& run) {
+    require_complete(run);
+    auto const T = scale_of_steps(run.scale);
+    auto const equation = equation_of(method, T);
+    return judge(equation, inner_points_of_walk(method, equation, T, run.states), method.mechanics().force);
 }
 
 } // namespace detail
 
-/// The largest component of the residual of the equation that a flow was derived from, at positions q in C(T), forces included. Terms of
-/// the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of this size it is along
-/// a solution. For flows under embeddings by operators; compositions and adjoints are judged along trajectories (composition/residual.hpp).
-/// @throws error::singular, newton_failure where there are points inside the steps and no solution for them
-template <class F, class Force, linear_map A, linear_map B, class W, bool Checked, sums Sums, discrete_function X>
-auto largest_residual(flow<F, Force, embedding<A, B, W, Checked>, Sums> const& method, X const& q) {
-    return detail::largest_of_equation(equation_of(method, q.root()), q, method.mechanics().force);
-}
-template <class F, class Force, class First, class Second, sums Sums, discrete_function X>
-auto largest_residual(flow<F, Force, embedding_sum<First, Second>, Sums> const& method, X const& q) {
-    return detail::largest_of_equation(equation_of(method, q.root()), q, method.mechanics().force);
-}
-/// The same along a trajectory, at the points inside the steps that the steps led to. @throws as walking does
-template <class F, class Force, class E, sums Sums, class Scale, class V>
-    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, detail::scale_of_steps(T)); }
-auto largest_residual(trajectory<flow<F, Force, E, Sums>, Scale, V> const& path) {
-    auto const& method = path.method();
-    auto const T = detail::scale_of_steps(path.scale());
-    auto const equation = equation_of(method, T);
-    return largest_residual(equation, detail::positions_along(equation, T, path), method.mechanics().force);
-}
-/// The same of states that were kept. @throws error::mismatch where there is not one at each point of their scale
-template <class F, class Force, class E, sums Sums, class S, class V, class Scale>
-    requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, detail::scale_of_steps(T)); }
-auto largest_residual(flow<F, Force, E, Sums> const& method, recording<S, V, Scale> const& run) {
-    detail::require_complete(run);
-    return detail::largest_of_walk(method, run.scale, run.states);
-}
+/// The largest component of the residual of the equation that a flow was derived from, forces included: at positions q in C(T),
+/// largest_residual(method, q); along a trajectory, largest_residual(path); at states that were kept, largest_residual(method, recording).
+/// Terms of the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of this size it
+/// is along a solution. For compositions and adjoints along trajectories (composition/residual.hpp), and with fractional damping
+/// (fractional/residual.hpp).
+/// @throws error::singular, newton_failure where there are points inside the steps and no solution for them; error::mismatch where there is
+/// not a state at each point of its scale; what walking throws
+template <class Judged, class... Run>
+    requires requires(Judged const& method, Run const&... run) { judged(detail::by_size{}, method, run...); }
+auto largest_residual(Judged const& method, Run const&... run) { return judged(detail::by_size{}, method, run...); }
+/// The same, each component divided by the rounding of the terms of its own row (variational/relative_residual.hpp): below some tens along
+/// a solution, in any units and steps.
+template <class Judged, class... Run>
+    requires requires(Judged const& method, Run const&... run) { judged(detail::by_rounding{}, method, run...); }
+auto relative_residual(Judged const& method, Run const&... run) { return judged(detail::by_rounding{}, method, run...); }
 
 } // namespace hilger

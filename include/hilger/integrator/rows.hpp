@@ -10,6 +10,7 @@
 #include "hilger/newton/near.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
+#include "hilger/variational/relative_residual.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger::detail {
@@ -35,12 +36,30 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
     for (S const& t : T) points.push_back(S(a + (t - a) * part));
     return time_scale<S>(std::move(points));
 }
+/// By how much at most the unknown values of a system change, for changes of 1 of the values beside them that `from_ends` has the
+/// derivatives by, each value in units of its component's largest one: K^-1 is asked for these columns alone. That is 1 for a straight line
+/// and less than 2 / |sin T| for an oscillator on [0, T], in any units and steps, where the norm of K^-1 itself grows with the number of
+/// points.
+template <class S, class Vector>
+S response_to_ends(patterned_matrix<S>& K, std::vector<Vector> from_ends, Vector const& component_sizes) {
+    if (not K.is_factorized() and not K.factorize()) return S(1) / epsilon<S>();
+    auto const d = component_sizes.size();
+    Vector changes = Vector::Zero(K.size());
+    for (std::size_t c = 0; c < from_ends.size(); ++c) {
+        Vector& change = from_ends[c];
+        K.solve(change);
+        for (index_type m = 0; m < changes.size(); ++m)
+            changes(m) += magnitude(change(m)) * component_sizes(static_cast<index_type>(c) % d) / component_sizes(m % d);
+    }
+    return magnitude(changes);
+}
 /// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: next to
 /// those that there are or, where `straight_line` has values on one, near them. `x` has the values at all points that the equation reads,
 /// in their order, and there are some before and behind the unknown ones; a row reads values that are at most `reach` numbers from its own.
-/// `what` names the rows in messages. @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
+/// `what` names the rows in messages. Returns how strongly the values respond to those at both sides, where `straight_line` has values.
+/// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
-void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
+auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
                 index_type end, index_type reach, Force const& force, char const* what, std::vector<V> const* straight_line = nullptr,
                 solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
     using s = shape<V>;
@@ -64,19 +83,32 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
             for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
     };
     auto const derivatives = equation.derivatives(force);
+    // Of the rows at the last iterate, where they are judged: the sizes of their terms, and their derivatives by the values at both ends.
+    bool const judged = straight_line != nullptr and not std::numeric_limits<S>::is_exact;
+    std::vector<V> sizes_of_terms;
+    std::vector<vector> from_ends;
     auto const system = [&](vector const& y, S const& part) {
         put(y);
         if (not(part == length)) on = part == S(1) ? T : shortened(T, part);
         length = part;
         newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
         made.jacobian.set_zero();
-        for (int k = 0; k < n; ++k) {
+        sizes_of_terms.clear();
+        for (int m = 0; judged and m < n; ++m) sizes_of_terms.push_back(equation.residual_size(now, begin + m, derivatives));
+        from_ends.assign(judged ? static_cast<std::size_t>(2 * d) : 0, vector::Zero(n * d));
+        for (int k = judged ? -1 : 0; k < (judged ? n + 1 : n); ++k) {
             stop_on_request(stop, what);
+            bool const is_end = k < 0 or k == n;
             auto const slope = equation.residual_slope(now, begin + k, derivatives);
             for (int m = first_near(k); m < end_near(k); ++m) {
                 auto const block = slope.get(begin + m);
+                if (judged) add_sizes(sizes_of_terms[static_cast<std::size_t>(m)], block, at(begin + k));
                 for (int c = 0; c < d; ++c)
-                    for (int e = 0; e < d; ++e) made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
+                    for (int e = 0; e < d; ++e)
+                        if (is_end)
+                            from_ends[static_cast<std::size_t>(k < 0 ? e : d + e)](m * d + c) = s::entry(block, c, e);
+                        else
+                            made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
             }
         }
         auto const residual = equation.residual(now, force); // of the T that there is now
@@ -85,6 +117,12 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
             for (int c = 0; c < d; ++c) made.residual(m * d + c) = s::component(row, c);
         }
         return made;
+    };
+    auto const relative = [&](vector const& residual) {
+        S worst(0);
+        for (int m = 0; m < n * d; ++m)
+            worst = larger(worst, in_roundings<S>(residual(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d)], m % d)));
+        return worst;
     };
     auto const unknown = [&](std::vector<V> const& of) {
         vector y(n * d);
@@ -97,7 +135,18 @@ void solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     S const most = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
     // A row is a difference of terms of this size.
     rounding.setConstant(S(system(guess, S(1)).jacobian.largest()) * most);
-    put(newton_near<vector, patterned_matrix<S>>(system, guess, straight_line ? &line : nullptr, rounding, what, by, stop));
+    vector const root =
+        newton_near<vector, patterned_matrix<S>>(system, relative, guess, straight_line ? &line : nullptr, rounding, what, by, stop);
+    put(root);
+    if (not judged) return S(0);
+    vector component_sizes = vector::Zero(d);
+    for (V const& value : x)
+        for (int c = 0; c < d; ++c) component_sizes(c) = std::max(component_sizes(c), S(magnitude(s::component(value, c))));
+    S const largest = magnitude(component_sizes);
+    for (int c = 0; c < d; ++c)
+        if (component_sizes(c) == S(0)) component_sizes(c) = largest == S(0) ? S(1) : largest;
+    auto at_root = system(root, S(1));
+    return response_to_ends<S, vector>(at_root.jacobian, from_ends, component_sizes);
 }
 
 } // namespace hilger::detail

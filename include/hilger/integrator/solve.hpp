@@ -7,6 +7,7 @@
 #include "hilger/integrator/inner_points.hpp"
 #include "hilger/integrator/march.hpp"
 #include "hilger/integrator/rows.hpp"
+#include "hilger/integrator/two_ends.hpp"
 
 namespace hilger {
 
@@ -94,12 +95,15 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
 /// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions one near the guess is looked for
 /// (hilger/newton/near.hpp), and mostly found: who wants a certain one looks at the result, and guesses a solution of a problem that
-/// differs little. Who asks `stop` to stop gets an error::no_convergence.
-/// @throws newton_failure, an error::no_convergence; error::singular where the ends do not determine the solution, as half a period of an
-///         oscillator; error::mismatch, error::not_finite
+/// differs little. Who asks `stop` to stop gets an error::no_convergence. A `report` gets how strongly the solution responds to its ends
+/// and how far the solutions on every second and fourth point are, which costs half as much again, and a warning where either says that it
+/// may be near no motion (integrator/two_ends.hpp).
+/// @throws newton_failure, an error::no_convergence, where nothing solves the equation to the rounding of its terms; error::singular and
+///         error::ill_conditioned where the ends do not determine the solution, as half a period of an oscillator; error::not_finite where
+///         L is singular at an end or on the first guess; error::mismatch
 template <class Action, class V, class Force, class Guess>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends, Force const& force,
-           Guess const& guess, std::stop_token const& stop = {}) {
+           Guess const& guess, std::stop_token const& stop = {}, ends_report<typename Action::root_type::scalar_type>* report = nullptr) {
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
     using S = typename Action::root_type::scalar_type;
@@ -122,8 +126,23 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
             detail::put_first_guess(T, x, parts, detail::straight_line{});
             auto const line = x;
             if constexpr (not std::same_as<Guess, detail::straight_line>) detail::put_first_guess(T, x, parts, guess);
-            detail::solve_rows(equation, T, x, 1, last, parts, force, "the equation between the ends of T", &line, detail::by_the_ends,
-                               stop);
+            auto const rows = [&](auto const& scale, std::vector<State>& values, std::vector<State> const* straight_line) {
+                return detail::solve_rows(equation, scale, values, 1, Base::last(scale.steps()), parts, force,
+                                          "the equation between the ends of T", straight_line, detail::by_the_ends, stop);
+            };
+            if constexpr (not std::numeric_limits<S>::is_exact) detail::require_regular(equation.derivatives(force), T, x, parts);
+            ends_report<S> seen;
+            detail::judge_response(S(rows(T, x, &line)), seen);
+            if constexpr (not std::numeric_limits<S>::is_exact and detail::has_coarser<typename Action::root_type>)
+                if (report != nullptr)
+                    detail::compare_with_coarser(
+                        T, x, parts,
+                        [&](auto const& scale, std::vector<State>& values) {
+                            detail::put_first_guess_inside(scale, values, parts);
+                            rows(scale, values, nullptr);
+                        },
+                        seen);
+            if (report != nullptr) *report = seen;
         }
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }

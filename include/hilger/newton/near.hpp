@@ -4,7 +4,8 @@
 // shortened do not leap, but need not arrive. Where they do not, or arrive far away, their path is followed behind the places where it
 // turns (arc.hpp), the equation is also changed into an easier one and back in steps, each of which starts from the root of the one before
 // (continuation; Allgower and Georg, Introduction to Numerical Continuation Methods, 2003), and of what is found the nearest to the guess
-// is taken.
+// is taken. The judge of all of them is the relative residual (variational/relative_residual.hpp): nothing is a root that does not solve
+// its rows to the rounding of their terms.
 #pragma once
 
 #include <algorithm>
@@ -57,36 +58,80 @@ V newton_damped(newton_function<V, Jacobian> const& system, V x, V const& given,
     }
     give_up(what, false, x, at.residual, size, iteration, by);
 }
-/// x after corrections as long as they halve the residual: where the derivative is nearly singular, as that of a wall between two states
-/// that may be anywhere, a small correction does not prove that the equation is solved.
+/// The residual at the iterate that the system was evaluated at last -> how many roundings of its terms it has.
+template <class V>
+using relative_measure = function_view<scalar_of<V>(V const&)>;
+/// A row is a sum of some tens of terms and of what the formulas of L are made of: each rounds, and none does more often with more points.
+inline constexpr int most_roundings = 256;
+
+/// x after corrections as long as they halve its roundings: where the derivative is nearly singular, as that of a wall between two states
+/// that may be anywhere, a small correction does not prove that the equation is solved; and elimination is as exact in each row after one
+/// more correction as in the largest (Skeel 1980).
 template <class V, class Jacobian>
-V polished(newton_function<V, Jacobian> const& system, V x) {
+V polished(newton_function<V, Jacobian> const& system, relative_measure<V> const& relative, V x, scalar_of<V>& rest) {
     using S = scalar_of<V>;
     auto at = system(x);
-    for (int k = 0; k < 6; ++k) {
+    rest = relative(at.residual);
+    for (int k = 0; k < 6 and all_finite(at.residual) and S(1) < rest; ++k) {
         V correction = zero_like(x);
         if (not solve_linear(at.jacobian, at.residual, correction)) break;
         V const y = x - correction;
         auto next = system(y);
-        S const before = magnitude(at.residual);
-        if (not all_finite(next.residual) or not(magnitude(next.residual) < before)) break;
-        bool const halved = S(2) * magnitude(next.residual) < before;
+        S const now = relative(next.residual);
+        if (not all_finite(next.residual) or not(now < rest)) break;
+        bool const halved = S(2) * now < rest;
         x = y;
+        rest = now;
         at = std::move(next);
         if (not halved) break;
     }
     return x;
 }
+/// What one or two corrections lead to, as they do where the system is linear or x next to its root. @throws error::singular where it is
+/// linear and has none, or many
+template <class V, class Jacobian>
+std::optional<V> newton_at_once(newton_function<V, Jacobian> const& system, relative_measure<V> const& relative, V x, V const& given,
+                                char const* what, solvability const& by) {
+    using S = scalar_of<V>;
+    unwatched const inside;
+    for (int k = 0; k < 3; ++k) {
+        auto at = system(x);
+        if (inside.before.saw_any() or not all_finite(at.residual)) return {};
+        if (k > 0 and relative(at.residual) <= S(most_roundings)) return x;
+        V correction = zero_like(x);
+        if (k < 2 and solve_linear(at.jacobian, at.residual, correction)) {
+            x = x - correction;
+            continue;
+        }
+        if (k > 0) return {};
+        V const second_difference = system(V(x * S(2))).residual - at.residual * S(2) + system(zero_like(x)).residual;
+        if (magnitude(second_difference) <= S(1024) * epsilon<S>() * magnitude(given)) refuse_singular(what, by);
+        return {};
+    }
+    return {};
+}
+template <class V>
+[[noreturn]] void give_up_on_rounding(char const* what, scalar_of<V> const& rest, V const& iterate, V const& residual,
+                                      solvability const& by) {
+    std::ostringstream message;
+    message << what << " did not converge: what is nearest to a solution leaves " << rest
+            << " times the rounding of the terms of a row, and a solution less than " << most_roundings << ". " << by.advice;
+    throw newton_failure<V>(message.str(), iterate, residual);
+}
 /// The root for part 1 near `guess`, or next to it where there is no `straight_line`: the motion in no time, which continuation begins
 /// with. `given`, `what` and `by` are those of newton(). @throws as newton() does, and where `stop` is asked to
 template <class V, class Jacobian>
-V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const* straight_line, V const& given, char const* what,
-              solvability const& by, std::stop_token const& stop) {
+V newton_near(newton_family<V, Jacobian> const& system, relative_measure<V> const& relative, V const& guess, V const* straight_line,
+              V const& given, char const* what, solvability const& by, std::stop_token const& stop) {
     using S = scalar_of<V>;
     S part(1), step = S(1) / S(4);
     auto const in_part = [&](V const& x) { return system(x, part); };
     if (std::numeric_limits<S>::is_exact or not straight_line)
         return newton_of<V, Jacobian>(in_part, guess, given, most_whole_corrections<S>, what, by);
+    if (auto x = newton_at_once<V, Jacobian>(in_part, relative, guess, given, what, by)) {
+        S rest(0);
+        return polished<V, Jacobian>(in_part, relative, *std::move(x), rest);
+    }
     // What is given stands in differences over the time, which are larger where there is less of it.
     auto const by_whole_corrections = [&](V const& x) {
         if (auto y = newton_whole<V, Jacobian>(in_part, x, V(given / part), most_whole_corrections<S>, what, by)) return *std::move(y);
@@ -116,21 +161,15 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const*
     std::optional<V> found;
     std::exception_ptr failure;
     auto const distance = [&](V const& x) { return S(magnitude(V(x - guess))); };
-    // Far away, where L and its derivatives tend to nothing, corrections are small beside x, and go on without end.
     S const reach = magnitude(guess);
-    auto const solves = [&](V const& x) {
-        part = S(1);
-        auto at = in_part(x);
-        if (magnitude(at.residual) <= S(1024) * epsilon<S>() * magnitude(given)) return true;
-        V correction = zero_like(x);
-        return not solve_linear(at.jacobian, at.residual, correction) or
-               magnitude(correction) <= square_root_of_epsilon<S>() * (reach == S(0) ? S(magnitude(x)) : reach);
-    };
     auto const attempt = [&](auto const& way, V const& from) {
         part = S(1);
         try {
             V x = way(from);
-            if (not solves(x)) give_up_on_branches(what, branch_search::lost_on_one, x, in_part(x).residual, by);
+            part = S(1);
+            S rest(0);
+            x = polished<V, Jacobian>(in_part, relative, std::move(x), rest);
+            if (not(rest <= S(most_roundings))) give_up_on_rounding(what, rest, x, in_part(x).residual, by);
             if (not found or distance(x) < distance(*found)) found = std::move(x);
         } catch (error::exception const&) {
             if (stop.stop_requested()) throw;
@@ -151,8 +190,7 @@ V newton_near(newton_family<V, Jacobian> const& system, V const& guess, V const*
         attempt(by_continuation, *straight_line);
         if (not found) std::rethrow_exception(why);
     }
-    part = S(1);
-    return polished<V, Jacobian>(in_part, *std::move(found));
+    return *std::move(found);
 }
 
 } // namespace hilger::detail

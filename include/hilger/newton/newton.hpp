@@ -54,14 +54,6 @@ auto largest_entry(Jacobian& J) {
     else
         return magnitude(J);
 }
-/// The magnitudes of the components.
-template <class V>
-V sizes(V const& x) {
-    if constexpr (requires { x.size(); })
-        return x.cwiseAbs();
-    else
-        return magnitude(x);
-}
 template <class V>
 V ones_like(V x) {
     if constexpr (requires { x.setOnes(); })

@@ -14,18 +14,11 @@
 #include "hilger/trajectory/trajectory.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/problem.hpp"
+#include "hilger/variational/relative_residual.hpp"
 #include "hilger/variational/restricted.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {
-
-namespace detail {
-/// The larger of a bound and a magnitude; not a number where either is none, so that it cannot be overlooked.
-template <class S>
-S larger(S const& bound, S const& x) {
-    return x <= bound or not(bound == bound) ? bound : x;
-}
-} // namespace detail
 
 /// How a quantity e(t) that should stay what it was at the start does not.
 template <class S>

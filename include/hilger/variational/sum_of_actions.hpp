@@ -188,6 +188,10 @@ public:
     std::pair<V, V> gradients(int part, S const& t, V const& q, V const& v) const {
         return part < parts_of<F> ? first.gradients(part, t, q, v) : second.gradients(part - parts_of<F>, t, q, v);
     }
+    template <class S, class V>
+    node_table<V> expand(int part, S const& t, V const& q, V const& v) const {
+        return part < parts_of<F> ? first.expand(part, t, q, v) : second.expand(part - parts_of<F>, t, q, v);
+    }
     first_type first;
     kept_derivatives<problem<G, no_force>> second;
 };
@@ -219,6 +223,10 @@ public:
     template <discrete_function X, class Kept>
     constexpr auto residual_slope(X const& x, index_type k, Kept const& kept) const {
         return first_.residual_slope(x, k, kept.first) + second_.residual_slope(x, k, kept.second);
+    }
+    template <discrete_function X, class Kept>
+    constexpr auto residual_size(X const& x, index_type k, Kept const& kept) const {
+        return value_of<X>(first_.residual_size(x, k, kept.first) + second_.residual_size(x, k, kept.second));
     }
 };
 template <class First, class Second>

@@ -190,6 +190,25 @@ public:
             [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.vq_ * of_q + at.e.vv * of_v); }, seconds, a, b);
         return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
     }
+    /// The sum of the sizes of the terms of the residual at its point k: the same operators, with the absolute values of their weights, of
+    /// the absolute values of the derivatives of L.
+    template <discrete_function X, class Force>
+    constexpr auto residual_size(X const& x, index_type k, detail::kept_derivatives<problem_with<Force>> const& kept) const {
+        using V = value_of<X>;
+        using S = typename Root::scalar_type;
+        auto const firsts =
+            action_.at_nodes(x, [kept](auto const& t, auto const& q, auto const& v) { return kept.gradients(0, t, V(q), V(v)); });
+        detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
+        auto const of_position =
+            apply_pointwise([](auto const& at, S const& weight) { return V(detail::sizes(at.first) * S(weight < S(0) ? -1 : 1)); }, firsts,
+                            action_.position[unit]);
+        auto const of_velocity =
+            apply_pointwise([](auto const& at, S const& weight) { return V(detail::sizes(at.second) * S(weight < S(0) ? -1 : 1)); }, firsts,
+                            action_.velocity[unit]);
+        return V(
+            at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)])
+                .get(k));
+    }
     /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
     static constexpr reach reads = [] {
         constexpr reach both = A::reads | B::reads;

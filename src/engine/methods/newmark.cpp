@@ -34,8 +34,8 @@ public:
                                          std::stop_token const&) const override {
         refuse("is solved from initial values");
     }
-    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const&,
-                                  std::vector<vector<double>> const&) const override {
+    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const&, std::vector<vector<double>> const&,
+                                  bool) const override {
         refuse("has no discrete Euler-Lagrange equation");
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {

@@ -117,17 +117,21 @@ public:
     [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
                                     std::stop_token const& stop) const override {
         for (vector<S> const* x : {&first, &last}) this->require_coordinates(*x);
-        auto const x = this->solved_between(summed_equation(), first, last, guess, stop);
+        hilger::ends_report<S> report;
+        auto const x = this->solved_between(summed_equation(), first, last, guess, stop, report);
         std::vector<vector<S>> p(static_cast<std::size_t>(x.size()), vector<S>::Zero(first.size()));
         for_each_part([&](auto const& flow) {
             auto const of_part = momenta_of(flow, x);
             for (std::size_t i = 0; i < p.size(); ++i) p[i] += of_part[static_cast<hilger::index_type>(i)];
         });
-        return {this->values_on_T(x), std::move(p)};
+        return {this->values_on_T(x), std::move(p), report.warning};
     }
-    [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&) const override {
+    [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const& positions, std::vector<vector<S>> const&,
+                             bool absolute) const override {
         for (vector<S> const& x : positions) this->require_coordinates(x);
-        return largest_residual(summed_equation(), hilger::function_on(this->T_, positions), this->flow_.mechanics().force);
+        auto const x = hilger::function_on(this->T_, positions);
+        auto const& force = this->flow_.mechanics().force;
+        return absolute ? largest_residual(summed_equation(), x, force) : relative_residual(summed_equation(), x, force);
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override;
 

@@ -2,6 +2,7 @@
 // The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)): it is
 // solved between two ends.
 #include "engine/motions.hpp"
+#include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
 
 namespace engine {
@@ -31,9 +32,10 @@ public:
         for (hilger::index_type i = x.first(); i <= x.last(); ++i) positions.push_back(x[i]);
         return {std::move(positions), {}};
     }
-    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions,
-                                  std::vector<vector<double>> const&) const override {
-        return largest_residual(derived(), hilger::function_on(T_, positions));
+    [[nodiscard]] double residual(initial<double> const&, std::vector<vector<double>> const& positions, std::vector<vector<double>> const&,
+                                  bool absolute) const override {
+        auto const x = hilger::function_on(T_, positions);
+        return absolute ? largest_residual(derived(), x) : relative_residual(derived(), x);
     }
     [[nodiscard]] std::string equation(bool latex_wanted) const override {
         auto const EL = derived();

@@ -13,6 +13,7 @@ from . import _core
 from ._core import (
     Error,
     Expression,
+    IllConditioned,
     InvalidInput,
     InvalidParameter,
     InvalidScale,
@@ -84,7 +85,7 @@ from .formulas import (
 from .lagrangians import Lagrangian
 from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
-from .solutions import AccurateSolution, Events, Solution, StepFailure
+from .solutions import AccurateSolution, DoubtfulSolution, Events, Solution, StepFailure
 from .solving import blocks, direct, exponentials, machine_code, solve, window
 
 __version__ = _core.version

@@ -55,6 +55,10 @@ def number_from(kind: str, made: object):
     return made if kind == "double" else numbers_from(kind, ([made], 0))[0]
 
 
+class DoubtfulSolution(RuntimeWarning):
+    """A solution between two ends that responds strongly to them, or that fewer points show otherwise: it may be near no motion."""
+
+
 class Events(NamedTuple):
     """Where a function of the state passes zero: times t, positions q and momenta p, one row for each event."""
 
@@ -100,7 +104,7 @@ class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
 
     `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero;
-    `x.residual()` what the positions leave of their equation; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
+    `x.residual()` what the positions leave of their equation, in roundings of its terms; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
     scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a two-sided fractional equation has positions
     alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends
     with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
@@ -220,9 +224,11 @@ class Solution:
     #: How often events are looked for in a step.
     _looks = 1
 
-    def residual(self):
-        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, of the size of rounding; of a solution
-        that has stopped, as far as it goes.
+    def residual(self, absolute: bool = False):
+        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, each divided by the rounding of its
+        row: by epsilon times the sum of the sizes of its terms. That has no unit and is less than some tens for what solves the equation, in
+        any steps; of fractions, which do not round, divided by the sizes alone. `absolute=True` gives it as it is, in the units of the
+        equation: that grows as epsilon / h**2. Of a solution that has stopped it is meant as far as it goes.
 
         Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts. Newmark's schemes have no
         such equation, and raise InvalidParameter.
@@ -231,7 +237,7 @@ class Solution:
             raise _core.InvalidParameter("the residual is that of two points and more, and this solution has one")
         positions, momenta = ([self._row(x, i) for i in range(len(self))] if x is not None else [] for x in (self.q, self.p))
         motion = self._motion if len(self) == self.equation.scale.steps + 1 else self._reached()._motion(self._history)
-        return number_from(self.equation.scale.kind(), motion.residual(*self._start, positions, momenta))
+        return number_from(self.equation.scale.kind(), motion.residual(*self._start, positions, momenta, bool(absolute)))
 
     def _reached(self) -> Equation:
         """The equation on what of its scale there is of a solution that has stopped."""

@@ -14,7 +14,7 @@ from . import _core
 from .equations import Equation, gauss, midpoint, variation
 from .lagrangians import Lagrangian
 from .scales import digits, real, require_real, rounds, uniform
-from .solutions import AccurateSolution, Solution, StepFailure, Zeros, numbers_from
+from .solutions import AccurateSolution, DoubtfulSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
 LONG = 10_000_000  # steps, from which on to make machine code of them takes less than it wins
@@ -86,7 +86,10 @@ def solve(
     """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
     start from q1, where nothing is damped. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a
     number) for each point of T. Of several solutions one near the guess is looked for, and mostly found: look at it, or guess a
-    solution of a problem that differs little.
+    solution of a problem that differs little. Nothing is returned that leaves more of its equation than the rounding of its terms. Ends that
+    determine what lies between them to less than half of the digits, as those half a period of an oscillator apart, raise IllConditioned;
+    those that a solution responds to more than a thousandfold, and a solution that one on every second point differs from by more than any
+    order allows, warn with DoubtfulSolution.
 
     `until=g` ends a walk at the first point of T behind a zero of g(t, q, p), as of the height of what falls: x.stopped says so, and
     x.events(g) where it was. A g that is true or false passes zero where it changes; g = 0 at the start is no zero.
@@ -138,7 +141,10 @@ def solve(
         near = [] if guess is None else [_state(kind, x, L, "each row of the guess") for x in guess]
         if guess is not None and len(near) != equation.scale.steps + 1:
             raise _core.Mismatch(f"a guess has a row for each of the {equation.scale.steps + 1} points of T, and here are {len(near)}")
-        q, p = (column(numbers_from(kind, x)) for x in motion.between(start[0], start[2], near))
+        *found, doubt = motion.between(start[0], start[2], near)
+        q, p = (column(numbers_from(kind, x)) for x in found)
+        if doubt:
+            warnings.warn(doubt, DoubtfulSolution, stacklevel=2)
         return Solution(equation, (start[0], "q1", _state(kind, q[1], L, "q1")), history, numbers_from(kind, motion.times()), q, p if len(p) else None, None)
     bar = bar_of(progress, equation.scale.steps, " steps")
     made = None

@@ -90,6 +90,11 @@ public:
             return expand_traced(t, q, v);
     }
 
+    template <class S, class V>
+    node_table<V> expand(int, S const& t, V const& q, V const& v) const {
+        return expand(t, q, v);
+    }
+
 private:
     template <class S, class V>
     node_table<V> expand_traced(S const& t, V const& q, V const& v) const {
