@@ -189,14 +189,14 @@ class Double(unittest.TestCase):
             # values at equidistant points inside a step are known from the polynomial through them, to 2^degree roundings
             degree = int(method.name[-1]) if method.name.startswith(("gauss", "lobatto")) else 0
             parts = 16 if method is h.kahan_li_8 else 1  # the shortest part of a composition is as many times shorter than its step
-            self.assertLess(x.residual(), 2 * parts / 0.125**2 * 64 * epsilon * 2**degree, method.name)
+            self.assertLess(x.residual(), 64, method.name)
 
     def test_long_steps_are_judged_by_what_they_did_inside(self):
         two_wells = h.Lagrangian("v^2/2 - 50*(q^2 - 1)^2")
         for method, step, q0, v0 in ((h.gauss(2), 0.177, 0.18, -0.42), (h.lobatto_3, 0.1, -0.314144, -2.06111)):
             x = h.solve(h.variation(two_wells, h.uniform(0, step, 20), method), q0=q0, v0=v0)
             # rows at the points inside, 2 a step at most; between the ends there are other points, which leave 100 and more
-            self.assertLess(x.residual(), 2 * 2 / (step / 2) ** 2 * 64 * epsilon, method.name)
+            self.assertLess(x.residual(), 64, method.name)
 
     def test_compositions_are_judged_by_positions_and_momenta(self):
         swing = h.Lagrangian("m*v^2/2 - k*q^4/4", m=2, k="1/3")
@@ -208,11 +208,11 @@ class Double(unittest.TestCase):
             (driven, {"q0": 1.0, "v0": 0.5}, 0.05, 2),
         ):
             x = h.solve(EL, **start)
-            self.assertLess(x.residual(), 2 * parts / step**2 * 64 * epsilon)  # by the length of the shortest part
+            self.assertLess(x.residual(), 64)  # by the length of the shortest part
             for moved in (x.q, x.p):
                 was = moved[2].copy()
                 moved[2] += 1e-6
-                self.assertGreater(x.residual(), 1e-6)
+                self.assertGreater(x.residual(), 1e6)
                 moved[2] = was
 
     def test_theta_one_half_is_the_mid_point(self):
@@ -225,7 +225,7 @@ class Double(unittest.TestCase):
         EL = h.variation(h.Lagrangian("v^2/2 - q"), T, h.two_sided(0.75))
         x = h.solve(EL, q0=0.0, qN=1.0)
         self.assertEqual((x.q[0], x.q[-1]), (0, 1))
-        self.assertLess(x.residual(), 1e-11)
+        self.assertLess(x.residual(), 64)
         self.assertIn("Δ₊^(0.75)[∂L/∂v(⋆)]", repr(EL))
         self.assertRaisesRegex(h.InvalidParameter, "looks to both ends", lambda: h.solve(EL, q0=0.0, v0=1.0))
         # of order 1 it is the equation of order one
@@ -242,7 +242,7 @@ class Double(unittest.TestCase):
     def test_histories_agree(self):
         EL = h.variation(pendulum, h.uniform(0, 0.05, 1000)) + h.damping(0.2, 0.5) + h.damping(0.05, 1.25)
         by_sum = h.solve(EL, q0=1.0, v0=0.3, history=h.direct())
-        self.assertLess(by_sum.residual(), 1e-11)
+        self.assertLess(by_sum.residual(), 64)
         for history in (h.blocks(), h.exponentials()):
             self.assertLess(np.abs(h.solve(EL, q0=1.0, v0=0.3, history=history).q - by_sum.q).max(), 1e-12)
         self.assertLess(np.abs(h.solve(EL, q0=1.0, v0=0.3, history=h.exponentials(1e-6)).q - by_sum.q).max(), 1e-4)
@@ -278,9 +278,9 @@ class Double(unittest.TestCase):
             self.assertLess(np.abs(x.q - y.q).max(), 1e-12)
             self.assertLess(np.abs(x.p - y.p).max(), 1e-11)
             self.assertAlmostEqual(x(0.3), y(0.3), delta=1e-12)
-            self.assertLess(x.residual(), 1e-11)
+            self.assertLess(x.residual(), 64)
             x.q[3] += 1e-3
-            self.assertGreater(x.residual(), 1e-3)  # of the positions that there are
+            self.assertGreater(x.residual(), 1e6)  # of the positions that there are
         exact = h.variation(h.Lagrangian("v^2/2 - q^2/2"), h.uniform(0, Fraction(1, 10), 10), h.theta(Fraction(1, 3)))
         x = h.solve(exact, q0=1, qN=Fraction(1, 2))
         self.assertEqual(list(h.solve(exact, q0=1, p0=x.p[0]).p), list(x.p))
@@ -288,7 +288,7 @@ class Double(unittest.TestCase):
     def test_what_joins_two_ends_in_long_steps_is_judged_by_what_it_does_inside(self):
         two_wells = h.Lagrangian("v^2/2 - 50*(q^2 - 1)^2")
         x = h.solve(h.variation(two_wells, h.uniform(0, 0.177, 10), h.gauss(2)), q0=-0.7439458242004173, qN=0.9324690236313515)
-        self.assertLess(x.residual(), 2 * 2 / (0.177 / 2) ** 2 * 64 * epsilon * np.abs(x.q).max())
+        self.assertLess(x.residual(), 64)
 
     def test_a_two_sided_equation_has_no_momenta(self):
         x = h.solve(h.variation(h.Lagrangian("v^2/2"), h.uniform(0, 0.1, 10), h.two_sided(0.75)), q0=0.0, qN=0.5)
@@ -303,9 +303,9 @@ class Double(unittest.TestCase):
         self.assertLess(np.abs(near.q - swinging.q).max(), 1e-11)
         thrown = h.solve(EL, q0=1.0, qN=swinging.q[-1], guess=2 * np.sin(0.5 * swinging.t))
         self.assertGreater(np.abs(thrown.q - swinging.q).max(), 1)
-        self.assertLess(thrown.residual(), 1e-11)
+        self.assertLess(thrown.residual(), 64)
         far = h.solve(EL, q0=1.0, qN=-0.5)  # whole corrections lead away from the straight line
-        self.assertLess(far.residual(), 1e-11)
+        self.assertLess(far.residual(), 64)
         exact = h.variation(oscillator, h.uniform(0, Fraction(1, 10), 3))
         self.assertEqual(list(h.solve(exact, q0=1, qN=0, guess=[1, 5, 7, 0]).q), list(h.solve(exact, q0=1, qN=0).q))
         with self.assertRaisesRegex(h.Mismatch, "a row for each of the 101 points of T, and here are 2"):
@@ -333,7 +333,7 @@ class Double(unittest.TestCase):
         self.assertEqual(exact.equation.method.name, exact.method)
         self.assertLess(np.abs(exact.energy() - 0.5).max(), 1e-10)
         h_ = exact.t[1]
-        self.assertLess(exact.residual(), epsilon * (8**2 / h_) ** 2)  # of polynomials of degree 8 in each step
+        self.assertLess(exact.residual(), 64)  # of polynomials of degree 8 in each step
         self.assertLess(abs(exact(1.25) - np.cos(1.25)), h_**4 / 384 + 1e-10)
         self.assertLess(np.abs(exact.events(lambda t, q, p: q).t - np.pi * np.array([0.5, 1.5, 2.5])).max(), h_**4)
         again = pickle.loads(pickle.dumps(exact))
@@ -344,14 +344,14 @@ class Double(unittest.TestCase):
             whole = h.solve(h.variation(oscillator, T), q0=1.0, v0=0.0)
             part = h.solve(h.variation(oscillator, T), q0=1.0, v0=0.0, until=lambda t, q, p: q)
             self.assertLess(len(part), 20)
-            self.assertLess(part.residual(), 16 * epsilon / 0.125**2)
+            self.assertLess(part.residual(), 64)
             part.q[3] += 1e-3  # which a residual sees
-            self.assertGreater(part.residual(), 1e-2)
+            self.assertGreater(part.residual(), 1e6)
             self.assertEqual(whole.q[len(part) - 1], part.q[-1])
         with self.assertRaises(h.StepFailure) as failed:
             h.solve(h.variation(h.Lagrangian("v^2/2 + q^4"), h.uniform(0, 0.01, 1000)), q0=1.0, v0=1.0)
         reached = failed.exception.solution
-        self.assertLess(reached.residual(), 64 * epsilon * abs(reached.q).max() / 0.01**2)
+        self.assertLess(reached.residual(), 64)
 
     def test_many_digits(self):
         try:
@@ -401,7 +401,7 @@ class Endings(unittest.TestCase):
         x = caught.exception.solution
         self.assertGreater(len(x), 3)
         self.assertIn("the step from t = ", x.stopped)
-        self.assertLess(x.residual(), 64 * epsilon * abs(x.q).max() / 0.1**2)
+        self.assertLess(x.residual(), 64)
         self.assertEqual(x(x.t[-1]), x.q[-1])
         self.assertTrue(np.all(np.isfinite(x.q)))
 
