@@ -88,7 +88,7 @@ void check_lanes(engine::problem const& what, std::string const& method, engine:
         CHECK(i == static_cast<std::size_t>(steps) + 1);
         CHECK(worst <= bound * largest);
         CHECK(largest > size / 4);
-        CHECK(alone->residual(start, together[m].q, together[m].p, false) <= 64);
+        CHECK(alone->residual(start, together[m].q, together[m].p, false) <= 64 * (method == "kahan-li-8" ? 17 : 1)); // parts of a step
     }
 }
 

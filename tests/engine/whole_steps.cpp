@@ -60,7 +60,8 @@ void agrees(engine::problem const& what, std::string const& method, engine::poin
     });
     CHECK(i == whole->t.size());
     CHECK(all_near);
-    CHECK(motion->residual(from, positions, momenta, false) <= 64);
+    CHECK(motion->residual(from, positions, momenta, false) <=
+          64 * (method == "kahan-li-8" ? 17 : 1)); // parts of a step, each of which rounds
 }
 
 } // namespace

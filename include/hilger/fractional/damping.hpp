@@ -45,6 +45,11 @@ template <class Damping>
 inline constexpr bool is_surely_below_one = false;
 template <generating_function G, class Rho, class Order, class Policy>
 inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
+/// Whether it says that the order is not above 1.
+template <class Damping>
+inline constexpr bool is_surely_at_most_one = is_surely_below_one<Damping>;
+template <generating_function G, class Rho, long long One, class Policy>
+inline constexpr bool is_surely_at_most_one<fractional_damping<G, Rho, fraction<One, One>, Policy>> = true;
 
 template <class Policy>
 concept options_of_a_damping = requires(Policy const& p) {

@@ -156,7 +156,7 @@ private:
 };
 
 /// The flow of a Lagrangian with damping under an embedding, embed(damped, mid_point), with sums that are compensated where the type does
-/// not say that each order is below 1: of an order near 2 positions that are rounded weigh like h^-2 in the force.
+/// not say that no order is above 1: of an order near 2 positions that are rounded weigh like h^-2 in the force.
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
     auto flow = embed(damped.mechanics, how, compensation);
@@ -164,7 +164,7 @@ auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how) {
-    if constexpr (Reading::is_surely_below_one) {
+    if constexpr (Reading::is_surely_at_most_one) {
         auto flow = embed(damped.mechanics, how);
         return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
     } else

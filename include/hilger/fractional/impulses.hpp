@@ -157,7 +157,7 @@ template <class Damping>
 struct impulses_at_points {
     Damping damping;
     damping_at at;
-    static constexpr bool is_surely_below_one = detail::is_surely_below_one<Damping>;
+    static constexpr bool is_surely_at_most_one = detail::is_surely_at_most_one<Damping>;
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>
@@ -166,7 +166,7 @@ struct impulses_at_points {
         using extra = detail::no_step_force;
         history(impulses_at_points const& of, S const& h, V const& like) : impulse_(of.damping, h, of.at, like), at_(of.at) {}
         [[nodiscard]] extra extra_force(V const&) const { return {}; }
-        static constexpr bool may_need_velocity = not is_surely_below_one;
+        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
         [[nodiscard]] bool needs_velocity() const { return impulse_.components().needs_velocity(); }
         /// @throws error::invalid_parameter where the mass is known and the limit of stability not kept
         template <class Mechanics>

@@ -149,7 +149,7 @@ void for_each_in(Tuple&& all, What const& what) {
 template <class... Dampings>
 struct mean_over_step {
     std::tuple<Dampings...> dampings;
-    static constexpr bool is_surely_below_one = (detail::is_surely_below_one<Dampings> and ...);
+    static constexpr bool is_surely_at_most_one = (detail::is_surely_at_most_one<Dampings> and ...);
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>
@@ -165,7 +165,7 @@ struct mean_over_step {
             detail::for_each_in(means_, [&](auto const& m) { m.add_slope(force.slope); });
             return force;
         }
-        static constexpr bool may_need_velocity = not is_surely_below_one;
+        static constexpr bool may_need_velocity = not(detail::is_surely_below_one<Dampings> and ...);
         [[nodiscard]] bool needs_velocity() const {
             bool needed = false;
             detail::for_each_in(means_, [&](auto const& m) { needed = needed or m.components().needs_velocity(); });

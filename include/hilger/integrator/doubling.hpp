@@ -114,7 +114,16 @@ std::vector<index_type> first_steps(std::vector<S> const& ends, double longest, 
 /// Runs of one flow with more and more steps, equal ones between two times where something switches.
 template <class Flow, class S, class V>
 class solving_by_doubling {
-    using solution_function = decltype(function_on(std::declval<time_scale<S>>(), std::vector<V>{}));
+    /// Steps are equal where nothing says that it switches, and where they are remembered.
+    static constexpr bool may_switch = [] {
+        if constexpr (has_history<Flow>)
+            return false;
+        else
+            return requires(Flow const& f, S const& t) { f.mechanics().lagrangian.switching_times(t, t); }
+        or requires(Flow const& f, S const& t) { f.mechanics().force.switching_times(t, t); };
+    }();
+    using scale = std::conditional_t<may_switch, time_scale<S>, decltype(uniform(interval<S>{}, index_type{1}))>;
+    using solution_function = decltype(function_on(std::declval<scale>(), std::vector<V>{}));
     using counts = std::vector<index_type>; // of the steps of each piece
     static constexpr index_type most = index_type{1} << 24;
 
@@ -198,8 +207,9 @@ public:
             }
             coarse = std::move(fine);
         }
-        error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
-                                            ": they do not come to the end");
+        if (error < S(0))
+            error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
+                                                ": they do not come to the end");
         error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
                                             "; the solution is within ", told, " then");
     }
@@ -209,10 +219,10 @@ public:
 
 private:
     static std::vector<S> ends_of(Flow const& flow, interval<S> const& I) {
-        if constexpr (has_history<Flow>)
-            return {I.a, I.b}; // what remembers has equal steps
-        else
+        if constexpr (may_switch)
             return ends_of_pieces(I, flow.mechanics().lagrangian, flow.mechanics().force);
+        else
+            return {I.a, I.b};
     }
     static index_type sum(counts const& each) { return std::accumulate(each.begin(), each.end(), index_type{0}); }
     template <class Change>
@@ -221,11 +231,14 @@ private:
         return each;
     }
     [[nodiscard]] auto piece(counts const& each, std::size_t k) const { return uniform(interval<S>{ends_[k], ends_[k + 1]}, each[k]); }
-    [[nodiscard]] time_scale<S> scale_of(counts const& each) const {
-        std::vector<S> points{ends_.front()};
-        for (std::size_t k = 0; k < each.size(); ++k)
-            for (index_type i = 1; i <= each[k]; ++i) points.push_back(piece(each, k).element(i));
-        return time_scale<S>(std::move(points));
+    [[nodiscard]] scale scale_of(counts const& each) const {
+        if constexpr (may_switch) {
+            std::vector<S> points{ends_.front()};
+            for (std::size_t k = 0; k < each.size(); ++k)
+                for (index_type i = 1; i <= each[k]; ++i) points.push_back(piece(each, k).element(i));
+            return time_scale<S>(std::move(points));
+        } else
+            return piece(each, 0);
     }
     /// The positions, and the momenta for who wants them; nothing where the steps are too long: they have no solution, or lead to where L
     /// is not defined.
@@ -247,7 +260,7 @@ private:
         };
         try {
             bool goes_on = keep(flow_.along(piece(each, 0), start_));
-            if constexpr (not has_history<Flow>)
+            if constexpr (may_switch)
                 for (std::size_t k = 1; goes_on and k < each.size(); ++k) {
                     state<S, V> const from = end_;
                     goes_on = keep(flow_.along(piece(each, k), from.q, from.p));
