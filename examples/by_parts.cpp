@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "hilger/calculus.hpp"
-#include "hilger/multiprecision.hpp"
+#include "hilger/multiprecision.hpp" // Q
 
 using namespace hilger;
 

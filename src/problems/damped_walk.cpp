@@ -12,9 +12,8 @@ std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration con
     auto const& begin = beginning_of<double>(what);
     engine::problem of = what.of;
     of.history = c.history;
-    engine::with_damped(of, engine::with_any_force(of), c.steps, [&](auto const& how) {
-        made = walk_along(hilger::embed(how, hilger::mid_point).along(begin.scale(c.steps), begin.from()), begin.seen);
-    });
+    engine::with_damped(of, engine::with_any_force(of), c.steps,
+                        [&](auto const& flow) { made = walk_along(flow.along(begin.scale(c.steps), begin.from()), begin.seen); });
     return made;
 }
 

@@ -12,9 +12,9 @@ hilger::requirements requirements_with_force(stated_problem const& what, hilger:
     auto const forced = engine::with_any_force(what.of);
     if (not what.of.has_memory()) return hilger::requirements_of(hilger::embed(forced, hilger::mid_point).along(T, from));
     // it is walked for some steps whatever T is
-    auto const damped =
-        hilger::with_fractional_damping(forced, engine::fractional_terms_of(what.of), hilger::exponentials{0.0, steps + 40});
-    return hilger::requirements_of(hilger::embed(damped, hilger::mid_point).along(T, from));
+    auto const terms = engine::fractional_terms_of(what.of);
+    return engine::use_at_mid_point(hilger::with_fractional_damping(forced, terms, hilger::exponentials{0.0, steps + 40}), terms,
+                                    [&](auto const& flow) { return hilger::requirements_of(flow.along(T, from)); });
 }
 
 } // namespace program

@@ -163,12 +163,13 @@ auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral
     return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
 }
 template <class L, class Reading, class E>
+auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::plain>) {
+    auto flow = embed(damped.mechanics, how);
+    return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
+}
+template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how) {
-    if constexpr (Reading::is_surely_at_most_one) {
-        auto flow = embed(damped.mechanics, how);
-        return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
-    } else
-        return embed(damped, how, compensated);
+    return embed(damped, how, std::integral_constant < sums, Reading::is_surely_at_most_one ? sums::plain : sums::compensated > {});
 }
 
 } // namespace hilger

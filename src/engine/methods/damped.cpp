@@ -9,8 +9,7 @@ made damped(problem const& what, std::string const& method, points<double> const
     if (method != "mid-point") return nullptr;
     return with_mechanics(what, [&](auto const& mechanics) {
         made result;
-        with_damped(what, mechanics, T.steps,
-                    [&](auto const& how) { result = on_scale(hilger::embed(how, hilger::mid_point), T, method); });
+        with_damped(what, mechanics, T.steps, [&](auto const& flow) { result = on_scale(flow, T, method); });
         return result;
     });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
+
 #include "engine/engine.hpp"
 #include "engine/methods/histories.hpp"
 #include "engine/motions.hpp"
@@ -21,7 +23,14 @@ inline std::vector<hilger::fractional_term<double>> fractional_terms_of(problem 
     for (auto const& [rho, alpha] : what.damping) terms.push_back({static_cast<double>(rho), static_cast<double>(alpha)});
     return terms;
 }
-/// Calls use(mechanics) with the fractional terms of the problem beside what moves. @throws hilger::error::invalid_parameter
+/// use(flow) with the flow under the mid-point embedding; sums are compensated where an order is above 1.
+template <class Damped, class Use>
+auto use_at_mid_point(Damped const& damped, std::vector<hilger::fractional_term<double>> const& terms, Use const& use) {
+    if (std::any_of(terms.begin(), terms.end(), [](auto const& term) { return term.order > 1; }))
+        return use(hilger::embed(damped, hilger::mid_point, hilger::compensated));
+    return use(hilger::embed(damped, hilger::mid_point, std::integral_constant<hilger::sums, hilger::sums::plain>{}));
+}
+/// The same with the fractional terms of the problem beside what moves. @throws hilger::error::invalid_parameter
 template <class Mechanics, class Use>
 void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_type steps, Use const& use) {
     auto const terms = fractional_terms_of(what);
@@ -29,7 +38,7 @@ void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_
         if constexpr (std::same_as<Policy, hilger::window>)
             hilger::error::raise<hilger::error::invalid_parameter>("a window is for Newmark's scheme, and not for embeddings");
         else
-            use(hilger::with_fractional_damping(mechanics, terms, policy));
+            use_at_mid_point(hilger::with_fractional_damping(mechanics, terms, policy), terms, use);
     });
 }
 

@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from .equations import Equation
 from .scales import real, require_real
-from .solving import bar_of, require_history
+from .solving import bar_of, require_history, require_room
 
 
 class Ensemble:
@@ -131,6 +131,9 @@ def solve_many(
     a, b, *own = (np.ascontiguousarray(np.broadcast_to(x, (members, x.shape[1]))) for _, x in columns)
     each = np.hstack(own) if own else np.empty((members, 0))
     stride = max(equation.scale.steps, 1) if every is None else every
+    if stride > 0:
+        kept = -(-equation.scale.steps // stride) + 1
+        require_room(2 * members * kept * d, f"{kept} states of each of {members} members", "a larger `every` keeps fewer of them")
     cast = _core.Cast(problem, equation.method.name, lanes, *equation._points())
     rank, ranks = (0, 1) if comm is None else (comm.Get_rank(), comm.Get_size())
     share = slice(members * rank // ranks, members * (rank + 1) // ranks)

@@ -38,7 +38,7 @@ kahan_li_8 = Method("kahan-li-8")
 """Seventeen steps of verlet, of order 8 together (Kahan, Li 1997)."""
 g_alpha_newmark = Method("g-alpha-newmark")
 """The G^α-Newmark scheme, of linear structures - L of second degree and a force of the time alone - with one fractional term or a material:
-of order two, by the weights of bdf2."""
+of order two, by the weights of bdf2, also where the force compares the time and jumps, on a point or within a step."""
 gl_newmark = Method("gl-newmark")
 """The same with the weights of Grünwald and Letnikov: of order one."""
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from typing import Iterable
 
@@ -147,7 +148,8 @@ class Uniform(_Scale):
 
 
 class TimeScale(_Scale):
-    """Any increasing points. Fractions and texts as "1/3" are exact; then so is what is computed on them."""
+    """Any increasing points, two or more. Fractions and texts as "1/3" are exact; then so is what is computed on them. Raises InvalidScale
+    where they do not increase or are not finite, and TypeError for what is no list of numbers."""
 
     def __init__(self, points: Iterable[object]) -> None:
         if isinstance(points, str):
@@ -160,6 +162,21 @@ class TimeScale(_Scale):
         require_real(list(self.points), "a time scale")
         if len(self.points) < 2:
             raise _core.InvalidScale(f"a time scale needs two points, and here are {len(self.points)}")
+        self._require_increasing()
+
+    def _require_increasing(self) -> None:
+        number = {"double": lambda x: real(x, "a point of a time scale"), "exact": exact, "50 digits": lambda x: Decimal(digits(x))}[self.kind()]
+        before = None
+        for i, x in enumerate(self.points):
+            try:
+                at = number(x)
+            except (ValueError, ZeroDivisionError):
+                raise _core.InvalidScale(f"the points of a time scale are numbers, and point {i} is {x!r}") from None
+            if not isinstance(at, Fraction) and (at != at or abs(at) == float("inf")):
+                raise _core.InvalidScale(f"the points of a time scale are finite, and point {i} is {x}")
+            if i > 0 and not before < at:
+                raise _core.InvalidScale(f"the points of a time scale increase, and point {i}, {x}, comes after {self.points[i - 1]}")
+            before = at
 
     def kind(self) -> str:
         return kind_of(self.points)

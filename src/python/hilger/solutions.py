@@ -287,7 +287,7 @@ class AccurateSolution(Solution):
     """A solution to a wanted accuracy, of the equation that was chosen for it: `equation.method` and `equation.scale` say which. `error` is
     the distance of q from the run with half as many steps.
 
-    That is more than its own error where L is smooth, down to the rounding that both runs share; where L has branches it is four times the largest distance from five other runs.
+    That is more than its own error where L is smooth, and no less than the rounding that both runs share, or the accuracy where all positions are 0; where L has branches it is four times the largest distance from five other runs. Where L compares the time alone there are points.
     Between the points x(t) and x.events(g) are as accurate as at them: what is there is a step of the same method, from the point before.
     """
 

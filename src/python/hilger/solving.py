@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from .equations import Equation, gauss, midpoint, variation
 from .lagrangians import Lagrangian
-from .scales import digits, real, require_real, rounds, uniform
+from .scales import TimeScale, digits, real, require_real, rounds, uniform
 from .solutions import AccurateSolution, DoubtfulSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -97,7 +97,10 @@ def solve(
     `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
     installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
     is is returned with a warning; between two ends, and to an accuracy, there is nothing to keep, and KeyboardInterrupt is raised. With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L,
-    (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a pulse in time: steps that are all longer may miss it.
+    (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a smooth pulse in time: steps that are all longer may miss it.
+    Where the formula compares the time alone, as in where(abs(t - 7) < 0.01, 100, 0) or abs(t - pi), the solution has points, and nothing is
+    missed: exactly where the comparison is affine in t on each side; of others, as sin(t) < 0, what changes and changes back within a 4096th
+    of the interval is not seen.
 
     `compiled=True` makes machine code of whole steps, by the system's C compiler and in some tenths of a second the first time, where
     solve_many has lanes: order_one, order_one_left, midpoint, verlet and kahan_li_8 of up to six coordinates in double, without a memory,
@@ -130,7 +133,9 @@ def solve(
         raise _core.InvalidParameter("until=g ends a walk from initial values, which is asked at each step: not between two ends, and not with compiled=True")
     if compiled is None:
         compiled = until is None and equation.scale.steps >= LONG
-    _require_room(equation, until is not None or name == "qN")
+    if until is None and name != "qN":
+        steps = equation.scale.steps
+        require_room((steps + 1) * (1 + 2 * L.dimension), f"the states of {steps} steps", "solve_many(..., every=1000) keeps some of them")
     motion = equation._motion(history)
     column = (lambda x: x[:, 0]) if scalar else (lambda x: x)
     if guess is not None and name != "qN":
@@ -172,17 +177,13 @@ def solve(
     return x
 
 
-def _require_room(equation: Equation, is_no_walk_to_the_end: bool) -> None:
-    """Raises where the numbers of a whole walk are more than there is memory."""
-    if is_no_walk_to_the_end or not hasattr(os, "sysconf"):
+def require_room(numbers: int, what: str, remedy: str) -> None:
+    """Raises where so many numbers are more than there is memory."""
+    if not hasattr(os, "sysconf"):
         return
-    needed = 8 * (equation.scale.steps + 1) * (1 + 2 * equation.lagrangian.dimension)
-    there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    needed, there = 8 * numbers, os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     if needed > there:
-        raise _core.InvalidParameter(
-            f"the states of {equation.scale.steps} steps take {needed / 2**30:.3g} GiB or more, and this machine has {there / 2**30:.3g}:"
-            " solve_many(..., every=1000) keeps some of them"
-        )
+        raise _core.InvalidParameter(f"{what} take {needed / 2**30:.3g} GiB or more, and this machine has {there / 2**30:.3g}: {remedy}")
 
 
 def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, accuracy: float, longest_step: float) -> AccurateSolution:
@@ -192,7 +193,10 @@ def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, acc
     start = _state("double", q0, L, "q0"), "v0", _state("double", v0, L, "v0")
     t, q, p, method, error = _core.solve_accurately(L._problem, a, b, start[0], start[2], accuracy, longest_step)
     nodes = re.search("[0-9]+", method)
-    equation = variation(L, uniform(a, (b - a) / (len(t) - 1), len(t) - 1), gauss(int(nodes[0])) if nodes else midpoint)
+    T = uniform(a, (b - a) / (len(t) - 1), len(t) - 1)
+    if not np.allclose(t, np.linspace(a, b, len(t)), rtol=0, atol=8 * np.finfo(float).eps * max(abs(a), abs(b))):
+        T = TimeScale(t)  # with points where L switches
+    equation = variation(L, T, gauss(int(nodes[0])) if nodes else midpoint)
     return AccurateSolution(equation, start, t, q[:, 0] if L.is_scalar else q, p[:, 0] if L.is_scalar else p, error)
 
 

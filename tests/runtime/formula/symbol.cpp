@@ -236,4 +236,19 @@ TEST_CASE("an embedding's operators run on symbols: the tableau as formulas in h
     CHECK(printed(tableau_of(mid_point, h).b(0, 0)) == "−1/h");
 }
 
+TEST_CASE("a formula that is too deep for a stack is refused, and one that is not so deep is differentiated, written and let go") {
+    symbol const q = symbol::variable("q");
+    auto const sum_of = [&](int terms) {
+        symbol sum = q;
+        for (int k = 1; k < terms; ++k) sum += cos(symbol(k + 1) * q);
+        return sum;
+    };
+    symbol const long_sum = sum_of(1500);
+    CHECK(printed(partial(partial(long_sum, q), q)).size() > 1500);
+    CHECK_THROWS_WITH_AS((void)sum_of(20'000), doctest::Contains("a formula has at most 2000 operations inside of each other"),
+                         error::no_formula);
+    symbol const half = sum_of(1500) / 3;
+    CHECK_FALSE(partial(half + sum_of(1200), q).is(0)); // sums of partial sums
+}
+
 } // namespace symbol_tests
