@@ -228,6 +228,17 @@ class Ensemble(unittest.TestCase):
             with self.assertRaisesRegex(h.InvalidParameter, "v0 is an array of numbers that a double can be"):
                 h.solve_many(EL, q0=1.0, v0=wrong)
 
+    def test_what_is_not_asked_for_is_not_kept(self):
+        import resource
+
+        steps = 8_000_000  # the times of all of them are 64 MB
+        EL = h.variation(h.Lagrangian("v^2/2 - q^2/2"), h.uniform(0, 1e-3, steps), h.verlet)
+        h.solve_many(h.variation(h.Lagrangian("v^2/2 - q^2/2"), h.uniform(0, 1e-3, 10), h.verlet), q0=np.ones(8), v0=0.0)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        made = h.solve_many(EL, q0=np.ones(8), v0=0.0)
+        self.assertEqual(made.t.tolist(), [0, 8000])
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 16_000)  # kB
+
     def test_refused(self):
         EL = h.variation(henon_heiles, h.uniform(0, 0.1, 10))
         with self.assertRaisesRegex(h.Mismatch, "q0 has a row of 2 numbers for each member, and here is an array of shape .4, 3."):

@@ -95,7 +95,20 @@ class Refused(unittest.TestCase):
         self.says(h.InvalidParameter, "there is no method 'gauss-3': there are order-one, ", lambda: h.gauss(3))
         self.says(h.InvalidScale, "the step h of a time scale is positive", lambda: h.solve(h.variation(L, h.uniform(0, -1, 3)), q0=1, v0=0))
         self.says(h.InvalidScale, "needs two points", lambda: h.TimeScale([1]))
-        self.says(h.InvalidScale, "increas", lambda: h.solve(h.variation(L, h.TimeScale([0.0, 2.0, 1.0])), q0=1, v0=0))
+        for points, error, sentence in (
+            ([3, 2, 1], h.InvalidScale, "increase, and point 1, 2, comes after 3"),
+            ([0, 0], h.InvalidScale, "increase, and point 1, 0, comes after 0"),
+            (["1/3", Fraction(2, 6)], h.InvalidScale, "increase, and point 1, 1/3, comes after 1/3"),
+            ([Decimal(2), Decimal(1)], h.InvalidScale, "increase, and point 1, 1, comes after 2"),
+            (["a", "b"], h.InvalidScale, "are numbers, and point 0 is 'a'"),
+            (["0", "1/0"], h.InvalidScale, "are numbers, and point 1 is '1/0'"),
+            ([0, float("nan")], h.InvalidScale, "are finite, and point 1 is nan"),
+            ([0, float("inf")], h.InvalidScale, "are finite, and point 1 is inf"),
+            ([Decimal(0), Decimal("nan")], h.InvalidScale, "are finite, and point 1 is NaN"),
+            ([0, (1, 2), 3], TypeError, "a number was expected, and here is (1, 2)"),
+            ([0, None], TypeError, "a number was expected, and here is None"),
+        ):
+            self.says(error, sentence, lambda: h.TimeScale(points))
         self.says(h.InvalidParameter, "numbers of one kind", lambda: h.uniform(0.5, Fraction(1, 2), 3))
         exact = h.variation(L, h.uniform(0, Fraction(1, 2), 3))
         self.says(h.InvalidParameter, "here is one that rounds", lambda: h.solve(exact, q0=0.5, v0=0))
@@ -261,6 +274,32 @@ class Taken(unittest.TestCase):
         chain = sum((q - k) ** 2 for k in range(5000))
         self.assertRegex(repr(h.Lagrangian(v**2 / 2 - chain, q, v)), "L = a formula of [0-9]+ operations")
         self.assertRegex(repr(h.Lagrangian("v^2/2 - sum(i, 1, 100000, (q - i)^2)")), "L = a formula of [0-9]+ operations")
+
+    def test_deep_ones(self):
+        terms = 20_000
+        chain = sum((q**2 / k for k in range(2, terms)), q**2)
+        for formula in (chain, h.read(" + ".join(f"q^2/{k}" for k in range(1, terms)))):
+            long = h.Lagrangian(v**2 / 2 - formula, q, v)
+            self.assertIn("operations", repr(long))
+            self.assertEqual(len(h.solve(h.variation(long, h.uniform(0, 1e-3, 3)), q0=1.0, v0=0.0)), 4)
+            self.assertEqual(len(h.solve(long, (0, 0.01), q0=1.0, v0=0.0, accuracy=1e-6).q.shape), 1)
+            self.assertEqual(h.solve_many(h.variation(long, h.uniform(0, 1e-3, 3)), q0=np.ones(2), v0=0.0).failed, {})
+            self.says(h.NoFormula, "at most 2000 operations inside of each other", lambda: h.variation(long, T).c_code("long"))
+            del long
+        self.says(h.Unreadable, "at most 400 levels", lambda: h.read("(" * terms + "q" + ")" * terms))
+
+        def from_the_right():
+            x = q
+            for _ in range(terms):
+                x = q + x
+            return x
+
+        self.says(h.InvalidParameter, "at most 400 levels", from_the_right)
+
+    def test_too_large(self):
+        EL = h.variation(L, h.uniform(0, 1e-3, 10**12))
+        self.says(h.InvalidParameter, "GiB or more, and this machine has", lambda: h.solve(EL, q0=1.0, v0=0.0))
+        self.says(h.InvalidParameter, "1000000000001 states of each of 3 members take 4.47e+04 GiB or more", lambda: h.solve_many(EL, q0=np.ones(3), v0=0.0, every=1))
 
     def test_printed(self):
         self.assertEqual(repr(L), "L = (v² − q²)/2")

@@ -322,6 +322,13 @@ class Double(unittest.TestCase):
         with self.assertRaisesRegex(h.NotFinite, "the step from t = 0 with"):
             h.solve(h.Lagrangian("v^2/2 + q*sqrt(1 - q)"), (0, 1), q0=1.0 - 1e-9, v0=4, accuracy=1e-9)
 
+    def test_accuracy_over_a_long_time(self):
+        # steps of some time units, which all fail near the start, are too long, and no end of the motion
+        pendulum = h.Lagrangian("v^2/2 + cos(q)")
+        x = h.solve(pendulum, (0, 1e5), q0=1, v0=0, accuracy=1e-6)
+        self.assertLess(np.abs(x.energy() + np.cos(1)).max(), 1e-5)
+        self.assertEqual(x.t[-1], 1e5)
+
     def test_accuracy(self):
         exact = h.solve(oscillator, (0, 10), q0=1.0, v0=0.0, accuracy=1e-10)
         self.assertLess(np.abs(exact.p + np.sin(exact.t)).max(), 1e-9)

@@ -45,11 +45,11 @@ template <class Damping>
 inline constexpr bool is_surely_below_one = false;
 template <generating_function G, class Rho, class Order, class Policy>
 inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
-/// Whether it says that the order is not above 1.
+/// Whether the order may be above 1: what rounding cuts off of positions then counts in small steps.
 template <class Damping>
-inline constexpr bool is_surely_at_most_one = is_surely_below_one<Damping>;
-template <generating_function G, class Rho, long long One, class Policy>
-inline constexpr bool is_surely_at_most_one<fractional_damping<G, Rho, fraction<One, One>, Policy>> = true;
+inline constexpr bool may_exceed_one = true;
+template <generating_function G, class Rho, int P, int Q, class Policy>
+inline constexpr bool may_exceed_one<fractional_damping<G, Rho, fraction<P, Q>, Policy>> = P > Q;
 
 template <class Policy>
 concept options_of_a_damping = requires(Policy const& p) {

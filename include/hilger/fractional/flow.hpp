@@ -155,8 +155,8 @@ private:
     Reading damping_;
 };
 
-/// The flow of a Lagrangian with damping under an embedding, embed(damped, mid_point), with sums that are compensated where the type does
-/// not say that no order is above 1: of an order near 2 positions that are rounded weigh like h^-2 in the force.
+/// The flow of a Lagrangian with damping under an embedding, embed(damped, mid_point). Sums are compensated where the damping is a mean
+/// over each step and the type does not say that no order is above 1: near 2 positions that are rounded weigh like h^-2 in the force.
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
     auto flow = embed(damped.mechanics, how, compensation);
@@ -169,7 +169,9 @@ auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how) {
-    return embed(damped, how, std::integral_constant < sums, Reading::is_surely_at_most_one ? sums::plain : sums::compensated > {});
+    constexpr bool needs_compensation = requires { requires Reading::needs_compensation; };
+    constexpr sums which = needs_compensation ? sums::compensated : sums::plain;
+    return embed(damped, how, std::integral_constant<sums, which>{});
 }
 
 } // namespace hilger

@@ -157,7 +157,6 @@ template <class Damping>
 struct impulses_at_points {
     Damping damping;
     damping_at at;
-    static constexpr bool is_surely_at_most_one = detail::is_surely_at_most_one<Damping>;
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>

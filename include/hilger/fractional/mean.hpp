@@ -149,7 +149,7 @@ void for_each_in(Tuple&& all, What const& what) {
 template <class... Dampings>
 struct mean_over_step {
     std::tuple<Dampings...> dampings;
-    static constexpr bool is_surely_at_most_one = (detail::is_surely_at_most_one<Dampings> and ...);
+    static constexpr bool needs_compensation = (detail::may_exceed_one<Dampings> or ...);
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>

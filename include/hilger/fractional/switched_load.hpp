@@ -26,7 +26,7 @@ public:
             for (auto at = std::upper_bound(times_.begin(), times_.end(), S(t - h_)); at != times_.end() and *at < S(t + h_); ++at) {
                 V const before = f(S(*at - unit)), behind = f(S(*at + unit)), jump = behind - before;
                 bool const is_here = magnitude(S(*at - t)) <= unit;
-                if (is_here) load = before; // f itself is that of one side or the other
+                if (is_here) load = load + (before - V(f(t))); // which is that of one side or the other
                 S const away = is_here ? S(0) : S((*at - t) / h_), rest = S(1) - magnitude(away), half = rest * rest / S(2);
                 S const share = not is_first ? (away < S(0) ? S(-half) : half) : away < S(0) ? S(0) : S(S(2) * half);
                 load = load + jump * share;

@@ -56,7 +56,8 @@ TEST_CASE("jumps on a point, within steps, within one step, and at the start") {
     for (bool const behind : {true, false})
         for (auto const& load : {std::pair<std::vector<double>, std::vector<double>>{{0, 1}, {8, -8}},
                                  {{0.003, std::sqrt(2.0)}, {8, -8}},
-                                 {{0.5, 0.505, 1.7}, {50, -40, -10}}})
+                                 {{0.5, 0.505, 1.7}, {50, -40, -10}},
+                                 {{0.998, 1, 1.002}, {500, 1, -501}}})
             for (int const N : {200, 400, 800}) {
                 steps_of_load const f{load.first, load.second, behind};
                 double const e = error_of(f, N, 2), h = 2.0 / N;

@@ -76,7 +76,7 @@ TEST_CASE("the sum of terms is the same however it is written") {
     CHECK(positions(embed(nested, mid_point), T, 1.0, 0.5) == listed);
     for (std::size_t k = 0; k < one.size(); ++k) CHECK(std::abs(one[k] - listed[k]) < 64 * epsilon<double>());
     CHECK(positions(embed(with_fractional_damping(pendulum, {{0.0, 0.5}, {0, 0.75}}), mid_point), T, 1.0, 0.5) ==
-          positions(embed(pendulum, mid_point), T, 1.0, 0.5));
+          positions(embed(pendulum, mid_point, compensated), T, 1.0, 0.5)); // as orders that may be above 1 are
     auto const kept =
         positions(embed(with_fractional_damping(pendulum, {{0.2, 0.5}, {0.3, 1.25}}, exponentials{0, 100}), mid_point), T, 1.0, 0.5);
     auto const summed = positions(embed(with_fractional_damping(pendulum, {{0.2, 0.5}, {0.3, 1.25}}), mid_point), T, 1.0, 0.5);
