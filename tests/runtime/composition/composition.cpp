@@ -170,6 +170,11 @@ TEST_CASE("what is not made of kicks and drifts is stepped in turns") {
     check([](auto const& x, auto const& v) { return v(0) * v(1) - x(0) * x(1); }, q, p);
     auto const massless = embed([](auto const& x, auto const& v) { return v(0) * v(0) / 2 - x(0) * x(1); }, order_one);
     CHECK_THROWS_AS(symmetrized(massless).step(state<double, Eigen::VectorXd>{0, q, p}, 0.25), error::exception);
+    // By hand, a mass without a diagonal and a term linear in v: v = (p_1, p_0 - 1/4), and half of the kick before and behind the drift.
+    auto const crossed = [](auto const& x, auto const& v) { return v(0) * v(1) + v(0) / 4 - x(0) * x(1); };
+    auto const x = symmetrized(embed(crossed, order_one)).step(state<double, Eigen::VectorXd>{0, q, p}, 0.25);
+    CHECK((x.q - Eigen::Vector2d(0.71875, 0.484375)).cwiseAbs().maxCoeff() <= 4 * epsilon<double>());
+    CHECK((x.p - Eigen::Vector2d(0.126953125, -1.21484375)).cwiseAbs().maxCoeff() <= 4 * epsilon<double>());
 }
 
 TEST_CASE("kicks and drifts that meet what is no number say so, and leave the state") {

@@ -124,6 +124,7 @@ TEST_CASE("the residual along a path is that of its equation, forces included") 
     auto const path = embed(with_force(oscillator, friction), mid_point).along(T, Q(1), Q(1, 2));
     auto const x = record(path).positions();
     CHECK(largest_residual(path) == 0);
+    CHECK(largest_residual(embed(with_force(oscillator, friction), mid_point), x) == 0);
     CHECK(largest_residual(EL, x, friction) == 0);
     CHECK(largest_residual(EL, x) > Q(1, 10)); // without its force it is another equation
     time_scale<Q> const given{Q(0), Q(1, 3), Q(1), Q(7, 5), Q(2), Q(9, 4)};

@@ -101,6 +101,11 @@ TEST_CASE("slopes are no numbers where functions are none, as those of a logarit
     for (double const x : {1.5, -1.5, 2.0}) CHECK(std::isnan(slope([](auto const& q) { return atanh(q); }, x)));
     for (double const x : {0.5, -0.5, -2.0}) CHECK(std::isnan(slope([](auto const& q) { return acosh(q); }, x)));
 }
+TEST_CASE("the slope of a norm at 0 is taken for 0, so that |v| v has its derivatives there") {
+    auto const e = expand([](auto const& q, auto const& v) { return q * sqrt(v * v) * v; }, 2.0, 0.0);
+    CHECK(e.by_v == 0);
+    CHECK(e.vv == 0);
+}
 TEST_CASE("functions with branches") { check_all(of_branches{}); }
 TEST_CASE("max, min and copysign of jets and constants, in rationals too") {
     auto const f = [](auto const& q, auto const& v) { return max(q * v, 2) + min(1.0, q * q) + fmax(v * q, 3) + copysign(v * q, -1) * q; };
