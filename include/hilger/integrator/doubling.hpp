@@ -13,103 +13,16 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
-#include <stop_token>
 
-#include "hilger/function/function.hpp"
+#include "hilger/integrator/accurate_solution.hpp"
 #include "hilger/integrator/flow.hpp"
-#include "hilger/scale/time_scale.hpp"
+#include "hilger/integrator/pieces.hpp"
 #include "hilger/trajectory/dense_output.hpp"
 
 namespace hilger {
 
-/// The largest error of a position at any point, in the unit of the position. At least 64 epsilon of the scalar; larger than zero.
-struct accuracy {
-    double wanted;
-    /// No run has longer steps than this: a pulse that is shorter than all of them would be missed by all. Zero: eight steps to begin with.
-    double longest_step = 0;
-    /// Who asks it to stop gets an error::no_convergence.
-    std::stop_token stop = {};
-};
-
 namespace detail {
-/// The same as it is given, or its number alone.
-struct given_accuracy : accuracy {
-    given_accuracy(accuracy goal) : accuracy(std::move(goal)) {}
-    template <class Number>
-        requires std::is_arithmetic_v<Number> given_accuracy(Number number) : accuracy{static_cast<double>(number)} {}
-};
-} // namespace detail
-
-/// A solution on the scale of its last run, and how good it is.
-template <class S, class V, class Function>
-struct accurate_solution {
-    Function q;                 ///< positions, a function on T
-    Function p;                 ///< momenta there; their error is another one
-    state<S, V> end;            ///< at the end of the interval
-    index_type steps;           ///< of T
-    char const* method;         ///< the embedding that was chosen
-    S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth, and no
-                                ///< less than the rounding of its largest position, which both runs share - the accuracy where all of them
-                                ///< are 0; elsewhere four times the largest distance from five other runs, or more
-    index_type evaluated_steps; ///< of all runs together
-    std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< a state on T led to a time within the step that it begins
-
-    /// The state at t, as good as those at the points, or with a history within h^4 of them. @throws error::outside_domain, and what steps
-    /// throw
-    [[nodiscard]] state<S, V> operator()(S const& t) const {
-        auto const& T = q.root();
-        if (not(T.min() <= t) or not(t <= T.max()))
-            error::raise<error::outside_domain>(t, " is outside the interval [", T.min(), ", ", T.max(), "]");
-        index_type before = 0, after = steps; // in the order of time
-        while (after - before > 1) {
-            index_type const middle = before + (after - before) / 2;
-            (t < T.element(middle) ? after : before) = middle;
-        }
-        index_type const i = t == T.element(after) ? after : before;
-        state<S, V> const at{T.element(i), q[i], p[i]};
-        return t == at.t ? at : onward(at, t);
-    }
-};
-
-namespace detail {
-
-/// The ends of the pieces of [a, b] between which nothing switches: a callable says where it does by a member switching_times(a, b).
-template <class S, class... Callables>
-std::vector<S> ends_of_pieces(interval<S> const& I, Callables const&... callables) {
-    std::vector<S> ends{I.a, I.b};
-    if (not(I.a < I.b)) return ends; // which no scale is made of
-    auto const add = [&](auto const& f) {
-        if constexpr (requires { f.switching_times(I.a, I.b); })
-            for (S const& t : f.switching_times(I.a, I.b)) ends.push_back(t);
-    };
-    (add(callables), ...);
-    std::sort(ends.begin(), ends.end());
-    S const unit = S(64) * epsilon<S>() * std::max(magnitude(I.a), magnitude(I.b)); // two callables may say the same otherwise rounded
-    std::erase_if(ends, [&, last = I.a](S const& t) mutable {
-        bool const is_new = t == I.a or (last + unit < t and (t == I.b or t + unit < I.b));
-        if (is_new) last = t;
-        return not is_new;
-    });
-    return ends;
-}
-/// The numbers of steps of the pieces to begin with. @throws error::invalid_parameter
-template <class S>
-std::vector<index_type> first_steps(std::vector<S> const& ends, double longest, index_type most) {
-    double const whole = static_cast<double>(S(ends.back() - ends.front()));
-    index_type steps = 8;
-    if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
-    if (longest > 0)
-        while (steps <= most and whole > longest * static_cast<double>(steps)) steps *= 2;
-    if (steps > most) error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", most, " on this interval");
-    std::vector<index_type> each;
-    for (std::size_t k = 1; k < ends.size(); ++k) {
-        double const share = static_cast<double>(S(ends[k] - ends[k - 1])) / whole;
-        each.push_back(std::max<index_type>(1, static_cast<index_type>(std::ceil(share * static_cast<double>(steps)))));
-    }
-    return each;
-}
 
 /// Runs of one flow with more and more steps, equal ones between two times where something switches.
 template <class Flow, class S, class V>
@@ -118,13 +31,13 @@ class solving_by_doubling {
     static constexpr bool may_switch = [] {
         if constexpr (has_history<Flow>)
             return false;
-        else
-            return requires(Flow const& f, S const& t) { f.mechanics().lagrangian.switching_times(t, t); }
-        or requires(Flow const& f, S const& t) { f.mechanics().force.switching_times(t, t); };
+        else {
+            using mechanics = std::remove_cvref_t<decltype(std::declval<Flow const&>().mechanics())>;
+            return says_when_it_switches<decltype(mechanics::lagrangian), S> or says_when_it_switches<decltype(mechanics::force), S>;
+        }
     }();
     using scale = std::conditional_t<may_switch, time_scale<S>, decltype(uniform(interval<S>{}, index_type{1}))>;
     using solution_function = decltype(function_on(std::declval<scale>(), std::vector<V>{}));
-    using counts = std::vector<index_type>; // of the steps of each piece
     static constexpr index_type most = index_type{1} << 24;
 
 public:
@@ -145,7 +58,7 @@ public:
         int slow = 0, late = 0, still = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
         S const a = ends_.front(), b = ends_.back();
         S ended = a;
-        for (counts each = first_steps(ends_, goal.longest_step, most); sum(each) <= most;
+        for (steps_of_pieces each = first_steps(ends_, goal.longest_step, most); sum(each) <= most;
              each = changed(each, [](index_type n) { return 2 * n; })) {
             index_type const steps = sum(each);
             branch_watch const watch;
@@ -224,26 +137,17 @@ private:
         else
             return {I.a, I.b};
     }
-    static index_type sum(counts const& each) { return std::accumulate(each.begin(), each.end(), index_type{0}); }
-    template <class Change>
-    static counts changed(counts each, Change const& change) {
-        for (index_type& n : each) n = change(n);
-        return each;
-    }
-    [[nodiscard]] auto piece(counts const& each, std::size_t k) const { return uniform(interval<S>{ends_[k], ends_[k + 1]}, each[k]); }
-    [[nodiscard]] scale scale_of(counts const& each) const {
-        if constexpr (may_switch) {
-            std::vector<S> points{ends_.front()};
-            for (std::size_t k = 0; k < each.size(); ++k)
-                for (index_type i = 1; i <= each[k]; ++i) points.push_back(piece(each, k).element(i));
-            return time_scale<S>(std::move(points));
-        } else
-            return piece(each, 0);
+    [[nodiscard]] scale scale_of(steps_of_pieces const& each) const {
+        if constexpr (may_switch)
+            return joined_pieces(ends_, each);
+        else
+            return piece(ends_, each, 0);
     }
     /// The positions, and the momenta for who wants them; nothing where the steps are too long: they have no solution, or lead to where L
     /// is not defined.
-    std::vector<V> run(counts const& each, accuracy const& goal, std::vector<V>* momenta = nullptr) {
+    std::vector<V> run(steps_of_pieces const& each, accuracy const& goal, std::vector<V>* momenta = nullptr) {
         std::vector<V> q;
+        q.reserve(static_cast<std::size_t>(sum(each)) + 1);
         walked_ += sum(each);
         end_.t = ends_.front();
         failure_ = {};
@@ -259,11 +163,11 @@ private:
             return true;
         };
         try {
-            bool goes_on = keep(flow_.along(piece(each, 0), start_));
+            bool goes_on = keep(flow_.along(piece(ends_, each, 0), start_));
             if constexpr (may_switch)
                 for (std::size_t k = 1; goes_on and k < each.size(); ++k) {
                     state<S, V> const from = end_;
-                    goes_on = keep(flow_.along(piece(each, k), from.q, from.p));
+                    goes_on = keep(flow_.along(piece(ends_, each, k), from.q, from.p));
                 }
             if (not goes_on) return {};
         } catch (error::no_convergence const&) {
@@ -318,7 +222,7 @@ private:
     }
     /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: four more runs, three of which
     /// share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
-    S of_kinks(std::vector<V> const& fine, counts const& each, S error, accuracy const& goal) {
+    S of_kinks(std::vector<V> const& fine, steps_of_pieces const& each, S error, accuracy const& goal) {
         S const wanted = S(goal.wanted);
         auto const end = end_;
         auto const compare = [&](auto const& other_count, auto const& how) {

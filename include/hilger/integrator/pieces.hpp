@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSL-1.0
+// An interval in pieces between which something switches, each with equal steps of its own: the scale of an accurate solution
+// (integrator/doubling.hpp). A callable says where it switches by a member switching_times(a, b).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "hilger/scale/time_scale.hpp"
+#include "hilger/scale/uniform.hpp"
+
+namespace hilger::detail {
+
+template <class Callable, class S>
+concept says_when_it_switches = requires(Callable const& f, S const& t) {
+    f.switching_times(t, t);
+};
+/// The ends of the pieces of [a, b]. Of times that rounding hardly tells apart, as two callables may say them, the first is one.
+template <class S, class... Callables>
+std::vector<S> ends_of_pieces(interval<S> const& I, Callables const&... callables) {
+    std::vector<S> times, ends{I.a};
+    auto const add = [&](auto const& f) {
+        if constexpr (says_when_it_switches<std::remove_cvref_t<decltype(f)>, S>)
+            if (I.a < I.b) // no scale is made of others
+                for (S const& t : f.switching_times(I.a, I.b)) times.push_back(t);
+    };
+    (add(callables), ...);
+    std::sort(times.begin(), times.end());
+    S const unit = S(64) * epsilon<S>() * std::max(magnitude(I.a), magnitude(I.b));
+    for (S const& t : times)
+        if (ends.back() + unit < t and t + unit < I.b) ends.push_back(t);
+    ends.push_back(I.b);
+    return ends;
+}
+
+/// The numbers of steps of the pieces with these ends.
+using steps_of_pieces = std::vector<index_type>;
+inline index_type sum(steps_of_pieces const& each) { return std::accumulate(each.begin(), each.end(), index_type{0}); }
+template <class Change>
+steps_of_pieces changed(steps_of_pieces each, Change const& change) {
+    for (index_type& n : each) n = change(n);
+    return each;
+}
+/// Those to begin with. @throws error::invalid_parameter
+template <class S>
+steps_of_pieces first_steps(std::vector<S> const& ends, double longest, index_type most) {
+    double const whole = static_cast<double>(S(ends.back() - ends.front()));
+    index_type steps = 8;
+    if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
+    if (longest > 0)
+        while (steps <= most and whole > longest * static_cast<double>(steps)) steps *= 2;
+    if (steps > most) error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", most, " on this interval");
+    steps_of_pieces each;
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+        double const share = static_cast<double>(S(ends[k] - ends[k - 1])) / whole;
+        each.push_back(std::max<index_type>(1, static_cast<index_type>(std::ceil(share * static_cast<double>(steps)))));
+    }
+    return each;
+}
+/// One piece alone.
+template <class S>
+auto piece(std::vector<S> const& ends, steps_of_pieces const& each, std::size_t k) {
+    return uniform(interval<S>{ends[k], ends[k + 1]}, each[k]);
+}
+/// All of them.
+template <class S>
+time_scale<S> joined_pieces(std::vector<S> const& ends, steps_of_pieces const& each) {
+    std::vector<S> points{ends.front()};
+    for (std::size_t k = 0; k < each.size(); ++k)
+        for (auto const T = piece(ends, each, k); S const& t : T)
+            if (points.back() < t) points.push_back(t);
+    return time_scale<S>(std::move(points));
+}
+
+} // namespace hilger::detail
