@@ -151,8 +151,7 @@ void picture(std::string const& out, scene const& what, std::vector<point> const
     auto const name = "trade_" + what.name;
     std::ofstream rows = create(out, name + ".csv");
     rows << "# method, steps or tolerance, seconds, error; two blank lines after all of hilger, its front, the names on it, and of peers; "
-            "in "
-            "double, then in more digits\n";
+            "in double, then in more digits\n";
     int blocks = 0;
     auto const write = [&](std::vector<point> const& all) {
         for (auto const& p : all) rows << '"' << p.method << "\"," << p.steps << ',' << p.seconds << ',' << p.error << '\n';

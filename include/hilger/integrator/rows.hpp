@@ -83,32 +83,19 @@ auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
             for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
     };
     auto const derivatives = equation.derivatives(force);
-    // Of the rows at the last iterate, where they are judged: the sizes of their terms, and their derivatives by the values at both ends.
-    bool const judged = straight_line != nullptr and not std::numeric_limits<S>::is_exact;
-    std::vector<V> sizes_of_terms;
-    std::vector<vector> from_ends;
     auto const system = [&](vector const& y, S const& part) {
         put(y);
         if (not(part == length)) on = part == S(1) ? T : shortened(T, part);
         length = part;
         newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
         made.jacobian.set_zero();
-        sizes_of_terms.clear();
-        for (int m = 0; judged and m < n; ++m) sizes_of_terms.push_back(equation.residual_size(now, begin + m, derivatives));
-        from_ends.assign(judged ? static_cast<std::size_t>(2 * d) : 0, vector::Zero(n * d));
-        for (int k = judged ? -1 : 0; k < (judged ? n + 1 : n); ++k) {
+        for (int k = 0; k < n; ++k) {
             stop_on_request(stop, what);
-            bool const is_end = k < 0 or k == n;
             auto const slope = equation.residual_slope(now, begin + k, derivatives);
             for (int m = first_near(k); m < end_near(k); ++m) {
                 auto const block = slope.get(begin + m);
-                if (judged) add_sizes(sizes_of_terms[static_cast<std::size_t>(m)], block, at(begin + k));
                 for (int c = 0; c < d; ++c)
-                    for (int e = 0; e < d; ++e)
-                        if (is_end)
-                            from_ends[static_cast<std::size_t>(k < 0 ? e : d + e)](m * d + c) = s::entry(block, c, e);
-                        else
-                            made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
+                    for (int e = 0; e < d; ++e) made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
             }
         }
         auto const residual = equation.residual(now, force); // of the T that there is now
@@ -118,7 +105,8 @@ auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
         }
         return made;
     };
-    auto const relative = [&](vector const& residual) {
+    auto const relative = [&](vector const& residual) { // at the last iterate
+        auto const sizes_of_terms = sizes_of_rows(equation, now, begin, end - 1, derivatives);
         S worst(0);
         for (int m = 0; m < n * d; ++m)
             worst = larger(worst, in_roundings<S>(residual(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d)], m % d)));
@@ -138,14 +126,23 @@ auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     vector const root =
         newton_near<vector, patterned_matrix<S>>(system, relative, guess, straight_line ? &line : nullptr, rounding, what, by, stop);
     put(root);
-    if (not judged) return S(0);
+    if (straight_line == nullptr or std::numeric_limits<S>::is_exact) return S(0);
+    auto at_root = system(root, S(1));
+    std::vector<vector> from_ends(static_cast<std::size_t>(2 * d), vector::Zero(n * d));
+    for (int const k : {-1, n}) {
+        auto const slope = equation.residual_slope(now, begin + k, derivatives);
+        for (int m = first_near(k); m < end_near(k); ++m) {
+            auto const block = slope.get(begin + m);
+            for (int c = 0; c < d; ++c)
+                for (int e = 0; e < d; ++e) from_ends[static_cast<std::size_t>(k < 0 ? e : d + e)](m * d + c) = s::entry(block, c, e);
+        }
+    }
     vector component_sizes = vector::Zero(d);
     for (V const& value : x)
         for (int c = 0; c < d; ++c) component_sizes(c) = std::max(component_sizes(c), S(magnitude(s::component(value, c))));
     S const largest = magnitude(component_sizes);
     for (int c = 0; c < d; ++c)
         if (component_sizes(c) == S(0)) component_sizes(c) = largest == S(0) ? S(1) : largest;
-    auto at_root = system(root, S(1));
     return response_to_ends<S, vector>(at_root.jacobian, from_ends, component_sizes);
 }
 

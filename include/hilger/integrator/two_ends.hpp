@@ -41,8 +41,7 @@ void judge_response(S const& response, ends_report<S>& report) {
     std::ostringstream message;
     message << "the ends hardly determine what lies between them: it changes by " << response
             << " times what they do, as where they are nearly half a period of an oscillator apart and there may be no motion; with other "
-               "ends, "
-               "or another time between them, it is determined";
+               "ends, or another time between them, it is determined";
     if (not(response * square_root_of_epsilon<S>() < S(1))) throw error::ill_conditioned(message.str());
     report.warning = message.str();
 }
@@ -107,7 +106,6 @@ template <class Root, class V, class Solve>
 void compare_with_coarser(Root const& T, std::vector<V> const& x, index_type parts, Solve const& solve, ends_report<scalar_of<V>>& report) {
     using S = scalar_of<V>;
     if (T.steps() < 8) return;
-    std::string found;
     std::vector<S> fine, coarse;
     try {
         Root const second = coarsened(T), fourth = coarsened(second);

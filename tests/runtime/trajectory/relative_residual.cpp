@@ -11,7 +11,6 @@ using namespace hilger;
 
 namespace {
 
-constexpr unknown q;
 constexpr lagrangian pendulum{[](auto const& x, auto const& v) { return v * v / 2 + cos(x); }};
 
 /// That of 200 steps, and of the same with one position off by a part of 10^-6.
