@@ -9,7 +9,9 @@
 //   largest_residual(stoermer_verlet(L), record(path))      states that were kept, or are another program's
 #pragma once
 
+#include <concepts>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hilger/composition/composition.hpp"
@@ -21,17 +23,15 @@ namespace hilger {
 
 namespace detail {
 
-/// The momenta with which the parts of a step do not meet: the largest difference, and the largest in roundings of its own terms.
-template <class S>
+/// The momenta with which the parts of a step do not meet: the largest difference, or the largest in roundings of its own terms.
+template <class Judge, class S>
 struct differences_of_momenta {
-    S largest{0}, in_roundings{0};
+    static constexpr bool relative = std::same_as<Judge, by_rounding>;
+    S largest{0};
     template <class V>
     void add(V const& difference, V const& size, S const& h) {
-        largest = larger(largest, S(magnitude(difference) / magnitude(h)));
-        in_roundings = larger(in_roundings, largest_in_roundings(difference, size));
+        largest = larger(largest, relative ? S(largest_in_roundings(difference, size)) : S(magnitude(difference) / magnitude(h)));
     }
-    [[nodiscard]] S asked_by(by_size) const { return largest; }
-    [[nodiscard]] S asked_by(by_rounding) const { return in_roundings; }
 };
 /// The sums of the sizes of the terms of momenta_of_step, and of what the rounding of q0 and q1 does to them.
 template <class Derivatives, class S, class V>
@@ -72,7 +72,8 @@ public:
     /// x, with the momentum that it has arrived with, and the size of its terms, to the end of the part: *end, or where a step leads. `off`
     /// learns of the distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step of
     /// length `whole`.
-    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, differences_of_momenta<S>& off) {
+    template <class Differences>
+    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, Differences& off) {
         state<S, V> y = x;
         if (end != nullptr)
             y.q = *end;
@@ -82,9 +83,10 @@ public:
         }
         auto const b = tableau_of(f.embedding(), h);
         auto [before, after] = momenta_of_step(derivatives_, b, x.t, h, x.q, y.q);
-        auto [size_before, size_after] = sizes_of_momenta(derivatives_, b, x.t, h, x.q, y.q);
-        off.add(V(x.p - before), V(size + size_before), whole);
-        size = std::move(size_after);
+        auto of_terms = std::pair{size, size}; // nobody asks for them
+        if constexpr (Differences::relative) of_terms = sizes_of_momenta(derivatives_, b, x.t, h, x.q, y.q);
+        off.add(V(x.p - before), V(size + of_terms.first), whole);
+        size = std::move(of_terms.second);
         x = {S(x.t + h), std::move(y.q), std::move(after)};
     }
 
@@ -103,7 +105,8 @@ public:
     judged_part(of const& f, S const& h, V const& like) : lengths_(whole<S>(f.parts())) {
         for (std::size_t turn = 0; turn < turns; ++turn) add(f, turn, h, like, all{});
     }
-    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, differences_of_momenta<S>& off) {
+    template <class Differences>
+    void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, Differences& off) {
         auto const one = [&](std::size_t k, auto const& flow, auto& part) {
             part.go(flow, x, size, S(lengths_[k] * h), near, k + 1 == Parts::size ? end : nullptr, whole, off);
         };
@@ -125,13 +128,13 @@ private:
 
 /// Of states at the points of T, one after the other, and the flow that should have walked them.
 template <class Judge, class Flow, class Scale, class States>
-auto judged_parts(Judge const& judge, Flow const& method, Scale const& T, States const& states) {
+auto judged_parts(Judge const&, Flow const& method, Scale const& T, States const& states) {
     auto at = std::begin(states);
     auto from = *at;
     using V = decltype(from.q);
     using S = decltype(from.t);
     std::optional<judged_part<Flow, S, V>> part;
-    differences_of_momenta<S> off;
+    differences_of_momenta<Judge, S> off;
     for (index_type i = T.first(); i < T.last(); ++i) {
         S const h = T.domain().base.step(T.root(), i);
         ++at;
@@ -141,7 +144,7 @@ auto judged_parts(Judge const& judge, Flow const& method, Scale const& T, States
         off.add(V(from.p - at->p), V(size + sizes(at->p)), h);
         from = *at;
     }
-    return off.asked_by(judge);
+    return off.largest;
 }
 
 /// What a trajectory leaves of the equations of a composition's parts, forces included, divided by the step: of the size of the residual of
