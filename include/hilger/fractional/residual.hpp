@@ -32,19 +32,21 @@ std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> co
         V sum = zero_like(q[0]);
         for (std::size_t n = 0; n <= k; ++n) sum = sum + y[k - n] * w[n];
         D.push_back(V(sum * scale));
-        if (caputo and beta == S(1)) D[k] = D[k] + v0;
+        if (caputo and beta == S(1)) D[k] = D[k] + (only_sizes ? V(sizes(v0)) : v0);
     }
     return D;
 }
-/// factor rho D, by components.
+/// factor rho D, by components, or its size.
 template <class Damping, class S, class V>
-void add_damping(V& to, Damping const& d, S const& factor, V const& D) {
+void add_damping(V& to, Damping const& d, S const& factor, V const& D, bool only_sizes) {
     using s = shape<V>;
-    for (int k = 0; k < s::dimension(to); ++k)
-        s::component(to, k) = s::component(to, k) + factor * damped_components<Damping, S, V>::coefficient(d, k) * s::component(D, k);
+    for (int k = 0; k < s::dimension(to); ++k) {
+        S const force = factor * damped_components<Damping, S, V>::coefficient(d, k) * s::component(D, k);
+        s::component(to, k) += only_sizes ? S(magnitude(force)) : force;
+    }
 }
 
-/// The forces of a damping at t_1, ..., t_{N-1}.
+/// The forces of a damping at t_1, ..., t_{N-1}, or the sums of the sizes of their terms.
 template <class... Dampings, class S, class V>
 std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0,
                              bool only_sizes) {
@@ -54,11 +56,11 @@ std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const
         auto const derivative = differences_along(d, h, q, v0, S(S(1) / S(2)), only_sizes);
         for (std::size_t i = 0; i + 1 < q.size(); ++i)
             for (std::size_t end : {i, i + 1}) {
-                add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1]);
-                add_damping(force[end], d, S((theta - S(1)) / S(2)), derivative[i]);
+                add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1], only_sizes);
+                add_damping(force[end], d, S((theta - S(1)) / S(2)), derivative[i], only_sizes);
             }
         // What the pair at t_0 and t_1 that stands for the jump leaves at t_1.
-        if (d.history == initial_history::riemann_liouville) add_damping(force[1], d, S(theta / S(2)), derivative[0]);
+        if (d.history == initial_history::riemann_liouville) add_damping(force[1], d, S(theta / S(2)), derivative[0], only_sizes);
     });
     return force;
 }
@@ -67,10 +69,11 @@ std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const
                              bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
     auto const derivative = differences_along(reading.damping, h, q, v0, S(1), only_sizes);
-    for (std::size_t i = 0; i < q.size(); ++i) add_damping(force[i], reading.damping, S(-1), derivative[i]);
+    for (std::size_t i = 0; i < q.size(); ++i) add_damping(force[i], reading.damping, S(-1), derivative[i], only_sizes);
     return force;
 }
 
+/// Refused.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
     requires(controls_of<embedding<A, B, W>> != 2)
 typename Scale::root_type::scalar_type judged(Judge const&,
@@ -109,8 +112,7 @@ auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, 
         auto const k = static_cast<std::size_t>(i);
         V const r = residual.get(i) + damping[k];
         if constexpr (relative)
-            worst =
-                larger(worst, largest_in_roundings(r, V(size[k - static_cast<std::size_t>(residual.first())] + sizes(damping_size[k]))));
+            worst = larger(worst, largest_in_roundings(r, V(size[k - static_cast<std::size_t>(residual.first())] + damping_size[k])));
         else
             worst = larger(worst, S(magnitude(r)));
     }

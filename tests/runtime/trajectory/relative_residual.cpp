@@ -48,4 +48,19 @@ TEST_CASE("terms that are large and cancel round as large ones") {
     CHECK(relative_residual(EL, x) <= 16);
 }
 
+TEST_CASE("so do dampings that are large and cancel, and parts of compositions are judged as steps are") {
+    for (double const h : {0.1, 1e-3, 1e-6}) {
+        CAPTURE(h);
+        auto const T = uniform(0.0, h, 100);
+        for (double const rho : {0.2, 1e6})
+            for (double const order : {0.5, 1.0, 1.5}) {
+                CAPTURE(order);
+                auto const damped = embed(with_fractional_damping(pendulum, {{rho, order}, {-rho, order}}), mid_point);
+                CHECK(relative_residual(damped.along(T, 1.0, 0.5)) <= 64);
+            }
+        CHECK(relative_residual(embed(with_fractional_damping(pendulum, 0.2, 0.5), mid_point).along(T, 1.0, 0.5)) <= 64);
+        CHECK(relative_residual(stoermer_verlet(pendulum).along(T, 1.0, 0.5)) <= 64);
+    }
+}
+
 } // namespace relative_residual_tests
