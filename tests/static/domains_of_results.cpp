@@ -77,6 +77,7 @@ static_assert(domain<between<fraction<12, 35>>>::name().text().view() == "T_12/3
               domain<joined<fraction<1, 3>>>::name().text().view() == "T_{o,1/3}");
 static_assert((Delta_minus * Delta_plus).name().text().view() == "Delta_minus[Delta_plus]" and
               Delta_h_plus.name().text().view() == "Delta_h_plus");
-static_assert(rho_o.name().text().view() == "rho_o" and sigma_on<between<fraction<1, 3>>>.name().text().view() == "sigma_on<T_1/3>");
+static_assert(rho_o.name().text().view() == "rho_o" and
+              shift<between<fraction<1, 3>>, side::plus>{}.name().text().view() == "sigma_on<T_1/3>");
 
 } // namespace

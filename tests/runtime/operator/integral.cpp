@@ -24,7 +24,7 @@ TEST_CASE("antiderivatives start at 0 in a and gain a step times a value at each
     CHECK(values(antiderivative[f]) == "T: 0, 1, 5, 29");       // 1*1, + 2*2, + 4*6
     CHECK(values(antiderivative_nabla[f]) == "T: 0, 2, 14, 6"); // 1*2, + 2*6, - 4*2
     CHECK(values(antiderivative_h[g]) == "T: 0, 4, 6, 34");     // 1*4, + 2*1, + 4*7
-    CHECK(values(antiderivative_lambda<1, 3>[function_on(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7})]) == "T: 0, 4, 6, 34");
+    CHECK(values(antiderivative_at<fraction<1, 3>>{}[function_on(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7})]) == "T: 0, 4, 6, 34");
     CHECK(values(antiderivative[Delta_plus[f]]) == "T: 0, 1, 5, -3"); // f - f(a)
     CHECK(values(antiderivative_nabla[Delta_minus[f]]) == "T: 0, 1, 5, -3");
     CHECK(values(Delta_plus[antiderivative[f]]) == "T^{+}: 1, 2, 6");
