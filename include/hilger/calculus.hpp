@@ -8,7 +8,6 @@
 
 // Time scales: T, T^+, T^-, T_half, T_o, T_lambda, any points
 #include "hilger/scale/derived.hpp"
-#include "hilger/scale/read.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 
