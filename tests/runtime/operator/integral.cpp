@@ -48,8 +48,7 @@ TEST_CASE("a table of an antiderivative has its values to the last bit, and take
     bool same = true;
     for (index_type i = 0; i <= 1000; ++i) same = same and table[i] == antiderivative[counted][i];
     CHECK(same);
-    constexpr auto in_type = tabulate(antiderivative[function_on(uniform<3>(0.0, 1.0), [](double t) { return t; })]);
-    static_assert(in_type[3] == 3);
+    CHECK(tabulate(antiderivative[function_on(uniform(0.0, 1.0, 3), [](double t) { return t; })])[3] == 3);
 }
 
 TEST_CASE("the tail integral sums what comes after a mid-point") {
@@ -92,7 +91,7 @@ TEST_CASE("the integral of 1 is the length, on every kind of scale") {
         CHECK(integral(function_on(S, one), S.min(), S.max()) == length);
     };
     check(T), check(uniform(Q(-1), Q(1, 3), 7)), check(uniform(Q(0), Q(1), 1)), check(powers(Q(2), -3, 3)),
-        check(uniform<2>(Q(0), Q(1, 7)));
+        check(uniform(Q(0), Q(1, 7), 2));
 }
 
 TEST_CASE("integrals between two points, in either order") {

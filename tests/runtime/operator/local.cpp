@@ -91,7 +91,7 @@ TEST_CASE("a derivative is the quotient of the differences of any function, on a
         check(S), check(half(S)), check(circ(S)), check(at_lambda<2, 7>(S)), check(circ<2, 7>(S)), check(at_lambda(S, Q(3, 5)));
         check(circ(S, Q(3, 5))), check(at_lambda<0, 1>(S)), check(without_last(S)), check(without_first(circ(S)));
     };
-    all(T), all(uniform(Q(1), Q(1, 3), 5)), all(powers(Q(3, 2), -2, 2)), all(harmonic_numbers<Q>(4)), all(uniform<3>(Q(0), Q(2)));
+    all(T), all(uniform(Q(1), Q(1, 3), 5)), all(powers(Q(3, 2), -2, 2)), all(harmonic_numbers<Q>(4)), all(uniform(Q(0), Q(2), 3));
 }
 
 TEST_CASE("the means of neighbouring mid-points") {
@@ -118,7 +118,7 @@ TEST_CASE("one, two and three steps leave what they can") {
     CHECK(values(Delta_plus[Delta_minus[two]]) == "T^{+-}: -3/4");
     CHECK(values(Delta_plus[Delta_plus[two]]) == "T^{++}: -3/2");
     CHECK(Delta_plus[Delta_plus[Delta_plus[two]]].size() == 0);
-    auto const three = function_on(uniform<3>(Q(0), Q(1)), std::vector<Q>{0, 1, 4, 9});
+    auto const three = function_on(uniform(Q(0), Q(1), 3), std::vector<Q>{0, 1, 4, 9});
     CHECK(values(Delta_plus[Delta_plus[three]]) == "T^{++}: 2, 2");
     CHECK(values(Delta_minus[Delta_minus[Delta_minus[three]]]) == "T^{---}: 0");
 }
