@@ -14,7 +14,6 @@
 // Functions on them
 #include "hilger/function/exponential.hpp"
 #include "hilger/function/function.hpp"
-#include "hilger/function/interpolation.hpp"
 #include "hilger/function/pointwise.hpp"
 #include "hilger/function/unknown.hpp"
 
