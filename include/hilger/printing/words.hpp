@@ -38,7 +38,7 @@ expression restricted_to_points(expression const& f, Base const& base) {
         return same ? f.without_brackets() : expression{};
     }
     domain<Base> const here{base};
-    return f.marked({"|" + written_domain(here, print_style::terminal), "|_{" + written_domain(here, print_style::latex) + "}"}, true);
+    return f.marked({"|" + written_domain(here, print_style::terminal), "|_{" + written_domain(here, print_style::latex) + "}"});
 }
 /// Halves are Cresson and Safi's (25); any other mean is explained.
 template <class L>
@@ -107,7 +107,7 @@ expression written_alone(insertion<Lambda, ToNodes> const& a, expression const& 
     iota = with_bracket(iota);
     iota.terminal_note = name + "[f] = f on T" + at.terminal + " and 0 between";
     iota.latex_note = "\\iota[f] = f \\text{ where it lives and } 0 \\text{ between}";
-    return f.in_brackets(iota, closing(), true);
+    return f.in_brackets(iota, closing());
 }
 template <class Lambda, bool Inverse>
 expression written_alone(projection<Lambda, Inverse> const& a, expression const& f) {
