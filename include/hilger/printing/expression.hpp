@@ -24,6 +24,13 @@ struct spelled {
 
 namespace detail {
 
+/// The digits of n >= 0 as ₀ to ₉.
+inline std::string subscript(int n) {
+    std::string text;
+    for (char const c : std::to_string(n)) text += std::string("\xE2\x82") + static_cast<char>(0x80 + (c - '0'));
+    return text;
+}
+
 class expression;
 
 /// What a term multiplies: a name, or an expression between two texts.
