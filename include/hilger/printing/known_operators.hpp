@@ -28,8 +28,7 @@ std::vector<known_operator> list_of_known_operators() {
                 known(rho, [](expression const& f) { return with_symbol(f, shift_sign(nodes{}, side::minus)); }),
                 known(Delta_plus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::plus)); }),
                 known(Delta_minus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::minus)); })};
-    else if constexpr (std::same_as<From, To> and requires(From b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                       std::is_empty_v<From>) {
+    else if constexpr (std::same_as<From, To> and is_between<From> and std::is_empty_v<From>) {
         using L = std::remove_cvref_t<decltype(From{}.lambda)>;
         constexpr identity_on<From, delta_weight> here{};
         constexpr shift<From, side::plus> next{};
@@ -60,8 +59,7 @@ std::vector<known_operator> list_of_known_operators() {
                       return written_alone(projection<L, true>{},
                                            with_symbol(on_nodes, delta_sign(nodes{}, side::minus)).times_weight(over));
                   })};
-    } else if constexpr (std::same_as<From, nodes> and requires(To b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                         std::is_empty_v<To>) {
+    } else if constexpr (std::same_as<From, nodes> and is_between<To> and std::is_empty_v<To>) {
         using L = std::remove_cvref_t<decltype(To{}.lambda)>;
         if constexpr (L::numerator > 0)
             return {known(restriction_to<L, false>{} * extension<L>{},
@@ -73,8 +71,7 @@ std::vector<known_operator> list_of_known_operators() {
         return {known(mean_o, [](expression const& f) { return in_mean(f, {"∘", "\\circ"}); })};
     else if constexpr (std::same_as<From, nodes> and std::same_as<To, joined<half>>)
         return {known(extend, [](expression const& f) { return extended(f, {"∘", "\\circ"}); })};
-    else if constexpr (std::same_as<To, nodes> and requires(From b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                       std::is_empty_v<From>) {
+    else if constexpr (std::same_as<To, nodes> and is_between<From> and std::is_empty_v<From>) {
         using L = std::remove_cvref_t<decltype(From{}.lambda)>;
         constexpr projection<L, false> on_T_of{};
         static constexpr auto written_on_T = [](expression const& f) { return written_alone(projection<L, false>{}, f); };

@@ -67,6 +67,10 @@ struct between {
     }
     friend constexpr bool operator==(between const&, between const&) = default;
 };
+template <class Base>
+inline constexpr bool is_between = false;
+template <class Lambda>
+inline constexpr bool is_between<between<Lambda>> = true;
 
 template <class Lambda>
 struct joined {
