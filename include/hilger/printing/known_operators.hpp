@@ -41,16 +41,8 @@ std::vector<known_operator> list_of_known_operators() {
             known(last, [](expression const& f) { return with_symbol(f, shift_sign(From{}, side::minus)); }),
             known(derivative<From, side::plus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::plus)); }),
             known(derivative<From, side::minus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::minus)); }),
-            known(rest * here + L{} * last,
-                  [](expression const& f) {
-                      auto const l = foot(From{});
-                      return in_mean(f, {l.terminal + ",₋", l.latex + ",-"}, mean_note<L>(side::minus));
-                  }),
-            known(rest * here + L{} * next,
-                  [](expression const& f) {
-                      auto const l = foot(From{});
-                      return in_mean(f, {l.terminal + ",₊", l.latex + ",+"}, mean_note<L>(side::plus));
-                  }),
+            known(rest * here + L{} * last, [](expression const& f) { return mean_of_neighbours<L>(f, side::minus); }),
+            known(rest * here + L{} * next, [](expression const& f) { return mean_of_neighbours<L>(f, side::plus); }),
             known(there * step_mean_at<L>{}, [](expression const& f) { return step_weighted_mean(f, L{}); }),
             known(there * reweight<nodes, nabla_weight, natural_weight_t<L>>{} * Delta_minus * projection<L, false>{},
                   [](expression const& f) { // for 1/2 it is the difference on T_half, above
@@ -80,10 +72,7 @@ std::vector<known_operator> list_of_known_operators() {
                 known(on_T_of * derivative<From, side::minus>{},
                       [](expression const& f) { return written_on_T(with_symbol(f, delta_sign(From{}, side::minus))); }),
                 known(on_T_of * (rest * identity_on<From, delta_weight>{} + L{} * shift<From, side::minus>{}),
-                      [](expression const& f) {
-                          auto const l = foot(From{});
-                          return written_on_T(in_mean(f, {l.terminal + ",₋", l.latex + ",-"}, mean_note<L>(side::minus)));
-                      }),
+                      [](expression const& f) { return written_on_T(mean_of_neighbours<L>(f, side::minus)); }),
                 known(step_mean_at<L>{}, [](expression const& f) { return written_on_T(step_weighted_mean(f, L{})); })};
     }
     return {};

@@ -54,6 +54,13 @@ spelled mean_note(side which) {
                     "\\left[f\\right]"};
     }
 }
+/// (1 - lambda) f + lambda rho[f] on T_lambda, or with sigma.
+template <class L>
+expression mean_of_neighbours(expression const& f, side which) {
+    spelled const l = foot(between<L>{});
+    bool const minus = which == side::minus;
+    return in_mean(f, {l.terminal + (minus ? ",₋" : ",₊"), l.latex + (minus ? ",-" : ",+")}, mean_note<L>(which));
+}
 /// ((1 - lambda) mu f + lambda nu rho[f]) over their sum, on T_lambda.
 template <class Lambda>
 expression step_weighted_mean(expression const& f, Lambda const& lambda) {
