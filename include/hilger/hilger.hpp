@@ -6,7 +6,7 @@
 //   models, variational                               Lagrangians; actions, their variations, Legendre maps
 //   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
-//   formula, identity                                 Lagrangians as symbols and as C; what holds for every scale
+//   formula                                           Lagrangians as symbols and as C
 //   text                                              Lagrangians that are known at run time only: include hilger/text/lagrangian.hpp
 #pragma once
 
@@ -62,7 +62,3 @@
 #include "hilger/trajectory/events.hpp"
 #include "hilger/trajectory/recording.hpp"
 #include "hilger/trajectory/requirements.hpp"
-
-// Identities as checks, for your own scales and operators too
-#include "hilger/identity/registry.hpp"
-#include "hilger/identity/trial.hpp"

@@ -100,13 +100,6 @@ void read(rows& all, std::string const& name, double x) {
     all.push_back(refused<error::invalid_scale>(name + " as an end", [&] { (void)uniform(interval{0.0, x}, 4); }));
     all.push_back(refused<error::invalid_scale>(name + " among points", [&] { (void)time_scale<double>{0.0, 1.0, x}; }));
     all.push_back(refused<bad>(name + " in a table", [&] { (void)function_on(uniform(0.0, 1.0, 1), std::vector<double>{1, x}); }));
-    all.push_back(refused<error::exception>(
-        name + " as a line of a file",
-        [&] {
-            std::istringstream in("0\n" + few_digits(x) + "\n");
-            (void)read_time_scale<double>(in);
-        },
-        "line 2"));
     auto const path = embed(oscillator, mid_point).along(uniform(0.0, 0.125, 4), 1.0, 0.0);
     std::ostringstream out;
     write_checkpoint(out, path, path.begin().checkpoint());

@@ -3,8 +3,8 @@
 // problems; and none of no step.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/identity/by_parts.hpp"
-#include "hilger/identity/calculus.hpp"
+#include "identities/by_parts.hpp"
+#include "identities/calculus.hpp"
 
 namespace extremes {
 

@@ -22,7 +22,7 @@ set(order
   "variational"
   "step"
   "trajectory"
-  "integrator identity"
+  "integrator"
   "composition"
   "fractional"
   "boundary"

@@ -236,8 +236,6 @@ inline constexpr fractional_difference<grunwald_letnikov, detail::order_in_type<
 /// The same with the weights of G: minus_alpha<bdf<2>, 1, 2> is the G^alpha of Galucio, Deue, Dubois (2).
 template <generating_function G, int P, int Q>
 inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::minus> minus_alpha{};
-template <generating_function G, int P, int Q>
-inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::plus> plus_alpha{};
 /// Delta_-^alpha[f - f(a)], of Caputo's kind: zero for constants.
 template <int P, int Q>
 inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q>* minus_start;
