@@ -5,11 +5,9 @@
 //   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
 //   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
 //   window{length}            short memory, with a bound on what is cut off
-//   automatic{steps}          direct, blocks or exponentials
 // convolve<G>(alpha, x) is for sequences that are there already.
 #pragma once
 
-#include "hilger/history/automatic.hpp"
 #include "hilger/history/blocks.hpp"
 #include "hilger/history/convolution.hpp"
 #include "hilger/history/direct.hpp"

@@ -41,7 +41,6 @@ void for_policies(Each const& each) {
     each("blocks", blocks{}, rounding);
     each("exponentials", exponentials{0, N}, rounding);
     each("exponentials to 1e-8", exponentials{1e-8, N}, 1e-6);
-    each("automatic", automatic{N}, rounding);
     each("a window of everything", window{N}, rounding);
 }
 

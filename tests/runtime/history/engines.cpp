@@ -63,7 +63,6 @@ void compare_all(hilger::index_type longest) {
             data<bdf<2>, V> const g_alpha(alpha, N);
             g_alpha.compare(blocks{}, 15);
             g_alpha.compare(exponentials{}, 15 + 3 * 64);
-            g_alpha.compare(automatic{N}, 15 + 3 * 64);
         }
 }
 } // namespace
@@ -93,7 +92,6 @@ TEST_CASE("every BDF, and a generating function that only direct and blocks know
     data<trapezoid, double> const oscillating(0.4, 1500); // sum |w_n| grows
     oscillating.compare(blocks{}, 100);
     oscillating.compare(direct{}, 100);
-    oscillating.compare(automatic{1500}, 100);
 }
 
 } // namespace history_engines_tests

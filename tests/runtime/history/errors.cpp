@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What histories refuse, what they warn of, which one automatic takes, and the bound of a window.
+// What histories refuse, what they warn of, and the bound of a window.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -31,7 +31,6 @@ TEST_CASE("what is not finite is refused with its number, and the engine goes on
     check(make_history<GL>(blocks{}, 0.5, 0.0));
     check(make_history<GL>(exponentials{}, 0.5, 0.0));
     check(make_history<GL>(window{5}, 0.5, 0.0));
-    check(make_history<GL>(automatic{1000}, 0.5, 0.0));
     CHECK_THROWS_WITH_AS((void)convolve<GL>(0.5, std::vector<double>{0, 1, std::nan("")}), "value 2 of a history is not finite",
                          error::not_finite);
 }
@@ -65,7 +64,8 @@ TEST_CASE("parameters out of range") {
     CHECK_THROWS_AS((void)make_history<GL>(exponentials{0.5}, 0.5, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)make_history<GL>(exponentials{0, 0}, 0.5, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)make_history<GL>(window{-1}, 0.5, 0.0), error::invalid_parameter);
-    CHECK_THROWS_AS((void)make_history<GL>(automatic{0}, 0.5, 0.0), error::invalid_parameter);
+    // Next to whole orders the recurrence that exponentials are compared with has fewer digits than its smallest weights ask for.
+    CHECK_THROWS_AS((void)make_history<bdf<6>>(exponentials{}, 2 - 3e-13, 0.0), error::invalid_parameter);
     auto short_run = make_history<GL>(exponentials{0, 2}, 0.5, 0.0);
     for (int n = 0; n <= 2; ++n) short_run.push(1); // at t_0, t_1, t_2
     CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps, and this is step 3", error::outside_domain);
@@ -84,19 +84,6 @@ TEST_CASE("the direct sum over more than 100 000 values warns once when it is ma
     history_warning() = nullptr;
     CHECK_NOTHROW((void)make_history<GL>(direct{1'000'000}, 0.5, 0.0));
     history_warning() = usual;
-}
-
-TEST_CASE("automatic says which one it took") {
-    CHECK(make_history<GL>(automatic{100}, 0.5, 0.0).name() == "direct");
-    CHECK(make_history<GL>(automatic{10'000}, 0.5, 0.0).name() == "exponentials");
-    CHECK(make_history<bdf<2>>(automatic{10'000, 1e-8}, 0.5, 0.0).name() == "exponentials");
-    CHECK(make_history<bdf<2>>(automatic{10'000, 1e-16}, 0.5, 0.0).name() == "blocks"); // finer than modes can be
-    CHECK(make_history<GL>(automatic{10'000}, 2.5, 0.0).name() == "blocks");
-    // Next to whole orders the recurrence that exponentials are compared with has fewer digits than its smallest weights ask for.
-    CHECK_THROWS_AS((void)make_history<bdf<6>>(exponentials{}, 2 - 3e-13, 0.0), error::invalid_parameter);
-    CHECK(make_history<bdf<6>>(automatic{10'000}, 2 - 3e-13, 0.0).name() == "blocks");
-    CHECK(make_history<trapezoid>(automatic{10'000}, 0.5, 0.0).name() == "blocks");
-    CHECK(make_history<GL>(automatic{10'000}, Q(1, 2), Q(0)).name() == "direct");
 }
 
 TEST_CASE("a window's bound is the sum of the weights that it cuts off") {

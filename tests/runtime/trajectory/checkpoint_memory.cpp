@@ -38,8 +38,6 @@ TEST_CASE("an oscillator, with every history") {
     oscillator_goes_on<bdf<2>>(0.5, blocks{});
     oscillator_goes_on<bdf<2>>(0.5, window{20});
     oscillator_goes_on<bdf<2>>(1.5, exponentials{0, 200});
-    oscillator_goes_on<bdf<2>>(0.5, automatic{100});
-    oscillator_goes_on<bdf<2>>(0.5, automatic{1000});
     oscillator_goes_on<bdf<2>>(fraction<1>{}, direct{});
     oscillator_goes_on<grunwald_letnikov>(1.0, direct{});
 }
