@@ -58,7 +58,6 @@ void table(std::string const& title) {
         print("blocks", steps, measure<G>(hilger::blocks{}, steps, 3, exact));
         print("exponentials", steps, measure<G>(hilger::exponentials{}, steps, 5, exact));
         print("exponentials{1e-8}", steps, measure<G>(hilger::exponentials{1e-8}, steps, 5, exact));
-        print("window{1000}", steps, measure<G>(hilger::window{1000}, steps, 3, exact));
     }
     std::cout << '\n';
 }

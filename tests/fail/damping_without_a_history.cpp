@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: a damping is given by its coefficient, its order, a history as direct{}, blocks{}, window{n} or exponentials{}, and its options
+// expect: a damping is given by its coefficient, its order, a history as direct{}, blocks{} or exponentials{}, and its options
 #include "hilger/fractional/flow.hpp"
 
 using namespace hilger;

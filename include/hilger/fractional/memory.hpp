@@ -95,18 +95,10 @@ struct engine_of<G, Policy, S, V, true> {
     using type = no_history;
 };
 
-/// Whether a history with this policy keeps all of the past, and not the last values only.
-template <class Policy>
-inline constexpr bool keeps_everything = true;
-template <class Policy>
-    requires requires { Policy::keeps_everything; }
-inline constexpr bool keeps_everything<Policy> = Policy::keeps_everything;
-
 /// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
-/// order in ]-1/2, 1/2]. What cannot be cut off is an order below 0, whose weights have no finite sum.
-template <class Policy, class S>
+/// order in ]-1/2, 1/2].
+template <class S>
 int whole_part(S const& beta) {
-    if (not keeps_everything<Policy>) return beta < S(1) ? 0 : 1;
     return S(2) * beta <= S(1) ? 0 : S(2) * beta <= S(3) ? 1 : 2;
 }
 
@@ -124,7 +116,7 @@ public:
           later_drift_(start_), increment_(start_), first_(start_), change_(start_), derivative_(start_) {
         require_order(beta_);
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
-        int const whole = whole_part<Policy>(beta_);
+        int const whole = whole_part(beta_);
         whole_.assign(static_cast<std::size_t>(whole), difference(like));
         if constexpr (not always_local)
             if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));

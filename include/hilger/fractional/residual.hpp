@@ -82,7 +82,7 @@ typename Scale::root_type::scalar_type judged(Judge const&,
                   "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
                   "points of T alone that this could be judged by");
 }
-/// As along a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is seen here.
+/// As along a path without damping; N steps cost N^2 products.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
     requires(controls_of<embedding<A, B, W>> == 2)
 auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {

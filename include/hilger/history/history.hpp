@@ -4,7 +4,6 @@
 //   direct{}                  the sum over everything; exact in exact scalars
 //   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
 //   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
-//   window{length}            short memory, with a bound on what is cut off
 // convolve<G>(alpha, x) is for sequences that are there already.
 #pragma once
 
@@ -12,4 +11,3 @@
 #include "hilger/history/convolution.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/exponentials.hpp"
-#include "hilger/history/window.hpp"

@@ -41,7 +41,6 @@ void for_policies(Each const& each) {
     each("blocks", blocks{}, rounding);
     each("exponentials", exponentials{0, N}, rounding);
     each("exponentials to 1e-8", exponentials{1e-8, N}, 1e-6);
-    each("a window of everything", window{N}, rounding);
 }
 
 } // namespace
@@ -59,7 +58,6 @@ TEST_CASE("a damped pendulum") {
     auto const above_one = run(1.5, direct{});
     CHECK(apart(run(1.5, blocks{}), above_one) < 1e4 * epsilon<double>());
     CHECK(apart(half, above_one) > 0.1);
-    CHECK(apart(run(fraction<1, 2>{}, window{50}), half) > 1e-4); // short memory forgets
 }
 
 TEST_CASE("components of a vector") {

@@ -65,7 +65,6 @@ TEST_CASE("weights in reversed order beyond n = 64: an impulse shows every engin
     check(make_history<grunwald_letnikov>(direct{}, 0.4, 0.0));
     check(make_history<grunwald_letnikov>(blocks{}, 0.4, 0.0));
     check(make_history<grunwald_letnikov>(exponentials{}, 0.4, 0.0));
-    check(make_history<grunwald_letnikov>(window{700}, 0.4, 0.0));
 }
 
 TEST_CASE("memory sums that are overwritten instead of added: of constant values the sum is the product formula") {

@@ -58,7 +58,6 @@ void compare_all(hilger::index_type longest) {
             data<grunwald_letnikov, V> const gl(alpha, N);
             gl.compare(direct{}, 10);
             gl.compare(blocks{}, 10);
-            gl.compare(window{N}, 10);
             gl.compare(exponentials{}, 10 + 2 * 64);
             data<bdf<2>, V> const g_alpha(alpha, N);
             g_alpha.compare(blocks{}, 15);
@@ -76,7 +75,6 @@ TEST_CASE("float to 50 digits") {
         data<bdf<2>, float50> const g_alpha(float50(7) / 10, N);
         g_alpha.compare(direct{}, 30);
         g_alpha.compare(blocks{}, 30);
-        g_alpha.compare(window{N}, 30);
     }
     data<grunwald_letnikov, float50>(float50(1) / 2, 300).compare(exponentials{0, 1000}, 2100); // 1024 epsilon is the tolerance
     data<bdf<2>, float50>(float50(9) / 10, 300).compare(exponentials{0, 1000}, 3100);
