@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "hilger/fourier/transform.hpp"
 #include "hilger/history/direct.hpp"
@@ -14,7 +13,7 @@ namespace hilger {
 
 /// The sum over everything in blocks; exact scalars are summed directly. The error is some epsilon of the norms of weights and values, not
 /// of the sum itself: where that is much smaller than the largest before it, as in the tail after an impulse, fewer of its digits are right
-/// than of the direct sum. The engine's error_bound() says how many hold.
+/// than of the direct sum.
 struct blocks {};
 
 template <class G, class V>
@@ -23,7 +22,7 @@ class blocks_history {
 
 public:
     blocks_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::memory::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
+        : size_(detail::memory::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
           past_(detail::memory::zero_of_size(like)) {
         weights_up_to(shortest);
         reversed_.assign(2 * shortest, S(0));
@@ -35,34 +34,6 @@ public:
     V const& past() {
         if (not ready_) make_past();
         return past_;
-    }
-    /// At least |past() - sum_{n>=1} w_n x_{m-n}|, component by component: an a-posteriori bound at this very point, w_n being the weights
-    /// as they are rounded. O(m), for whoever asks. By a block of length L, ||.||_2 and ||.||_1 over its values x and weights w, it grows
-    /// by epsilon (20 log_2 L + 8) ||w||_1 ||x||_2: three transforms of log_2(L)/2 passes, in which roots of 9 epsilon are multiplied
-    /// (Higham 2002, theorem 24.2), and by the sum of fewer than 32 products by as many epsilon of sum |w_n x_{m-n}|.
-    V error_bound() {
-        using std::sqrt;
-        past();
-        auto const m = static_cast<std::size_t>(count_), inside = m % shortest;
-        V bound = detail::memory::zero_of_size(past_);
-        for (std::size_t c = 0; c < parts_.size(); ++c) {
-            auto const& x = parts_[c].values;
-            S error(0), norm(0); // of the weights up to `summed`
-            for (std::size_t n = 1; n <= inside; ++n)
-                error = error + magnitude(S(weights_[n] * x[m - n])) * S(static_cast<int>(inside)) * epsilon<S>();
-            std::size_t summed = 0;
-            int passes = 5; // log_2 of the length
-            for (std::size_t length = shortest; length <= m; length *= 2, ++passes)
-                if ((m & length) != 0) {
-                    std::size_t const begin = m - m % length - length;
-                    S squares(0);
-                    for (std::size_t i = begin; i < begin + length; ++i) squares = squares + x[i] * x[i];
-                    while (summed + 1 < 2 * length) norm = norm + magnitude(weights_[++summed]);
-                    error = error + epsilon<S>() * S(20 * passes + 8) * norm * S(sqrt(squares));
-                }
-            detail::memory::component(bound, static_cast<index_type>(c)) = error;
-        }
-        return bound;
     }
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
@@ -152,7 +123,6 @@ private:
         while (weights_.size() < count) weights_.push_back(sequence_.next());
     }
 
-    S alpha_;
     index_type size_, count_ = 0;
     weight_sequence<G, S> sequence_;
     std::vector<S> weights_;
