@@ -3,27 +3,14 @@
 // every sum is made anew. Exact in exact scalars; m products at value m, so that N values cost N^2 / 2.
 #pragma once
 
-#include <functional>
-#include <iostream>
-#include <string>
-
 #include "hilger/history/component.hpp"
 #include "hilger/history/sums.hpp"
 #include "hilger/operator/weights.hpp"
 
 namespace hilger {
 
-/// Where the sum over everything says that it will be slow; std::clog unless replaced. An empty function silences it.
-inline std::function<void(std::string const&)>& history_warning() {
-    static std::function<void(std::string const&)> hook = [](std::string const& sentence) { std::clog << "hilger: " << sentence << '\n'; };
-    return hook;
-}
-
-/// The sum over everything. `steps`, if the number of values is known beforehand, lets a run that would take minutes say so.
-struct direct {
-    index_type steps = 0;
-    static constexpr index_type many = 100'000; ///< from here on the warning is due
-};
+/// The sum over everything.
+struct direct {};
 
 template <class G, class V>
 class direct_history {
@@ -84,15 +71,11 @@ private:
 
 /// The engine of a policy for the order alpha and values of the size of `like`. @throws error::invalid_parameter
 template <generating_function G, class S, class V>
-auto make_history(direct const& policy, S const& alpha, V const& like) {
+auto make_history(direct const&, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
         return detail::memory::scalars_differ<S, V>();
-    else {
-        if (policy.steps > direct::many and history_warning())
-            history_warning()("the direct sum over " + std::to_string(policy.steps) +
-                              " values takes half the square of that many products; exponentials{} need a few dozen each");
+    else
         return direct_history<G, plain_t<V>>(alpha, like);
-    }
 }
 
 } // namespace hilger

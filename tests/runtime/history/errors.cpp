@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What histories refuse, and what they warn of.
+// What histories refuse.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -66,21 +66,6 @@ TEST_CASE("parameters out of range") {
     auto short_run = make_history<GL>(exponentials{0, 2}, 0.5, 0.0);
     for (int n = 0; n <= 2; ++n) short_run.push(1); // at t_0, t_1, t_2
     CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps, and this is step 3", error::outside_domain);
-}
-
-TEST_CASE("the direct sum over more than 100 000 values warns once when it is made, where the caller wants it") {
-    auto const usual = history_warning();
-    std::vector<std::string> heard;
-    history_warning() = [&](std::string const& sentence) { heard.push_back(sentence); };
-    auto quiet = make_history<GL>(direct{100'000}, 0.5, 0.0);
-    CHECK(heard.empty());
-    auto loud = make_history<GL>(direct{100'001}, 0.5, 0.0);
-    loud.push(1);
-    CHECK(heard.size() == 1);
-    CHECK(heard.front().find("exponentials") != std::string::npos);
-    history_warning() = nullptr;
-    CHECK_NOTHROW((void)make_history<GL>(direct{1'000'000}, 0.5, 0.0));
-    history_warning() = usual;
 }
 
 } // namespace history_errors_tests
