@@ -69,7 +69,6 @@ public:
         for (auto const& p : parts_) numbers += p.values.size() + p.ahead.size();
         return numbers * sizeof(S);
     }
-    static std::string name() { return "blocks"; }
 
 private:
     /// Sums within this many values are made directly.

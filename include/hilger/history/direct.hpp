@@ -50,7 +50,6 @@ public:
     index_type count() const { return count_; }
     void reset() { *this = direct_history(alpha_, past_); }
     std::size_t bytes() const { return (values_.size() + 1) * reversed_.size() * sizeof(S); }
-    static std::string name() { return "direct"; }
 
 private:
     void grow() {

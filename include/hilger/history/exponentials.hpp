@@ -169,7 +169,6 @@ public:
     /// Terms of the sum of exponentials, a multiple of the width of the loops.
     index_type modes() const { return static_cast<index_type>(rate_.size()); }
     std::size_t bytes() const { return (rate_.size() + coefficient_.size() + state_.size() + ahead_.size()) * sizeof(S) + recent_.bytes(); }
-    static std::string name() { return "exponentials"; }
 
 private:
     exponentials_history(detail::memory::exponential_weights<G, S> w, index_type steps, V const& like)

@@ -4,7 +4,7 @@
 //   direct{}                  the sum over everything; exact in exact scalars
 //   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
 //   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
-// convolve<G>(alpha, x) is for sequences that are there already.
+// toeplitz_triangle(first_weights<G>(alpha, n)) has all sums of a sequence that is there already.
 #pragma once
 
 #include "hilger/history/blocks.hpp"

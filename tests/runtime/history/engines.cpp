@@ -36,7 +36,6 @@ struct data {
                 double const distance = static_cast<double>(magnitude(V(engine.past() - sums[k])) / epsilon<S>());
                 if (not(distance <= worst)) worst = distance, where = k;
             }
-            CAPTURE(engine.name());
             CAPTURE(x.size());
             CAPTURE(where);
             CAPTURE(static_cast<double>(alpha));
@@ -90,6 +89,34 @@ TEST_CASE("every BDF, and a generating function that only direct and blocks know
     data<trapezoid, double> const oscillating(0.4, 1500); // sum |w_n| grows
     oscillating.compare(blocks{}, 100);
     oscillating.compare(direct{}, 100);
+}
+
+TEST_CASE("weights in reversed order beyond n = 64: an impulse shows every engine's weights one by one") {
+    auto const check = [](auto engine) {
+        weight_sequence<grunwald_letnikov, double> w(0.4);
+        w.next();
+        for (int n = 1; n <= 700; ++n) {
+            engine.push(n == 1 ? 1 : 0);
+            REQUIRE(engine.past() == doctest::Approx(w.next()).epsilon(1e-11));
+        }
+    };
+    check(make_history<grunwald_letnikov>(direct{}, 0.4, 0.0));
+    check(make_history<grunwald_letnikov>(blocks{}, 0.4, 0.0));
+    check(make_history<grunwald_letnikov>(exponentials{}, 0.4, 0.0));
+}
+
+TEST_CASE("memory sums that are overwritten instead of added: of constant values the sum is the product formula") {
+    // w_0 + ... + w_m = (1 - alpha)(1 - alpha/2)...(1 - alpha/m)
+    auto const check = [](auto engine) {
+        double product = 1;
+        for (int m = 1; m <= 20'000; ++m) {
+            engine.push(1);
+            product *= 1 - 0.3 / m;
+            REQUIRE(std::abs(1 + engine.past() - product) <= 1e-13);
+        }
+    };
+    check(make_history<grunwald_letnikov>(blocks{}, 0.3, 0.0));
+    check(make_history<grunwald_letnikov>(exponentials{}, 0.3, 0.0));
 }
 
 } // namespace history_engines_tests

@@ -36,10 +36,8 @@ TEST_CASE("vectors of rationals") {
     auto const x = random_values<vector>(40);
     auto const expected = sums_as_written<bdf<2>>(Q(1, 2), x);
     auto engine = make_history<bdf<2>>(direct{}, Q(1, 2), x[0]);
-    auto const all = convolve<bdf<2>>(Q(1, 2), x);
     for (hilger::index_type m = 1; m <= 40; ++m) {
         auto const k = static_cast<std::size_t>(m - 1);
-        CHECK(vector(x[k] + engine.past()) == all[k]);
         engine.push(x[k]);
         CHECK(engine.past() == expected[k]);
     }
