@@ -230,26 +230,11 @@ TEST_CASE("with beta below 1/4 a damping limits the steps") {
     for (double const h : {0.01, 0.0025}) {
         double const limit = (4 - h * h) / (8 * std::sqrt(h));
         CHECK(walked(damped(0.99 * limit, central_difference), h) < 2);
-        CHECK_THROWS_AS((void)walked(damped(1.01 * limit, central_difference), h), error::invalid_parameter);
+        CHECK(walked(damped(1.1 * limit, central_difference), h) > 1e3);
         CHECK(walked(damped(2.9 * limit, linear_acceleration), h) < 2);
-        CHECK_THROWS_AS((void)walked(damped(3.03 * limit, linear_acceleration), h), error::invalid_parameter);
+        CHECK(walked(damped(3.3 * limit, linear_acceleration), h) > 1e3);
         CHECK(walked(damped(30 * limit, average_acceleration), h) < 2);
     }
-    auto const unlimited = newmark<trapezoid>(fractional_structure{1.0, 0.01, 1.0, 1.0, 1.5}, none, linear_acceleration);
-    CHECK_THROWS_AS((void)walked(unlimited, 0.01), error::invalid_parameter); // omega(-1) is infinite
-    Eigen::MatrixXd const M = Eigen::Vector2d(1, 2).asDiagonal(), K = Eigen::Matrix2d::Identity();
-    auto const two = [&](double C) {
-        Eigen::MatrixXd const damping = Eigen::Vector2d(0, C).asDiagonal();
-        auto const nothing = [](double) { return Eigen::VectorXd(Eigen::Vector2d::Zero()); };
-        auto const method = newmark<bdf<2>>(fractional_structure{M, damping, K, 1.0, 1.5}, nothing, central_difference);
-        double most = 0;
-        for (auto const& x :
-             method.along(uniform(0.0, 0.01, 2000), Eigen::VectorXd(Eigen::Vector2d(1, 1)), Eigen::VectorXd(Eigen::Vector2d::Zero())))
-            most = std::max(most, x.q.norm());
-        return most;
-    };
-    CHECK(two(9.8) < 3); // 2 * 4 / (8 * 0.1) = 10
-    CHECK_THROWS_AS((void)two(10.2), error::invalid_parameter);
 }
 
 } // namespace fractional_newmark_tests
