@@ -48,11 +48,11 @@ public:
             if (not(h == h_))
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
-            auto const& mechanics = f.undamped_.mechanics();
             V v0 = zero_like(x.q);
             if constexpr (history::may_need_velocity)
-                if (history_.needs_velocity()) v0 = start_ ? *start_ : velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
-            history_.begin(mechanics, x, v0);
+                if (history_.needs_velocity())
+                    v0 = start_ ? *start_ : velocity_of(detail::at_time{f.undamped_.mechanics().lagrangian, x.t}, x.q, x.p);
+            history_.begin(x, v0);
             begun_ = true;
         }
         /// @throws the same as a step_failure

@@ -171,8 +171,7 @@ struct mean_over_step {
             detail::for_each_in(means_, [&](auto const& m) { needed = needed or m.components().needs_velocity(); });
             return needed;
         }
-        template <class Mechanics>
-        void begin(Mechanics const&, state<S, V> const& x, V const& v0) {
+        void begin(state<S, V> const& x, V const& v0) {
             detail::for_each_in(means_, [&](auto& m) { m.begin(x.q, v0); });
         }
         void before_step(state<S, V>& x, extra& force) {

@@ -11,6 +11,7 @@
 // without a coefficient have none, and whole orders neither.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -53,17 +54,6 @@ S power(S const& h, S const& beta) {
         using std::pow;
         return S(pow(h, beta));
     }
-}
-
-/// omega(-1)^beta h^{2 - beta}: times rho / M it is 4 at the limit of stability of an explicit step; infinite for a pole at -1. In double,
-/// which is enough to say on which side of it something is.
-template <generating_function G>
-double explicit_stiffness(double beta, double h) {
-    double p = 0, q = 0, sign = 1;
-    for (double const x : G::template numerator<double>()) p += sign * x, sign = -sign;
-    sign = 1;
-    for (double const x : G::template denominator<double>()) q += sign * x, sign = -sign;
-    return std::pow(std::abs(p / q), beta) * std::pow(std::abs(h), 2 - beta);
 }
 
 /// There is no trajectory on steps of different lengths, and no single step.
