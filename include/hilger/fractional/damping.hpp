@@ -84,8 +84,8 @@ auto kept_coefficient(Rho const& rho) {
 template <generating_function G, class Given, class Order, class Policy>
 auto checked_damping(Given const& given, Order beta, Policy policy, initial_history history) {
     static_assert(std::is_class_v<Policy> and not options_of_a_damping<Policy>,
-                  "a damping is given by its coefficient, its order, a history as direct{}, blocks{} or exponentials{}, and its "
-                  "options, in this order");
+                  "a damping is given by its coefficient, its order, a history as direct{}, blocks{} or exponentials{} and, for "
+                  "impulses, its options, in this order");
     auto rho = kept_coefficient(given);
     using Rho = decltype(rho);
     if (not all_finite(rho)) error::raise<error::invalid_parameter>("the coefficient of a fractional damping is a finite number");

@@ -19,11 +19,6 @@
 
 namespace hilger {
 
-/// How a fractional damping is read where the order does not say it.
-struct damping_options {
-    initial_history history = initial_history::caputo;
-};
-
 /// One of several terms -rho D^beta q, of an order known at run time.
 template <class S>
 struct fractional_term {
@@ -56,16 +51,14 @@ class mean_damping {
 public:
     mean_damping(Damping const& d, S const& h, V const& like)
         : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), earlier_(now_), force_(now_),
-          lag_(lag_of<typename Damping::generating, S>() * d.order.template as<S>()), theta_(S(1) / S(2) + lag_), h_(h),
-          jumps_(d.history == initial_history::riemann_liouville) {}
+          lag_(lag_of<typename Damping::generating, S>() * d.order.template as<S>()), theta_(S(1) / S(2) + lag_) {}
     [[nodiscard]] on const& components() const { return on_; }
     void begin(V const& q0, V const& v0) {
         if (on_.count() == 0) return;
         kept const velocity = on_.of(v0);
         kept const position = on_.of(q0);
         on_.history().begin(position, velocity);
-        // The value at a jump is half of it.
-        now_ = before_ = earlier_ = on_.history().arrive(jumps_ ? kept(position / S(2)) : position);
+        now_ = before_ = earlier_ = on_.history().arrive(position);
     }
     /// -dF/dq_{i+1}
     void add_slope(V& slope) const { on_.add(slope, S(theta_ * on_.history().present_weight()), rho_); }
@@ -82,15 +75,6 @@ public:
         earlier_ = before_;
         before_ = now_;
         now_ = on_.history().arrive(on_.of(q));
-    }
-    /// For a curve that jumps at t_0 the mean over the step before t_0 is theta D_0: `share` of its impulse to p. As a pair 3/2 at t_0 and
-    /// -1/2 at t_1 it has the place that it has in the sums, 1/2 at t_0 beside 1/2 at t_{-1}.
-    void add_jump(V& p, S const& share) const {
-        if (not jumps_) return;
-        for (int k = 0; k < on_.count(); ++k) {
-            S& to = shape<V>::component(p, on_.at(k));
-            to = to - share * h_ * theta_ * s::component(rho_, k) * s::component(first(), k);
-        }
     }
     /// Everything that later forces depend on, for checkpoints.
     template <class Visit>
@@ -109,12 +93,9 @@ public:
     }
 
 private:
-    /// D_0, in the first step and after it.
-    [[nodiscard]] kept const& first() const { return before_; }
     on on_;
     kept rho_, now_, before_, earlier_, force_;
-    S lag_, theta_, h_;
-    bool jumps_;
+    S lag_, theta_;
 };
 
 template <class D, class S, class V>
@@ -177,24 +158,13 @@ struct mean_over_step {
         void before_step(state<S, V>& x, extra& force) {
             for (int j = 0; j < detail::shape<V>::dimension(x.q); ++j) detail::shape<V>::component(force.constant, j) = S(0);
             detail::for_each_in(means_, [&](auto& m) { m.add_constant(x.q, force.constant); });
-            if (first_) [[unlikely]]
-                detail::for_each_in(means_, [&](auto const& m) { m.add_jump(x.p, S(S(3) / S(2))); });
         }
-        /// @throws error::not_finite
         void after_step(state<S, V>& x) {
-            if (first_) [[unlikely]] {
-                detail::for_each_in(means_, [&](auto const& m) { m.add_jump(x.p, S(S(-1) / S(2))); });
-                if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
-            }
             detail::for_each_in(means_, [&](auto& m) { m.arrive(x.q); });
-            first_ = false;
         }
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(Visit& each) {
-            int first = first_ ? 1 : 0;
-            each("first", first);
-            first_ = first != 0;
             detail::for_each_in(means_, [&](auto& m) { m.visit(each); });
         }
         void add_force(V& force, bool back) const {
@@ -209,7 +179,6 @@ struct mean_over_step {
     private:
         using all = std::tuple<typename detail::means_of<Dampings, S, V>::type...>;
         all means_;
-        bool first_ = true;
     };
     /// @throws error::mismatch
     template <class V>
@@ -244,14 +213,15 @@ auto damped_by_mean(damped_problem<L, mean_over_step<Others...>> const& l, Dampi
 /// momenta are of order 2 - beta only. It adds no limit to the length of steps.
 /// @throws error::invalid_parameter when beta or rho is out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
-auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}, damping_options options = {}) {
-    return detail::damped_by_mean(l, detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), options.history));
+auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}) {
+    return detail::damped_by_mean(
+        l, detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), initial_history::caputo));
 }
 /// The same with the sum of several terms, {{rho_1, beta_1}, {rho_2, beta_2}, ...}, each with a history of its own.
 template <generating_function G = grunwald_letnikov, class S = double, class L, class Policy = direct>
-auto with_fractional_damping(L const& l, std::vector<fractional_term<S>> const& terms, Policy policy = {}, damping_options options = {}) {
+auto with_fractional_damping(L const& l, std::vector<fractional_term<S>> const& terms, Policy policy = {}) {
     std::vector<fractional_damping<G, S, run_time<S>, Policy>> all;
-    for (auto const& [factor, order] : terms) all.push_back(detail::checked_damping<G>(factor, order, policy, options.history));
+    for (auto const& [factor, order] : terms) all.push_back(detail::checked_damping<G>(factor, order, policy, initial_history::caputo));
     return detail::damped_by_mean(l, std::move(all));
 }
 

@@ -50,10 +50,11 @@ TEST_CASE("structures of two degrees of freedom, one of them damped; and of a vi
 TEST_CASE("damped flows: a mean over the step with one term and two, and impulses at each end") {
     goes_on(embed(with_fractional_damping<bdf<2>>(pendulum, 0.3, fraction<1, 2>{}, exponentials{0, 200}), mid_point).along(T, 1.0, 0.5));
     goes_on(embed(with_fractional_damping(pendulum, {{0.3, 0.5}, {0.1, 1.5}}), mid_point, compensated).along(T, 1.0, 0.5));
-    damping_options const jump{.history = initial_history::riemann_liouville};
-    goes_on(embed(with_fractional_damping(with_force(pendulum, friction), 0.3, 1.0, direct{}, jump), mid_point).along(T, 1.0, 0.5));
+    goes_on(embed(with_fractional_damping(with_force(pendulum, friction), 0.3, 1.0), mid_point).along(T, 1.0, 0.5));
     for (auto const at : {damping_at::start, damping_at::end, damping_at::both})
         goes_on(embed(with_fractional_impulses(pendulum, 0.3, 0.75, blocks{}, {.at = at}), mid_point).along(T, 1.0, 0.5));
+    impulse_options const jump{.history = initial_history::riemann_liouville};
+    goes_on(embed(with_fractional_impulses(pendulum, 0.3, 0.75, direct{}, jump), mid_point).along(T, 1.0, 0.5));
     Eigen::VectorXd const rho = Eigen::Vector2d(0.25, 0), q = Eigen::Vector2d(1, 0.5), p = Eigen::Vector2d(0.5, -1);
     auto const springs = [](auto const& x, auto const& v) { return v.dot(v) / 2 - x.dot(x) / 2 - x(0) * x(1) / 4; };
     goes_on(embed(with_fractional_damping(springs, rho, 0.5, direct{}), mid_point).along(T, q, p));
