@@ -14,6 +14,8 @@
 //   with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})   several, of orders known at run time
 #pragma once
 
+#include <algorithm>
+
 #include "hilger/fractional/damping.hpp"
 #include "hilger/step/force.hpp"
 
@@ -98,124 +100,85 @@ private:
     S lag_, theta_;
 };
 
-template <class D, class S, class V>
-struct means_of {
-    using type = mean_damping<D, S, V>;
-    static type made(D const& d, S const& h, V const& like) { return type(d, h, like); }
-};
-template <class D, class S, class V>
-struct means_of<std::vector<D>, S, V> {
-    using type = std::vector<mean_damping<D, S, V>>;
-    static type made(std::vector<D> const& all, S const& h, V const& like) {
-        type means;
-        for (D const& d : all) means.emplace_back(d, h, like);
-        return means;
-    }
-};
-/// what(x) for each element of a tuple, and for each one of a vector in it.
-template <class Tuple, class What>
-void for_each_in(Tuple&& all, What const& what) {
-    auto const one = [&](auto& x) {
-        if constexpr (requires { x.begin(); })
-            for (auto& y : x) what(y);
-        else
-            what(x);
-    };
-    std::apply([&](auto&... x) { (one(x), ...); }, all);
-}
-
 } // namespace detail
 
-/// The sum of the dampings, or vectors of dampings, as a mean over each step.
-template <class... Dampings>
+/// The sum of the dampings as a mean over each step.
+template <class Damping>
 struct mean_over_step {
-    std::tuple<Dampings...> dampings;
-    static constexpr bool needs_compensation = (detail::may_exceed_one<Dampings> or ...);
+    std::vector<Damping> dampings;
+    static constexpr bool needs_compensation = detail::may_exceed_one<Damping>;
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>
     class history {
     public:
         using extra = detail::step_force<V>;
-        history(mean_over_step const& of, S const& h, V const& like)
-            : means_(
-                  std::apply([&](auto const&... d) { return all(detail::means_of<Dampings, S, V>::made(d, h, like)...); }, of.dampings)) {}
+        history(mean_over_step const& of, S const& h, V const& like) {
+            for (Damping const& d : of.dampings) means_.emplace_back(d, h, like);
+        }
         /// The force that the flow without damping gets, before its constant is known.
         [[nodiscard]] extra extra_force(V const& like) const {
             extra force{zero_like(like), zero_like(like)};
-            detail::for_each_in(means_, [&](auto const& m) { m.add_slope(force.slope); });
+            for (auto const& m : means_) m.add_slope(force.slope);
             return force;
         }
-        static constexpr bool may_need_velocity = not(detail::is_surely_below_one<Dampings> and ...);
+        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
         [[nodiscard]] bool needs_velocity() const {
-            bool needed = false;
-            detail::for_each_in(means_, [&](auto const& m) { needed = needed or m.components().needs_velocity(); });
-            return needed;
+            return std::any_of(means_.begin(), means_.end(), [](auto const& m) { return m.components().needs_velocity(); });
         }
         void begin(state<S, V> const& x, V const& v0) {
-            detail::for_each_in(means_, [&](auto& m) { m.begin(x.q, v0); });
+            for (auto& m : means_) m.begin(x.q, v0);
         }
         void before_step(state<S, V>& x, extra& force) {
             for (int j = 0; j < detail::shape<V>::dimension(x.q); ++j) detail::shape<V>::component(force.constant, j) = S(0);
-            detail::for_each_in(means_, [&](auto& m) { m.add_constant(x.q, force.constant); });
+            for (auto& m : means_) m.add_constant(x.q, force.constant);
         }
         void after_step(state<S, V>& x) {
-            detail::for_each_in(means_, [&](auto& m) { m.arrive(x.q); });
+            for (auto& m : means_) m.arrive(x.q);
         }
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(Visit& each) {
-            detail::for_each_in(means_, [&](auto& m) { m.visit(each); });
+            for (auto& m : means_) m.visit(each);
         }
         void add_force(V& force, bool back) const {
-            detail::for_each_in(means_, [&](auto const& m) { m.add_force(force, back); });
+            for (auto const& m : means_) m.add_force(force, back);
         }
         /// what(components) for each term.
         template <class What>
         void for_each(What const& what) const {
-            detail::for_each_in(means_, [&](auto const& m) { what(m.components()); });
+            for (auto const& m : means_) what(m.components());
         }
 
     private:
-        using all = std::tuple<typename detail::means_of<Dampings, S, V>::type...>;
-        all means_;
+        std::vector<detail::mean_damping<Damping, S, V>> means_;
     };
     /// @throws error::mismatch
     template <class V>
     void require_dimension(V const& q) const {
-        detail::for_each_in(dampings, [&]<class D>(D const& d) { detail::damped_components<D, scalar_of<V>, V>::require_dimension(d, q); });
+        for (Damping const& d : dampings) detail::damped_components<Damping, scalar_of<V>, V>::require_dimension(d, q);
     }
 };
 
 namespace detail {
-
 template <class L, class Damping>
-auto damped_by_mean(L const& l, Damping damping) {
-    return damped_problem<L, mean_over_step<Damping>>{l, {{std::move(damping)}}};
+auto damped_by_mean(L const& l, std::vector<Damping> dampings) {
+    static_assert(not is_damped<L>, "several terms are given together, with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})");
+    return damped_problem<L, mean_over_step<Damping>>{l, {std::move(dampings)}};
 }
-template <class L, class... Others, class Damping>
-auto damped_by_mean(damped_problem<L, mean_over_step<Others...>> const& l, Damping damping) {
-    return std::apply(
-        [&](Others const&... others) {
-            return damped_problem<L, mean_over_step<Others..., Damping>>{l.mechanics, {{others..., std::move(damping)}}};
-        },
-        l.damping.dampings);
-}
-
 } // namespace detail
 
 /// The Lagrangian L with the damping -rho D^beta q, of this factor and order, read as a mean over each step. rho is a number, or for
 /// vectors a vector of them: components whose rho is zero keep no history. beta in ]0, 2[ is fraction<P, Q>{} or a number; its unit of time
-/// is that of T, so rho has the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...), and
-/// what is damped already is damped again.
+/// is that of T, so rho has the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...).
 ///
 /// Embedded by mid-point it is of order two, also for q0 != 0 and v0 != 0; in the first steps, where the solution is like t^{3 - beta},
 /// momenta are of order 2 - beta only. It adds no limit to the length of steps.
 /// @throws error::invalid_parameter when beta or rho is out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
 auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}) {
-    return detail::damped_by_mean(
-        l, detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), initial_history::caputo));
+    auto damping = detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), initial_history::caputo);
+    return detail::damped_by_mean(l, std::vector{std::move(damping)});
 }
 /// The same with the sum of several terms, {{rho_1, beta_1}, {rho_2, beta_2}, ...}, each with a history of its own.
 template <generating_function G = grunwald_letnikov, class S = double, class L, class Policy = direct>

@@ -47,19 +47,18 @@ void add_damping(V& to, Damping const& d, S const& factor, V const& D, bool only
 }
 
 /// The forces of a damping at t_1, ..., t_{N-1}, or the sums of the sizes of their terms.
-template <class... Dampings, class S, class V>
-std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0,
-                             bool only_sizes) {
+template <class Damping, class S, class V>
+std::vector<V> damping_along(mean_over_step<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0, bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
-    for_each_in(reading.dampings, [&]<class D>(D const& d) {
-        S const theta = S(1) / S(2) + lag_of<typename D::generating, S>() * d.order.template as<S>();
+    for (Damping const& d : reading.dampings) {
+        S const theta = S(1) / S(2) + lag_of<typename Damping::generating, S>() * d.order.template as<S>();
         auto const derivative = differences_along(d, h, q, v0, only_sizes);
         for (std::size_t i = 0; i + 1 < q.size(); ++i)
             for (std::size_t end : {i, i + 1}) {
                 add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1], only_sizes);
                 add_damping(force[end], d, S((theta - S(1)) / S(2)), derivative[i], only_sizes);
             }
-    });
+    }
     return force;
 }
 template <class Damping, class S, class V>
