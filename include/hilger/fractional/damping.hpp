@@ -40,11 +40,6 @@ inline constexpr bool is_damped = false;
 template <class L, class Reading>
 inline constexpr bool is_damped<damped_problem<L, Reading>> = true;
 
-/// Whether the type says that the order is below 1: no velocity is then asked for.
-template <class Damping>
-inline constexpr bool is_surely_below_one = false;
-template <generating_function G, class Rho, class Order, class Policy>
-inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
 /// Whether the order may be above 1: what rounding cuts off of positions then counts in small steps.
 template <class Damping>
 inline constexpr bool may_exceed_one = true;

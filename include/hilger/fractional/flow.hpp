@@ -49,9 +49,8 @@ public:
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
             V v0 = zero_like(x.q);
-            if constexpr (history::may_need_velocity)
-                if (history_.needs_velocity())
-                    v0 = start_ ? *start_ : velocity_of(detail::at_time{f.undamped_.mechanics().lagrangian, x.t}, x.q, x.p);
+            if (history_.needs_velocity())
+                v0 = start_ ? *start_ : velocity_of(detail::at_time{f.undamped_.mechanics().lagrangian, x.t}, x.q, x.p);
             history_.begin(x, v0);
             begun_ = true;
         }

@@ -117,7 +117,6 @@ struct impulses_at_points {
         using extra = detail::no_step_force;
         history(impulses_at_points const& of, S const& h, V const& like) : impulse_(of.damping, h, of.at, like), at_(of.at) {}
         [[nodiscard]] extra extra_force(V const&) const { return {}; }
-        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
         [[nodiscard]] bool needs_velocity() const { return impulse_.components().needs_velocity(); }
         void begin(state<S, V> const& x, V const& v0) { impulse_.begin(x.q, v0); }
         void before_step(state<S, V>& x, extra const&) {

@@ -122,7 +122,6 @@ struct mean_over_step {
             for (auto const& m : means_) m.add_slope(force.slope);
             return force;
         }
-        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
         [[nodiscard]] bool needs_velocity() const {
             return std::any_of(means_.begin(), means_.end(), [](auto const& m) { return m.components().needs_velocity(); });
         }

@@ -32,18 +32,6 @@ inline constexpr bool is_fraction = false;
 template <int P, int Q>
 inline constexpr bool is_fraction<fraction<P, Q>> = true;
 
-/// Whether an order is known to be 1 by its type.
-template <class Order>
-inline constexpr bool is_one = false;
-template <int P>
-inline constexpr bool is_one<fraction<P, P>> = true;
-
-/// Whether an order is known to be below 1 by its type: no velocity is then asked for.
-template <class Order>
-inline constexpr bool is_below_one = false;
-template <int P, int Q>
-inline constexpr bool is_below_one<fraction<P, Q>> = P < Q;
-
 /// h^beta. @throws error::invalid_parameter where it is no number of type S
 template <class S>
 S power(S const& h, S const& beta) {
@@ -73,18 +61,6 @@ void require_order(S const& beta) {
         error::raise<error::invalid_parameter>("the order of a fractional damping lies in ]0, 2[, and this one is ", beta);
 }
 
-/// Does not exist: where the order is 1 by its type, there is no engine.
-struct no_history {};
-
-template <generating_function G, class Policy, class S, class V, bool One>
-struct engine_of {
-    using type = decltype(make_history<G>(std::declval<Policy const&>(), std::declval<S const&>(), std::declval<V const&>()));
-};
-template <generating_function G, class Policy, class S, class V>
-struct engine_of<G, Policy, S, V, true> {
-    using type = no_history;
-};
-
 /// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
 /// order in ]-1/2, 1/2].
 template <class S>
@@ -95,8 +71,7 @@ int whole_part(S const& beta) {
 /// The derivative of one trajectory of values V (numbers or vectors, in which all components have one).
 template <generating_function G, class Order, class Policy, class S, class V>
 class fractional_memory {
-    static constexpr bool always_local = is_one<Order>;
-    using engine = typename engine_of<G, Policy, S, V, always_local>::type;
+    using engine = decltype(make_history<G>(std::declval<Policy const&>(), std::declval<S const&>(), std::declval<V const&>()));
     using difference = whole_difference<G, S, V>;
 
 public:
@@ -108,8 +83,7 @@ public:
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
         int const whole = whole_part(beta_);
         whole_.assign(static_cast<std::size_t>(whole), difference(like));
-        if constexpr (not always_local)
-            if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
+        if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
     }
     /// Whether v_0 will be asked for.
     [[nodiscard]] bool needs_velocity() const { return initial_ == initial_history::caputo and not(beta_ < S(1)); }
@@ -117,20 +91,17 @@ public:
     [[nodiscard]] S const& present_weight() const { return scale_; }
     /// The number of values that are kept.
     [[nodiscard]] index_type kept() const {
-        if constexpr (not always_local)
-            if (engine_) return engine_->count();
+        if (engine_) return engine_->count();
         return difference::terms;
     }
     /// The number of components with a history: none where the order is whole.
     [[nodiscard]] index_type histories() const {
-        if constexpr (not always_local)
-            if (engine_) return shape<V>::dimension(last_);
+        if (engine_) return shape<V>::dimension(last_);
         return 0;
     }
     /// What their engine takes. The few values of the whole part are not counted.
     [[nodiscard]] std::size_t bytes() const {
-        if constexpr (not always_local)
-            if (engine_) return engine_->bytes();
+        if (engine_) return engine_->bytes();
         return 0;
     }
     void begin(V const& x0, V const& v0) {
@@ -151,8 +122,7 @@ public:
     /// The same where x is known to be `increment` further than the last value: better than rounded values say.
     V const& at_next(V const& x, V const& increment) {
         derivative_ = term_at_next(x, increment);
-        if constexpr (not always_local)
-            if (engine_) derivative_ = derivative_ + engine_->past();
+        if (engine_) derivative_ = derivative_ + engine_->past();
         derivative_ = derivative_ * scale_;
         return derivative_;
     }
@@ -164,8 +134,7 @@ public:
     V const& arrive(V const& x, V const& increment) {
         at_next(x, increment);
         // Into the history at once: nothing waits for its sums until the next value is there, and the processor makes them meanwhile.
-        if constexpr (not always_local)
-            if (engine_) engine_->push(value());
+        if (engine_) engine_->push(value());
         if (whole_.size() > 1) {
             first_ = whole_[0].value();
             whole_[1].push(change_);
@@ -185,8 +154,7 @@ public:
         memory::visit_components("drift", later_drift_, each);
         memory::visit_components("difference", first_, each);
         for (difference& d : whole_) d.visit(each);
-        if constexpr (not always_local)
-            if (engine_) engine_->visit(each);
+        if (engine_) engine_->visit(each);
     }
 
 private:
@@ -207,7 +175,7 @@ private:
     V start_, last_, step_, drift_, later_drift_; // drift_: what the start gives each increment
     V increment_, first_, change_, derivative_;
     std::vector<difference> whole_;
-    [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
+    std::optional<engine> engine_; ///< of an order that is not whole
 };
 
 } // namespace detail

@@ -58,11 +58,6 @@ TEST_CASE("components without a coefficient move as if nothing were damped, and 
     CHECK(kept_after_20(embed(with_fractional_damping(two, 0.5, 1.0), mid_point), q0, p0) == counts{2, 1});
     CHECK(kept_after_20(embed(with_fractional_damping<bdf<2>>(two, 0.5, fraction<1>{}), mid_point), q0, p0) == counts{2, 2});
     CHECK(kept_after_20(embed(with_fractional_damping(two, 0.0, 0.5), mid_point), q0, p0) == counts{0, 0});
-    // Where the order is 1 by its type there is not even room for an engine.
-    auto const local = embed(with_fractional_damping(pendulum, 0.5, fraction<1>{}), mid_point);
-    auto const whole = embed(with_fractional_damping(pendulum, 0.5, fraction<1, 2>{}), mid_point);
-    static_assert(sizeof(decltype(local)::memory<double, double>) + sizeof(decltype(make_history<grunwald_letnikov>(direct{}, 0.5, 1.0))) <=
-                  sizeof(decltype(whole)::memory<double, double>));
 }
 
 TEST_CASE("any embedding, forces and compensated sums can be damped; a checkpoint takes the history with it") {
