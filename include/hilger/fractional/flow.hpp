@@ -125,16 +125,14 @@ public:
     /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; while walking, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
-        static_assert(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>,
-                      "fractional damping lives on a uniform T, and this one has steps of different lengths");
+        detail::require_equal_steps<Scale>();
         damping_.require_dimension(q0);
         return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
     }
     /// One step has no history.
     template <class S, class V>
-    state<S, V> step(state<S, V> const& from, S const&) const {
-        static_assert(sizeof(S) == 0, "a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
-        return from;
+    auto step(state<S, V> const&, S const&) const {
+        return detail::no_single_step<S>();
     }
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {

@@ -19,6 +19,7 @@
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/whole_difference.hpp"
+#include "hilger/variational/variation.hpp"
 
 namespace hilger {
 
@@ -44,11 +45,13 @@ S power(S const& h, S const& beta) {
     }
 }
 
-/// There is no trajectory on steps of different lengths, and no single step.
+/// Differences of fractional order are defined for one h.
 template <class Scale>
-auto uneven_steps() {
-    return does_not_compile<"fractional damping lives on a uniform T, and this one has steps of different lengths", Scale>{};
+constexpr void require_equal_steps() {
+    static_assert(Scale::root_type::is_uniform and has_equal_steps<typename Scale::domain_type::base_type>,
+                  "fractional damping lives on a uniform T, and this one has steps of different lengths");
 }
+/// What a single step returns, which has no history.
 template <class S>
 auto no_single_step() {
     return does_not_compile<"a step with fractional damping depends on all steps before it: walk along(T, q0, p0)", S>{};
@@ -59,6 +62,19 @@ template <class S>
 void require_order(S const& beta) {
     if (not is_finite(beta) or not(S(0) < beta and beta < S(2)))
         error::raise<error::invalid_parameter>("the order of a fractional damping lies in ]0, 2[, and this one is ", beta);
+}
+
+/// fraction<P, Q> as it is, a number as run_time. @throws error::invalid_parameter outside ]0, 2[
+template <class Order>
+auto checked_order(Order const& order) {
+    if constexpr (is_fraction<Order>) {
+        static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,
+                      "the order of a fractional damping lies in ]0, 2[");
+        return reduced<Order::numerator, Order::denominator>{};
+    } else {
+        require_order(order);
+        return run_time<Order>{order};
+    }
 }
 
 /// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
@@ -80,6 +96,7 @@ public:
         : beta_(order.template as<S>()), h_(h), initial_(initial), start_(zero_like(like)), last_(start_), step_(start_), drift_(start_),
           later_drift_(start_), increment_(start_), first_(start_), change_(start_), derivative_(start_) {
         require_order(beta_);
+        (void)weight_sequence<G, S>(beta_); // which says what is no generating function of a derivative
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
         int const whole = whole_part(beta_);
         whole_.assign(static_cast<std::size_t>(whole), difference(like));

@@ -134,15 +134,12 @@ public:
     /// @throws error::mismatch when q0 has another dimension than M, error::not_finite; while walking, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
-        if constexpr (not(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>))
-            return detail::uneven_steps<Scale>();
-        else {
-            index_type const d = detail::rows_of(structure_.mass);
-            if (detail::shape<V>::dimension(q0) != d)
-                error::raise<error::mismatch>("a structure of ", d, " degrees of freedom starts from as many, and not from ",
-                                              detail::shape<V>::dimension(q0));
-            return stepping<newmark_flow>::start(T, std::move(q0), std::move(p0));
-        }
+        detail::require_equal_steps<Scale>();
+        index_type const d = detail::rows_of(structure_.mass);
+        if (detail::shape<V>::dimension(q0) != d)
+            error::raise<error::mismatch>("a structure of ", d, " degrees of freedom starts from as many, and not from ",
+                                          detail::shape<V>::dimension(q0));
+        return stepping<newmark_flow>::start(T, std::move(q0), std::move(p0));
     }
     /// p = M u'
     template <class S, class V>
