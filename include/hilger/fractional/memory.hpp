@@ -15,10 +15,10 @@
 #include <optional>
 #include <vector>
 
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/whole_difference.hpp"
+#include "hilger/shape.hpp"
 #include "hilger/variational/variation.hpp"
 
 namespace hilger {

@@ -18,12 +18,12 @@ struct blocks {};
 
 template <class G, class V>
 class blocks_history {
-    using S = detail::memory::component_t<V>;
+    using s = detail::shape<V>;
+    using S = scalar_of<V>;
 
 public:
     blocks_history(S const& alpha, V const& like)
-        : size_(detail::memory::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
-          past_(detail::memory::zero_of_size(like)) {
+        : size_(s::dimension(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)), past_(s::zero(size_)) {
         weights_up_to(shortest);
         reversed_.assign(2 * shortest, S(0));
         for (std::size_t n = 1; n < shortest; ++n) reversed_[shortest - n] = weights_[n];
@@ -43,7 +43,7 @@ public:
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto& values = parts_[c].values;
             if (m == values.size()) values.resize(std::max(shortest, 2 * m), S(0));
-            values[m] = detail::memory::component(x, static_cast<index_type>(c));
+            values[m] = s::component(x, static_cast<int>(c));
         }
         ++count_;
         ready_ = false;
@@ -53,13 +53,13 @@ public:
     void visit(Visit& each) {
         V const like = past_;
         detail::memory::visit_values(
-            *this, like,
-            [&](index_type n, index_type c) { return parts_[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(n)]; }, each);
+            *this, like, [&](index_type n, int c) { return parts_[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(n)]; },
+            each);
     }
     index_type count() const { return count_; }
     void reset() {
         for (auto& p : parts_) p = {};
-        past_ = detail::memory::zero_of_size(past_);
+        past_ = s::zero(size_);
         count_ = 0;
         ready_ = true;
     }
@@ -87,7 +87,7 @@ private:
             // Behind w_1 the table is zero: whole packs are summed.
             S const sum = sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside),
                                             detail::memory::padded<S>(inside));
-            detail::memory::component(past_, static_cast<index_type>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
+            s::component(past_, static_cast<int>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
         }
         ready_ = true;
     }
@@ -122,7 +122,8 @@ private:
         while (weights_.size() < count) weights_.push_back(sequence_.next());
     }
 
-    index_type size_, count_ = 0;
+    int size_;
+    index_type count_ = 0;
     weight_sequence<G, S> sequence_;
     std::vector<S> weights_;
     detail::memory::line_vector<S> reversed_;

@@ -14,12 +14,12 @@ struct direct {};
 
 template <class G, class V>
 class direct_history {
-    using S = detail::memory::component_t<V>;
+    using s = detail::shape<V>;
+    using S = scalar_of<V>;
 
 public:
     direct_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::memory::components(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)),
-          past_(detail::memory::zero_of_size(like)) {
+        : alpha_(alpha), size_(s::dimension(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)), past_(s::zero(size_)) {
         weights_.next(); // w_0, the present's
     }
 
@@ -31,11 +31,11 @@ public:
         auto const m = static_cast<std::size_t>(count_) + 1;
         if (m > reversed_.size()) grow();
         reversed_[reversed_.size() - m] = weights_.next();
-        for (index_type c = 0; c < size_; ++c) {
+        for (int c = 0; c < size_; ++c) {
             auto& values = values_[static_cast<std::size_t>(c)];
-            values[m - 1] = detail::memory::component(x, c);
+            values[m - 1] = s::component(x, c);
             // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
-            detail::memory::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
+            s::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
         }
         ++count_;
     }
@@ -44,8 +44,7 @@ public:
     void visit(Visit& each) {
         V const like = past_;
         detail::memory::visit_values(
-            *this, like, [&](index_type n, index_type c) { return values_[static_cast<std::size_t>(c)][static_cast<std::size_t>(n)]; },
-            each);
+            *this, like, [&](index_type n, int c) { return values_[static_cast<std::size_t>(c)][static_cast<std::size_t>(n)]; }, each);
     }
     index_type count() const { return count_; }
     void reset() { *this = direct_history(alpha_, past_); }
@@ -60,7 +59,8 @@ private:
         for (auto& values : values_) values.resize(now, S(0));
     }
     S alpha_;
-    index_type size_, count_ = 0;
+    int size_;
+    index_type count_ = 0;
     weight_sequence<G, S> weights_;
     detail::memory::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
     std::vector<detail::memory::line_vector<S>> values_; // x_0, x_1, ... of each component

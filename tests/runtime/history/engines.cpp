@@ -12,13 +12,10 @@ using namespace hilger;
 using namespace hilger::testing;
 
 namespace {
-template <class V>
-using scalar_t = detail::memory::component_t<V>;
-
 /// Random numbers between -1 and 1 and their sums as they are written.
 template <class G, class V>
 struct data {
-    using S = scalar_t<V>;
+    using S = scalar_of<V>;
     S alpha;
     std::vector<V> x, sums;
     data(S const& order, hilger::index_type N) : alpha(order), x(random_values<V>(N)), sums(sums_as_written<G>(alpha, x)) {}
@@ -53,7 +50,7 @@ void compare_all(hilger::index_type longest) {
     for (hilger::index_type const N :
          {hilger::index_type(1), hilger::index_type(2), hilger::index_type(3), hilger::index_type(100), longest})
         for (int const tenths : {1, 5, 9, 10, 14}) {
-            scalar_t<V> const alpha = scalar_t<V>(tenths) / scalar_t<V>(10);
+            scalar_of<V> const alpha = scalar_of<V>(tenths) / scalar_of<V>(10);
             data<grunwald_letnikov, V> const gl(alpha, N);
             gl.compare(direct{}, 10);
             gl.compare(blocks{}, 10);
