@@ -20,8 +20,8 @@ void with_history(std::string const& name, hilger::index_type steps, Use const& 
     if (kind == "direct" and not has_number) return use(hilger::direct{});
     if (kind == "blocks" and not has_number) return use(hilger::blocks{});
     if (kind == "exponentials" and number) return use(hilger::exponentials{*number, steps + 1});
-    hilger::error::raise<hilger::error::invalid_parameter>(
-        "histories are direct, blocks, exponentials and exponentials:1e-8, and not '", name, "'");
+    hilger::error::raise<hilger::error::invalid_parameter>("histories are direct, blocks, exponentials and exponentials:1e-8, and not '",
+                                                           name, "'");
 }
 
 /// @throws hilger::error::invalid_parameter where there is no history of that name, or not with that parameter
