@@ -46,9 +46,7 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
-#include "hilger/fractional/noether.hpp"
 #include "hilger/fractional/of_variation.hpp"
-#include "hilger/fractional/second_degree.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
 

@@ -76,9 +76,6 @@ void with_memory(rows& all, std::string const& name, double x) {
         name + " in a history, blocks", [&] { push(blocks{}); }, "value 1"));
     all.push_back(refused<bad>(
         name + " in a history, exponentials", [&] { push(exponentials{}); }, "value 1"));
-    all.push_back(refused<bad>(
-        name + " in a history, window", [&] { push(window{4}); }, "value 1"));
-    all.push_back(refused<bad>(name + " in a convolution", [&] { (void)convolve<bdf<2>>(0.5, std::vector<double>{1, x}); }));
     fractional_structure const beam{1.0, 0.5, 1.0, 1.0, fraction<1, 2>{}};
     all.push_back(refused<bad>(name + " as a displacement of Newmark's",
                                [&] { walk(newmark<bdf<2>>(beam, [](double) { return 0.0; }).along(T, x, 0.0)); }));

@@ -68,8 +68,6 @@ TEST_CASE("histories") {
     remembers_twice(direct{});
     remembers_twice(blocks{});
     remembers_twice(exponentials{0, 300});
-    remembers_twice(window{30});
-    remembers_twice(automatic{300});
 }
 TEST_CASE("operators and equations") {
     auto const f = function_on(T, [](double t) { return std::sin(t); });

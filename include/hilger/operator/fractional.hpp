@@ -116,7 +116,7 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
             return domain<nodes, F, 0>{};
         }
     }
-    /// By the sum itself, O(k) at point k; history/convolution.hpp has all points at once.
+    /// By the sum itself, O(k) at point k; toeplitz_triangle of history/convolution.hpp has all points at once.
     template <class F>
     constexpr auto evaluate(F const& f, index_type k) const {
         using root = typename F::root_type;
