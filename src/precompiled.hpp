@@ -2,4 +2,4 @@
 // What the files of the program share, compiled once. They include what they use all the same.
 #pragma once
 
-#include "texts_once.hpp"
+#include "compiled_once.hpp"

@@ -5,11 +5,28 @@
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
 #pragma once
 
+#include <algorithm>
+
 #include "hilger/differentiation/traced/trace.hpp"
-#include "hilger/text/read.hpp"
-#include "hilger/text/switching.hpp"
+#include "hilger/text/stated.hpp"
 
 namespace hilger::text {
+
+namespace detail {
+
+/// f in the numbers X of a state, which are traced, or jets that stand for numbers: in states of dynamic size no jets have variables
+/// (differentiation/derivatives.hpp).
+template <class X, class T, class Q, class V>
+X value_at_state(stated const& f, T const& t, Q const& q, V const& v) {
+    if constexpr (is_jet<X>) {
+        static_assert(X::count == 1 and Q::SizeAtCompileTime == Eigen::Dynamic, "states of formulas in text are vectors of dynamic size");
+        return X(f.value(
+            X(t).value, [&](int k) { return X(q(k)).value; }, [&](int k) { return X(v(k)).value; }));
+    } else
+        return f.value(X(t), q, v);
+}
+
+} // namespace detail
 
 /// L(t, q, v) = a formula.
 class stated_lagrangian {
@@ -21,7 +38,7 @@ public:
     auto operator()(T const& t, Q const& q, V const& v) const {
         using value = plain_t<decltype(q(0) * v(0))>;
         require_size(q.size());
-        return of_.value(value(t), q, v);
+        return detail::value_at_state<value>(of_, t, q, v);
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
@@ -58,7 +75,7 @@ public:
     auto operator()(T const& t, Q const& q, V const& v) const {
         using value = plain_t<decltype(q(0) * v(0))>;
         Eigen::Matrix<value, Eigen::Dynamic, 1> f(static_cast<index_type>(of_.size()));
-        for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = of_[k].value(value(t), q, v);
+        for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = detail::value_at_state<value>(of_[k], t, q, v);
         return f;
     }
     [[nodiscard]] bool reads_time() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/methods/lambda.hpp"
 
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 
 namespace engine {
 

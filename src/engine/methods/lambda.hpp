@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
-#include "hilger/text/operator_reading.hpp"
+#include "hilger/text/operator.hpp"
 
 namespace engine {
 

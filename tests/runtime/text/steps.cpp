@@ -7,7 +7,7 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/text/lagrangian.hpp"
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 #include "support/random_lagrangian.hpp"
 
 namespace text_steps_tests {

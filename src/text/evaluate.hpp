@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 // How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced/traced.hpp), and symbols,
-// which print it and make C of it.
+// which print it and make C of it. Each type is compiled once (in_numbers.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <unordered_map>
 
-#include "hilger/scalar.hpp"
-#include "hilger/text/functions.hpp"
-#include "hilger/text/whole.hpp"
+#include "hilger/error.hpp"
+#include "hilger/text/stated.hpp"
+#include "text/functions.hpp"
+#include "text/whole.hpp"
 
 namespace hilger::text {
 
@@ -17,13 +21,13 @@ namespace detail {
 /// No sum of a formula anybody means has more terms.
 inline constexpr long long most_terms = 2'000'000;
 
-template <class T, class Q, class V>
+template <class T>
 class evaluator {
     using S = typename number_of<T>::type;
 
 public:
     /// `everywhere`: both parts of choices that depend on the state are evaluated, to see whether they have a meaning.
-    evaluator(vocabulary const& words, std::string const& source, T const& t, Q const& q, V const& v, bool everywhere = false)
+    evaluator(vocabulary const& words, std::string const& source, T const& t, components_view<T> q, components_view<T> v, bool everywhere)
         : words_(words), source_(source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
 
     T value(node const& n) {
@@ -117,9 +121,9 @@ private:
         case meaning::role::time:
             return t_;
         case meaning::role::position:
-            return T(q_(at));
+            return q_(at);
         case meaning::role::velocity:
-            return T(v_(at));
+            return v_(at);
         default:
             return constant(n, words_.digits(at));
         }
@@ -159,11 +163,11 @@ private:
     bool holds(node const& n) {
         switch (n.what) {
         case kind::less:
-            return value(*n.parts[0]) < value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) < value(*n.parts[1]));
         case kind::less_or_equal:
-            return value(*n.parts[0]) <= value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) <= value(*n.parts[1]));
         case kind::equal:
-            return value(*n.parts[0]) == value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) == value(*n.parts[1]));
         case kind::both: {
             bool const first = holds(*n.parts[0]);
             return (first or everywhere_) and holds(*n.parts[1]) and first;
@@ -256,14 +260,29 @@ private:
     vocabulary const& words_;
     std::string const& source_;
     T const& t_;
-    Q const& q_;
-    V const& v_;
+    components_view<T> q_, v_;
     std::unordered_map<node const*, T> values_;
     indices indices_;
     bool everywhere_;
     long long terms_ = 0, operations_ = 0;
 };
 
+extern template class evaluator<double>;
+
 } // namespace detail
+
+template <class T>
+T stated::evaluate(T const& t, components_view<T> q, components_view<T> v, bool everywhere) const {
+    return detail::evaluator<T>(*words_, source_, t, q, v, everywhere).value(what_.root());
+}
+template <class S>
+S stated::number() const {
+    auto const none = [](int) { return S(0); };
+    try {
+        return value(S(0), none, none);
+    } catch (std::overflow_error const&) { // of rationals
+        error::raise<error::unreadable>(source_, ": a division by zero");
+    }
+}
 
 } // namespace hilger::text

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "hilger/differentiation/branches.hpp"
 #include "hilger/differentiation/traced/functions.hpp"
 #include "hilger/formula/functions.hpp"
+#include "hilger/text/vocabulary.hpp"
 
 namespace hilger::text {
 
@@ -19,7 +22,7 @@ struct number_of {
     using type = T;
 };
 template <class T>
-    requires requires { typename T::scalar_type; } // of jets, and of what writes operations down
+    requires requires { typename T::scalar_type; } // of what writes operations down
 struct number_of<T> {
     using type = typename T::scalar_type;
 };
@@ -28,9 +31,6 @@ struct number_of<symbol> {
     using type = double;
 };
 
-inline constexpr std::array<std::string_view, 20> functions_of_one{"sin",   "cos",  "tan",   "exp",   "log",  "sqrt",  "sinh",
-                                                                   "cosh",  "tanh", "asin",  "acos",  "atan", "asinh", "acosh",
-                                                                   "atanh", "cbrt", "expm1", "log1p", "erf",  "abs"};
 inline bool is_function_of_one(std::string_view name) {
     return std::find(functions_of_one.begin(), functions_of_one.end(), name) != functions_of_one.end();
 }
@@ -39,6 +39,13 @@ inline std::string names_of_functions() {
     std::string list;
     for (auto const name : functions_of_one) list += std::string(name) + ", ";
     return list + "atan2, hypot, pow, min, max, dot, norm, sum and if";
+}
+
+/// The outcome of a comparison. Traced numbers write it down; numbers do here, as jets without variables, in whose place they are: who
+/// steps looks at the branches that were taken (differentiation/branches.hpp).
+template <class T>
+bool compared(bool outcome) {
+    return is_traced<T> or std::same_as<T, symbol> ? outcome : hilger::detail::compared(outcome, false);
 }
 
 template <class T>
@@ -95,7 +102,7 @@ T absolute(T const& x) {
     if constexpr (std::same_as<T, symbol>)
         return abs(x);
     else
-        return x < T(0) ? T(-x) : x;
+        return compared<T>(x < T(0)) ? T(-x) : x;
 }
 /// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
@@ -103,14 +110,14 @@ T least_of(T const& x, T const& y) {
     if constexpr (std::same_as<T, symbol>)
         return min(x, y);
     else
-        return x <= y ? x : y < x ? y : T(x + y);
+        return compared<T>(x <= y) ? x : compared<T>(y < x) ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
     if constexpr (std::same_as<T, symbol>)
         return max(x, y);
     else
-        return y <= x ? x : x < y ? y : T(x + y);
+        return compared<T>(y <= x) ? x : compared<T>(x < y) ? y : T(x + y);
 }
 
 } // namespace hilger::text

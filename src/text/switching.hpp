@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// The times at which formulas switch: where a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, comes out another way, or an
-// abs, a min or a max of it has a kink. The formulas are written down behind each switch (differentiation/traced), and what they compare
-// there is followed to its next zero. An affine a + b t is followed exactly; of anything else, as sin(t) < 0, changes are looked for at
-// 4096 equal distances of the interval and halved down to rounding, so that what changes and changes back between two of them is not seen.
-// Comparisons in both parts of a choice count, whether the state leads there or not.
+// The times at which formulas switch (hilger/text/stated.hpp). The formulas are written down behind each switch (differentiation/traced),
+// and what they compare there is followed to its next zero.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "hilger/differentiation/traced/arithmetic.hpp"
+#include "hilger/error.hpp"
+#include "hilger/scalar.hpp"
 #include "hilger/text/stated.hpp"
 
 namespace hilger::text {
@@ -97,8 +99,6 @@ S first_change(std::vector<stated const*> const& formulas, std::vector<bool> con
 
 } // namespace detail
 
-/// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first.
-/// @throws error::invalid_parameter where one that is not affine changes more often than it is looked at
 template <class S>
 std::vector<S> switching_times(std::vector<stated const*> const& formulas, S const& a, S const& b) {
     constexpr int looks = 4096;

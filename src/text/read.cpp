@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// Formulas in text:
-//   m*v^2/2 - m*g*l*(1 - cos(q))
-//   sum(i, 0, n - 1, v[i]^2)/2 - sum(i, 0, n - 2, (q[i + 1] - q[i])^2)/2
-//   sum(i, 1, n, sum(j, 0, i - 1, ...)), dot(q, q), norm(v), if(t < 1, a, b), pi
-// + - * / as everywhere, x^y and x**y from the right and before the sign: -x^2 is -(x^2). A # ends a line.
-#pragma once
-
-#include <string_view>
-
+// The grammar of formulas (hilger/text/expression.hpp), read by recursive descent.
+#include "hilger/error.hpp"
 #include "hilger/text/expression.hpp"
 
 namespace hilger::text {
 
-namespace detail {
+namespace {
 
 class reader {
 public:
@@ -235,16 +228,11 @@ private:
     bool brackets_apply_;
 };
 
-} // namespace detail
+} // namespace
 
-/// The formula in a text. `source` and `from` say in errors where the text stands.
-/// @throws error::unreadable with line and column, what is there, and what was expected
-inline expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1}) {
-    return detail::reader(formula, std::move(source), from).whole();
-}
-/// Of what acts on functions: (A + B)[q] is a call without a name, of A + B and q.
-inline expression read_operators(std::string_view formula, std::string source, place from = {1, 1}) {
-    return detail::reader(formula, std::move(source), from, true).whole();
+expression read(std::string_view formula, std::string source, place from) { return reader(formula, std::move(source), from).whole(); }
+expression read_operators(std::string_view formula, std::string source, place from) {
+    return reader(formula, std::move(source), from, true).whole();
 }
 
 } // namespace hilger::text

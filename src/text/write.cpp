@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// A formula as the text that read() makes the same formula of: v^2/2 - (1 - cos(q)).
-#pragma once
-
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "hilger/text/expression.hpp"
 
 namespace hilger::text {
 
-namespace detail {
+namespace {
 
-/// Says where the grammar of text/read.hpp needs brackets.
+/// Says where the grammar of read.cpp needs brackets.
 class writer {
 public:
     explicit writer(std::size_t longest) : longest_(longest) {}
@@ -159,9 +152,8 @@ private:
     std::string text_;
 };
 
-} // namespace detail
+} // namespace
 
-/// The text of a formula, if it has at most `longest` characters.
-inline std::optional<std::string> written(expression const& e, std::size_t longest) { return detail::writer(longest).text_of(e.root()); }
+std::optional<std::string> written(expression const& e, std::size_t longest) { return writer(longest).text_of(e.root()); }
 
 } // namespace hilger::text
