@@ -3,7 +3,7 @@
 
 #include "hilger/embedding/one_step.hpp"
 #include "hilger/error.hpp"
-#include "text/operator_row.hpp"
+#include "text/operator_in_numbers.hpp"
 
 namespace hilger::text {
 
@@ -40,28 +40,19 @@ void require_one_step(embedding_formula const& e, double rounding) {
         refuse(forward ? "what reads t and sigma(t) is summed by integral(L(...)), and what reads rho(t) and t by nabla_integral(L(...)): "
                        : "what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by integral(L(...)): ",
                e.text, " has the other one");
-    auto const fails = [&](char const* what) {
-        refuse("the ", what, ", and that of ", e.text, " not, so that its steps would follow another system");
-    };
     using hilger::detail::consistency;
-    switch (consistency_of(e, Q(rounding))) {
-    case consistency::holds:
-    case consistency::weights:       // those of both sums add up to the step
-    case consistency::values_inside: // one step of this kind has none
-        break;
-    case consistency::position_of_one:
-        return fails("position of an embedding makes 1 of the constant 1");
-    case consistency::velocity_of_one:
-        return fails("velocity of an embedding makes 0 of the constant 1");
-    case consistency::velocity_of_time:
-        return fails("velocity of an embedding makes 1 of the function t");
-    }
+    auto const found = consistency_of(e, Q(rounding)); // weights of both sums add up to the step, and one step has no values inside
+    char const* const what = found == consistency::position_of_one    ? "position of an embedding makes 1 of the constant 1"
+                             : found == consistency::velocity_of_one  ? "velocity of an embedding makes 0 of the constant 1"
+                             : found == consistency::velocity_of_time ? "velocity of an embedding makes 1 of the function t"
+                                                                      : nullptr;
+    if (what != nullptr) refuse("the ", what, ", and that of ", e.text, " not, so that its steps would follow another system");
 }
 
 bool depends_on_step(embedding_formula const& e) {
     auto const differs = [&]<class S>(S const& tolerance) {
         auto const at = [&](S const& h, bool sizes = false) {
-            return detail::row_on<S>(detail::equal_steps<S>{h}, e.position, e.lost(), sizes);
+            return detail::row_on<S>([&](index_type) { return h; }, e.position, e.lost(), sizes);
         };
         auto const x = at(S(1)), y = at(S(3)), of_x = at(S(1), true), of_y = at(S(3), true);
         for (std::size_t k = 0; k < x.size(); ++k)

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
+// Operators are equal, as adjoint/normal_form.hpp decides it at compile time, when both make the same of a generic function on a generic
+// scale: in rationals, and where a factor is none, as sqrt(2), in 50 digits.
 #include "hilger/text/operator.hpp"
 
+#include <limits>
+
+#include "hilger/adjoint/normal_form.hpp"
 #include "hilger/error.hpp"
+#include "text/operator_in_numbers.hpp"
 
 namespace hilger::text {
 
@@ -115,6 +121,42 @@ lost_points operator_formula::lost(lost_points f) const {
         return n.parts[0].lost(n.parts[1].lost(f));
     }
     return f;
+}
+
+namespace {
+
+/// On a scale with random steps, or with equal ones. In numbers that round they have the size of 1: beside long steps what is divided by
+/// them would be rounding.
+template <class S>
+std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach, bool sizes = false) {
+    auto const step = [&](index_type i) {
+        S const some(static_cast<long long>(hilger::detail::random_element(uniform ? 7 : static_cast<std::uint64_t>(i) + 100).value()));
+        return std::numeric_limits<S>::is_exact ? some : S(some / S(1LL << 60));
+    };
+    return detail::row_on<S>(step, a, reach, sizes);
+}
+bool equal_rows(operator_formula const& a, operator_formula const& b, bool uniform, lost_points reach) {
+    auto const x = row_of<float50>(a, uniform, reach), y = row_of<float50>(b, uniform, reach);
+    auto const of_x = row_of<float50>(a, uniform, reach, true), of_y = row_of<float50>(b, uniform, reach, true);
+    for (std::size_t k = 0; k < x.size(); ++k)
+        if (abs(float50(x[k] - y[k])) > (of_x[k] + of_y[k]) * float50("1e-40")) return false;
+    return true;
+}
+
+} // namespace
+
+std::optional<std::vector<Q>> detail::exact_row_of(operator_formula const& a, bool uniform, lost_points reach) {
+    try {
+        return row_of<Q>(a, uniform, reach);
+    } catch (error::unreadable const&) {
+        return {};
+    }
+}
+bool equal(operator_formula const& a, operator_formula const& b, bool uniform) {
+    if (not(a.lost() == b.lost())) return false;
+    auto const reach = a.lost();
+    auto const x = detail::exact_row_of(a, uniform, reach), y = detail::exact_row_of(b, uniform, reach);
+    return x and y ? *x == *y : equal_rows(a, b, uniform, reach);
 }
 
 } // namespace hilger::text

@@ -2,7 +2,11 @@
 // The factors of operators as numbers, and the rows of numbers that values are made with (hilger/text/operator.hpp).
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "hilger/error.hpp"
+#include "hilger/multiprecision.hpp"
 #include "hilger/scalar.hpp"
 #include "hilger/text/operator.hpp"
 
@@ -62,10 +66,26 @@ template <class S>
 S operator_in_numbers<S>::ratio_of_weights(item const& n, detail::steps_view<S> const& T, index_type i) {
     if (n.from == n.to) return S(1);
     auto const weight = [&](sum_weight w) { // a missing neighbour counts zero
-        if (w == sum_weight::delta) return i < T.count ? T.step(i) : S(0);
+        if (w == sum_weight::delta) return i < T.steps() ? T.step(i) : S(0);
         return i > 0 ? T.step(i - 1) : S(0);
     };
     return weight(n.from) / weight(n.to);
 }
+
+namespace detail {
+
+/// The numbers c_k, from -reach.front to reach.back, on a scale without ends. `sizes` as in operator_in_numbers::row.
+template <class S>
+std::vector<S> row_on(hilger::detail::function_view<S(index_type)> step, operator_formula const& a, lost_points reach, bool sizes = false) {
+    constexpr index_type here = 1000, endless = 1'000'000;
+    auto numbers = operator_in_numbers<S>(a).row(steps_view<S>{step, endless}, here, sizes);
+    std::vector<S> row;
+    for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(numbers[here + k]); // 0 where there is none
+    return row;
+}
+/// The same of a generic function on a generic scale, in rationals; nothing where a factor is none.
+std::optional<std::vector<Q>> exact_row_of(operator_formula const& a, bool uniform, lost_points reach);
+
+} // namespace detail
 
 } // namespace hilger::text

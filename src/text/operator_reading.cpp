@@ -153,11 +153,11 @@ private:
 } // namespace
 
 operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words, std::string const& source) {
-    auto const e = read_operators(text, source);
+    auto const e = read(text, source, {1, 1}, true);
     return operator_reader(std::move(words), source).as_operator(e.shared());
 }
 embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words, std::string const& source, place from) {
-    auto const e = read_operators(text, source, from);
+    auto const e = read(text, source, from, true);
     embedding_formula made = operator_reader(std::move(words), source).as_embedding(e.shared());
     made.text = text;
     return made;

@@ -4,7 +4,7 @@
 #include "hilger/error.hpp"
 #include "hilger/printing/words.hpp"
 #include "hilger/text/embedding.hpp"
-#include "text/operator_row.hpp"
+#include "text/operator_in_numbers.hpp"
 
 namespace hilger::text {
 
@@ -65,19 +65,8 @@ printed::expression written_parts(operator_formula const& a, printed::expression
     return f;
 }
 
-} // namespace
-
-printed::expression detail::written_on(operator_formula const& a, printed::expression const& f, bool uniform) {
-    for (side const s : {side::plus, side::minus})
-        for (auto const& known : {operator_formula::shift(s), operator_formula::derivative(s)})
-            if (auto const c = ratio(a, known, uniform))
-                if (auto const e = times(written_parts(known, f, uniform), *c)) return *e;
-    if (auto const c = ratio(a, {}, uniform))
-        if (auto const e = times(f, *c)) return *e;
-    return written_parts(a, f, uniform);
-}
-
-expression detail::formula_of(operator_formula const& a, expression const& on) {
+/// As the formula that operator_in and embedding_in read: (q + sigma[q])/2.
+expression formula_of(operator_formula const& a, expression const& on) {
     using kind = operator_formula::kind;
     auto const& n = a.root();
     bool const plus = n.which == side::plus, bare = on.root().what == text::kind::name and on.root().name.empty();
@@ -107,6 +96,18 @@ expression detail::formula_of(operator_formula const& a, expression const& on) {
     return on;
 }
 
+} // namespace
+
+printed::expression detail::written_on(operator_formula const& a, printed::expression const& f, bool uniform) {
+    for (side const s : {side::plus, side::minus})
+        for (auto const& known : {operator_formula::shift(s), operator_formula::derivative(s)})
+            if (auto const c = ratio(a, known, uniform))
+                if (auto const e = times(written_parts(known, f, uniform), *c)) return *e;
+    if (auto const c = ratio(a, {}, uniform))
+        if (auto const e = times(f, *c)) return *e;
+    return written_parts(a, f, uniform);
+}
+
 std::string written(operator_formula const& a, print_style style, bool uniform) {
     auto const e = detail::written_on(a, hilger::detail::expression::name({"f", "f"}), uniform);
     std::vector<std::string> notes;
@@ -117,7 +118,7 @@ std::string written(operator_formula const& a, print_style style, bool uniform) 
 }
 std::string text_of(operator_formula const& a, std::string const& on) {
     constexpr std::size_t longest = 10'000;
-    if (auto text = written(detail::formula_of(a, expression::variable(on)), longest)) return *std::move(text);
+    if (auto text = written(formula_of(a, expression::variable(on)), longest)) return *std::move(text);
     error::raise<error::invalid_parameter>("an operator in text has at most ", longest, " characters, and this one has more");
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 class reader {
 public:
-    reader(std::string_view text, std::string source, place from, bool brackets_apply = false)
+    reader(std::string_view text, std::string source, place from, bool brackets_apply)
         : text_(text), source_(std::move(source)), here_(from), brackets_apply_(brackets_apply) {
         next();
     }
@@ -117,7 +117,10 @@ private:
     }
     expression called(std::string const& name, std::vector<expression> const& arguments, place at) {
         auto const needs = [&](std::size_t count, char const* how) {
-            if (arguments.size() != count) refuse("it is written " + std::string(how) + ", and here are " + number_of(arguments), at);
+            if (arguments.size() != count)
+                refuse("it is written " + std::string(how) + ", and here are " + std::to_string(arguments.size()) +
+                           (arguments.size() == 1 ? " argument" : " arguments"),
+                       at);
         };
         if (name == "if" or name == "where") {
             needs(3, "if(condition, where it holds, where not)");
@@ -127,9 +130,6 @@ private:
         needs(4, "sum(index, first, last, term)");
         if (arguments[0].root().what != kind::name) refuse("the index of a sum is a name, as in sum(i, 0, n - 1, q[i]^2)", at);
         return {kind::sum, arguments[0].root().name, {arguments[1], arguments[2], arguments[3]}, at};
-    }
-    static std::string number_of(std::vector<expression> const& arguments) {
-        return std::to_string(arguments.size()) + (arguments.size() == 1 ? " argument" : " arguments");
     }
 
     /// What stands in others, as far as the stack of this reader allows.
@@ -230,9 +230,8 @@ private:
 
 } // namespace
 
-expression read(std::string_view formula, std::string source, place from) { return reader(formula, std::move(source), from).whole(); }
-expression read_operators(std::string_view formula, std::string source, place from) {
-    return reader(formula, std::move(source), from, true).whole();
+expression read(std::string_view formula, std::string source, place from, bool brackets_apply) {
+    return reader(formula, std::move(source), from, brackets_apply).whole();
 }
 
 } // namespace hilger::text

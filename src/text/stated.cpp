@@ -1,9 +1,73 @@
 // SPDX-License-Identifier: BSL-1.0
+// What formulas refer to, and whole numbers in them: indices of components, limits of sums, exponents.
 #include <unordered_set>
 
 #include "text/evaluate.hpp"
 
 namespace hilger::text {
+
+using detail::indices, detail::whole_constant;
+
+namespace {
+
+std::optional<long long> in_range(long long x) {
+    constexpr long long most = 1'000'000'000; // products of two stay in range
+    return x < -most or most < x ? std::nullopt : std::optional(x);
+}
+std::optional<long long> whole_in(std::string const& digits) {
+    auto const x = number_in<double>(digits);
+    return x and *x == std::floor(*x) and std::abs(*x) < 1e9 ? in_range(static_cast<long long>(*x)) : std::nullopt;
+}
+
+/// Of what is no arithmetic.
+std::optional<long long> whole_leaf(node const& n, vocabulary const& words, indices const& known) {
+    if (n.what == kind::number) return whole_in(n.name);
+    if (n.what == kind::negative) {
+        auto const x = whole_constant(*n.parts[0], words, known);
+        return x ? std::optional(-*x) : x;
+    }
+    if (n.what == kind::power) {
+        auto const x = whole_constant(*n.parts[0], words, known), y = whole_constant(*n.parts[1], words, known);
+        if (not x or not y or *y < 0 or *y > 30) return {};
+        std::optional<long long> z = 1;
+        for (long long k = 0; k < *y and z; ++k) z = in_range(*z * *x);
+        return z;
+    }
+    if (n.what != kind::name and n.what != kind::element) return {};
+    if (auto const at = known.find(n.name); n.what == kind::name and at != known.end()) return at->second;
+    meaning const* const m = words.find(n.name);
+    if (m == nullptr or m->is != meaning::role::parameter or (m->size == 0) != (n.what == kind::name)) return {};
+    auto const k = n.what == kind::name ? 0 : whole_constant(*n.parts[0], words, known);
+    if (not k or *k < 0 or (m->size > 0 and *k >= m->size)) return {};
+    return whole_in(words.digits(m->first + static_cast<int>(*k)));
+}
+
+} // namespace
+
+std::optional<long long> detail::whole_constant(node const& n, vocabulary const& words, indices const& known) {
+    std::vector<node const*> above; // long chains are no deep ones
+    node const* at = &n;
+    for (; is_arithmetic(at->what); at = at->parts[0].get()) above.push_back(at);
+    auto x = whole_leaf(*at, words, known);
+    for (; x and not above.empty(); above.pop_back()) {
+        auto const y = whole_constant(*above.back()->parts[1], words, known);
+        if (not y) return {};
+        switch (above.back()->what) {
+        case kind::plus:
+            x = in_range(*x + *y);
+            break;
+        case kind::minus:
+            x = in_range(*x - *y);
+            break;
+        case kind::times:
+            x = in_range(*x * *y);
+            break;
+        default:
+            x = *y == 0 or *x % *y != 0 ? std::nullopt : std::optional(*x / *y);
+        }
+    }
+    return x;
+}
 
 stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)
     : what_(std::move(what)), words_(std::move(words)), source_(std::move(source)) {

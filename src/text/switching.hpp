@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <optional>
 
-#include <Eigen/Core>
-
 #include "hilger/differentiation/traced/arithmetic.hpp"
 #include "hilger/error.hpp"
 #include "hilger/scalar.hpp"
@@ -24,18 +22,15 @@ struct time_comparisons {
     std::vector<S> zeros; ///< of differences that are affine as the formulas are written there
     bool all_affine = true;
 
-    time_comparisons(std::vector<stated const*> const& formulas, S const& t) {
+    time_comparisons(std::vector<stated> const& formulas, S const& t) {
         using T = traced<S>;
-        int const d = formulas.front()->words().dimension();
+        int const d = formulas.front().words().dimension();
         hilger::detail::formula_graph<S> g(d);
         hilger::detail::unwatched const while_tracing;
         hilger::detail::tracing<S> const here(g);
-        Eigen::Matrix<T, Eigen::Dynamic, 1> q(d), v(d);
-        for (int k = 0; k < d; ++k) {
-            q(k) = T::at(k, S(1));
-            v(k) = T::at(d + k, S(1));
-        }
-        for (stated const* f : formulas) f->value(T::at(2 * d, t), q, v, true);
+        auto const q = [](int k) { return T::at(k, S(1)); };
+        auto const v = [d](int k) { return T::at(d + k, S(1)); };
+        for (stated const& f : formulas) f.value(T::at(2 * d, t), q, v, true);
         if (g.guards().empty()) return;
         std::vector<S> value(static_cast<std::size_t>(g.size()), S(1));
         std::vector<std::optional<S>> slope(value.size());
@@ -84,7 +79,7 @@ private:
 /// From `low`, where they come out so, to the first of `steps` equal steps to `high` on which they do not, and there between two numbers
 /// that rounding hardly tells apart; `high` where they come out so everywhere.
 template <class S>
-S first_change(std::vector<stated const*> const& formulas, std::vector<bool> const& so, S low, S const& high, S const& step) {
+S first_change(std::vector<stated> const& formulas, std::vector<bool> const& so, S low, S const& high, S const& step) {
     auto const same = [&](S const& t) { return time_comparisons<S>(formulas, t).outcomes == so; };
     S next = low;
     do {
@@ -100,10 +95,10 @@ S first_change(std::vector<stated const*> const& formulas, std::vector<bool> con
 } // namespace detail
 
 template <class S>
-std::vector<S> switching_times(std::vector<stated const*> const& formulas, S const& a, S const& b) {
+std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b) {
     constexpr int looks = 4096;
     std::vector<S> found;
-    if (std::none_of(formulas.begin(), formulas.end(), [](stated const* f) { return f->reads(meaning::role::time); })) return found;
+    if (std::none_of(formulas.begin(), formulas.end(), [](stated const& f) { return f.reads(meaning::role::time); })) return found;
     S const unit = S(64) * epsilon<S>() * std::max(magnitude(a), magnitude(b)), step = S(b - a) / S(looks);
     int changes = 0;
     for (S now = a; S(now + S(2) * unit) < b;) {
@@ -116,7 +111,7 @@ std::vector<S> switching_times(std::vector<stated const*> const& formulas, S con
             if (S const end = next - unit, change = detail::first_change(formulas, there.outcomes, behind, end, step); change < end) {
                 next = change;
                 if (++changes > looks)
-                    error::raise<error::invalid_parameter>(formulas.front()->source(),
+                    error::raise<error::invalid_parameter>(formulas.front().source(),
                                                            " compares a function of the time that changes more than ", looks,
                                                            " times between ", a, " and ", b, ": a shorter interval has fewer of them");
             }

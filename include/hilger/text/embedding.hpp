@@ -65,6 +65,8 @@ auto with_operators(embedding_formula const& e, bool uniform, Use const& use) {
 /// How far factors that are stated for numbers S may be off: 1 - c and c in the digits of doubles add up to 1 but for rounding.
 template <class S>
 constexpr double rounding_of_factors = std::is_floating_point_v<S> ? 1.0 / (1LL << 50) : 0;
+/// What is written of the operator on f.
+hilger::detail::expression written_on(operator_formula const& a, hilger::detail::expression const& f, bool uniform);
 
 } // namespace detail
 
@@ -95,11 +97,6 @@ bool depends_on_step(embedding_formula const& e);
 /// @throws as require_one_step does; error::invalid_parameter where there is no h and lambda depends on it
 template <class S>
 S lambda_of_step(embedding_formula const& e, std::optional<S> const& h = {});
-
-namespace detail {
-/// What is written of the operator on f.
-hilger::detail::expression written_on(operator_formula const& a, hilger::detail::expression const& f, bool uniform);
-} // namespace detail
 
 } // namespace hilger::text
 

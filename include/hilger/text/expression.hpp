@@ -92,11 +92,10 @@ private:
 ///   m*v^2/2 - m*g*l*(1 - cos(q))
 ///   sum(i, 0, n - 1, v[i]^2)/2 - sum(i, 0, n - 2, (q[i + 1] - q[i])^2)/2
 ///   sum(i, 1, n, sum(j, 0, i - 1, ...)), dot(q, q), norm(v), if(t < 1, a, b), pi
+/// With `brackets_apply` operators act on functions, too: (A + B)[q] is a call without a name, of A + B and q.
 /// + - * / as everywhere, x^y and x**y from the right and before the sign: -x^2 is -(x^2). A # ends a line.
 /// @throws error::unreadable with line and column, what is there, and what was expected
-expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1});
-/// Of what acts on functions: (A + B)[q] is a call without a name, of A + B and q.
-expression read_operators(std::string_view formula, std::string source, place from = {1, 1});
+expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1}, bool brackets_apply = false);
 /// The text that read() makes the same formula of, v^2/2 - (1 - cos(q)), if it has at most `longest` characters.
 std::optional<std::string> written(expression const& e, std::size_t longest);
 

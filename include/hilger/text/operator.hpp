@@ -121,13 +121,12 @@ std::string written(operator_formula const& a, print_style style, bool uniform =
 std::string text_of(operator_formula const& a, std::string const& on = "q");
 
 namespace detail {
-/// As the formula that operator_in and embedding_in read: (q + sigma[q])/2.
-expression formula_of(operator_formula const& a, expression const& on);
 /// The lengths of the steps of a scale, and how many there are.
 template <class S>
 struct steps_view {
     hilger::detail::function_view<S(index_type)> step;
     index_type count;
+    [[nodiscard]] index_type steps() const { return count; }
 };
 } // namespace detail
 
@@ -144,7 +143,10 @@ public:
     /// A[f] at point i of T, of a function with values get(i) on the scale root().
     template <class F>
     [[nodiscard]] auto value(F const& f, index_type i) const {
-        return item_value(items_.size() - 1, asked<F>{&f}, i);
+        using V = plain_t<decltype(f.get(0))>;
+        auto const step = [&T = f.root()](index_type j) { return S(T.step(j)); };
+        return part_value<V>(
+            items_.size() - 1, [&f](index_type j) { return V(f.get(j)); }, {step, f.root().steps()}, i);
     }
     /// Numbers by points.
     using row_type = std::map<index_type, S>;
@@ -165,42 +167,29 @@ private:
         std::size_t first, second;
     };
     std::size_t add(operator_formula const& a);
-    /// What a part is applied to: f, or another part of what that one is applied to.
-    template <class F>
-    struct asked {
-        F const* f;
-        operator_in_numbers const* op = nullptr;
-        std::size_t part = 0;
-        asked const* below = nullptr;
-        using value_type = plain_t<decltype(f->get(0))>;
-        [[nodiscard]] value_type get(index_type i) const { return op == nullptr ? value_type(f->get(i)) : op->item_value(part, *below, i); }
-    };
-    template <class F>
-    [[nodiscard]] typename asked<F>::value_type item_value(std::size_t k, asked<F> const& f, index_type i) const {
-        using value = typename asked<F>::value_type;
+    /// The part, applied to the function f of a point.
+    template <class V>
+    [[nodiscard]] V part_value(std::size_t k, hilger::detail::function_view<V(index_type)> f, detail::steps_view<S> const& T,
+                               index_type i) const {
         item const& n = items_[k];
-        auto const& T = f.f->root();
         switch (n.what) {
         case kind::shift:
-            return f.get(n.which == side::plus ? i + 1 : i - 1);
+            return f(n.which == side::plus ? i + 1 : i - 1);
         case kind::derivative: {
             index_type const left = n.which == side::plus ? i : i - 1;
-            return value((f.get(left + 1) - f.get(left)) / S(T.step(left)));
+            return V((f(left + 1) - f(left)) / T.step(left));
         }
-        case kind::reweight: {
-            auto const step = [&T](index_type j) { return S(T.step(j)); };
-            return value(f.get(i) * ratio_of_weights(n, {step, T.steps()}, i));
-        }
+        case kind::reweight:
+            return V(f(i) * ratio_of_weights(n, T, i));
         case kind::multiple:
-            return value(item_value(n.first, f, i) * n.factor);
+            return V(part_value(n.first, f, T, i) * n.factor);
         case kind::sum:
-            return value(item_value(n.first, f, i) + item_value(n.second, f, i));
-        case kind::product: {
-            asked<F> const below{f.f, this, n.second, &f};
-            return item_value(n.first, below, i);
-        }
+            return V(part_value(n.first, f, T, i) + part_value(n.second, f, T, i));
+        case kind::product:
+            return part_value<V>(
+                n.first, [&](index_type j) { return part_value(n.second, f, T, j); }, T, i);
         default:
-            return f.get(i);
+            return f(i);
         }
     }
     /// The row of `after` behind the part.

@@ -60,6 +60,6 @@ private:
 /// count, whether the state leads there or not.
 /// @throws error::invalid_parameter where one that is not affine changes more often than it is looked at
 template <class S>
-std::vector<S> switching_times(std::vector<stated const*> const& formulas, S const& a, S const& b);
+std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b);
 
 } // namespace hilger::text
