@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "bindings.hpp"
+#include "hilger/error.hpp"
 #include "hilger/text/stated.hpp"
 #include "hilger/version.hpp"
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "hilger/differentiation/traced/trace.hpp"
+#include "hilger/error.hpp"
 #include "hilger/text/stated.hpp"
 
 namespace hilger::text {
