@@ -130,7 +130,8 @@ TEST_CASE("numbers write down how a formula compares them, as jets do") {
         using T = plain_t<decltype(q(0))>;
         auto const least = [](T const& x, T const& y) { return x <= y ? x : y < x ? y : x; };
         auto const most = [](T const& x, T const& y) { return y <= x ? x : x < y ? y : x; };
-        return T((q(0) < T(1) ? most(q(0), T(0)) : abs(T(q(0) - 3))) + least(v(0), T(2)));
+        T const of_position = q(0) < T(1) ? most(q(0), T(0)) : abs(T(q(0) - 3)); // compared first, as in the text
+        return T(of_position + least(v(0), T(2)));
     };
     for (double const x : {-1.0, 0.5, 2.0, 5.0})
         for (double const y : {1.0, 4.0}) {
