@@ -65,7 +65,7 @@ public:
     }
     std::size_t bytes() const {
         std::size_t numbers = weights_.size() + reversed_.size() + 2 * work_.re.size();
-        for (auto const& s : spectra_) numbers += 2 * s.re.size();
+        for (auto const& spectrum : spectra_) numbers += 2 * spectrum.re.size();
         for (auto const& p : parts_) numbers += p.values.size() + p.ahead.size();
         return numbers * sizeof(S);
     }
