@@ -2,7 +2,6 @@
 #include "hilger/text/vocabulary.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "hilger/error.hpp"
 
@@ -52,10 +51,7 @@ vocabulary vocabulary::with(std::vector<double> const& numbers) const {
                     error::raise<error::not_finite>("the parameter '", name, "' is a number, and is ", x, " here");
             means = {meaning::role::parameter, static_cast<int>(digits_.size()) + first, means.size};
         }
-    for (double const x : numbers) {
-        char text[32];
-        fixed.digits_.emplace_back(text, std::to_chars(text, text + sizeof text, x).ptr);
-    }
+    for (double const x : numbers) fixed.digits_.push_back(round_trip(x));
     fixed.brought_ = 0;
     return fixed;
 }

@@ -20,15 +20,25 @@ HILGER_DETAIL_INLINE void store_both(P const& x, P const& y, S* re, S* im) {
     store(y, im);
 }
 
+/// The constants of block number b: c2 + i s2, its square root c1 + i s1, and their product.
+template <class S>
+struct block_roots {
+    S c1, s1, c2, s2, c3, s3;
+};
+template <class S>
+HILGER_DETAIL_INLINE block_roots<S> roots_of_block(std::size_t b, S const* cosine, S const* sine) {
+    S const c2 = cosine[b], s2 = sine[b], c = cosine[b / 2], s = sine[b / 2];
+    S const c1 = b % 2 == 0 ? c : S(-s), s1 = b % 2 == 0 ? s : c;
+    return {c1, s1, c2, s2, c1 * c2 - s1 * s2, c1 * s2 + s1 * c2};
+}
+
 struct split_pass {
     /// `count` neighbouring blocks of length n, the first of them number b, are split into four each.
     template <class S, class P>
     HILGER_DETAIL_INLINE static void in(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
         std::size_t const quarter = n / 4, width = sizeof(P) / sizeof(S);
         for (std::size_t k = 0; k < count; ++k, ++b, re += n, im += n) {
-            S const c2 = cosine[b], s2 = sine[b], c = cosine[b / 2], s = sine[b / 2];
-            S const c1 = b % 2 == 0 ? c : S(-s), s1 = b % 2 == 0 ? s : c; // the square root of the block's constant, c2 + i s2 that one's
-            S const c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2;
+            auto const [c1, s1, c2, s2, c3, s3] = roots_of_block(b, cosine, sine);
             for (std::size_t j = 0; j < quarter; j += width) {
                 P x0, x1, x2, x3, y0, y1, y2, y3;
                 load_both(x0, y0, re + j, im + j);
@@ -54,9 +64,7 @@ struct join_pass {
     HILGER_DETAIL_INLINE static void in(S* re, S* im, std::size_t n, std::size_t count, std::size_t b, S const* cosine, S const* sine) {
         std::size_t const quarter = n / 4, width = sizeof(P) / sizeof(S);
         for (std::size_t k = 0; k < count; ++k, ++b, re += n, im += n) {
-            S const c2 = cosine[b], s2 = sine[b], c = cosine[b / 2], s = sine[b / 2];
-            S const c1 = b % 2 == 0 ? c : S(-s), s1 = b % 2 == 0 ? s : c;
-            S const c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2;
+            auto const [c1, s1, c2, s2, c3, s3] = roots_of_block(b, cosine, sine);
             for (std::size_t j = 0; j < quarter; j += width) {
                 P x0, x1, x2, x3, y0, y1, y2, y3;
                 load_both(x0, y0, re + j, im + j);
