@@ -116,9 +116,12 @@ std::string written(operator_formula const& a, print_style style, bool uniform) 
     for (auto const& note : notes) text += (style == print_style::latex ? ", \\quad " : ",   ") + note;
     return text;
 }
+std::optional<std::string> written(operator_formula const& a, std::string const& on, std::size_t longest) {
+    return written(formula_of(a, expression::variable(on)), longest);
+}
 std::string text_of(operator_formula const& a, std::string const& on) {
     constexpr std::size_t longest = 10'000;
-    if (auto text = written(formula_of(a, expression::variable(on)), longest)) return *std::move(text);
+    if (auto text = written(a, on, longest)) return *std::move(text);
     error::raise<error::invalid_parameter>("an operator in text has at most ", longest, " characters, and this one has more");
 }
 

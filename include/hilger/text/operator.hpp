@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,8 @@ std::string written(operator_formula const& a, print_style style, bool uniform =
 /// The text that operator_in reads the same operator from, applied to what is called `on`, or as an operator where that is "".
 /// @throws error::invalid_parameter when it is too long for anybody
 std::string text_of(operator_formula const& a, std::string const& on = "q");
+/// The same, if it has at most `longest` characters.
+std::optional<std::string> written(operator_formula const& a, std::string const& on, std::size_t longest);
 
 namespace detail {
 /// The lengths of the steps of a scale, and how many there are.
