@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
     run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits, 100-digits");
     run_command->add_option("--steps", run.choice.steps, "number of steps")->transform(count());
-    run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct, window:LENGTH");
+    run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct");
     run_command->add_option("--every", run.every, "write a row at every so many points")->transform(count());
     run_command->add_option("--ensemble", run.ensemble,
                             "a table, members.csv: my.toml from each of its rows, whose columns are coordinates, velocities, parameters");

@@ -6,9 +6,9 @@
 
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/identity/by_parts.hpp"
-#include "hilger/identity/calculus.hpp"
 #include "hilger/multiprecision.hpp"
+#include "identities/by_parts.hpp"
+#include "identities/calculus.hpp"
 
 namespace program {
 

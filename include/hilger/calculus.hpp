@@ -8,14 +8,12 @@
 
 // Time scales: T, T^+, T^-, T_half, T_o, T_lambda, any points
 #include "hilger/scale/derived.hpp"
-#include "hilger/scale/read.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 
 // Functions on them
 #include "hilger/function/exponential.hpp"
 #include "hilger/function/function.hpp"
-#include "hilger/function/interpolation.hpp"
 #include "hilger/function/pointwise.hpp"
 #include "hilger/function/unknown.hpp"
 

@@ -10,6 +10,16 @@
 #include <string>
 #include <type_traits>
 
+namespace hilger {
+/// The shortest digits that are read back as x: 0.1, and not 0.10000000000000001.
+template <class X>
+std::string round_trip(X x) {
+    static_assert(std::is_floating_point_v<X>);
+    char digits[64];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+} // namespace hilger
+
 namespace hilger::error {
 
 /// The root of all of hilger's exceptions.
@@ -63,13 +73,11 @@ struct no_branch : no_convergence {
 };
 
 namespace detail {
-/// Numbers with the digits that they need, 0.1 and not 0.10000000000000001.
 template <class Part>
 void show(std::ostringstream& message, Part const& part) {
-    if constexpr (std::is_floating_point_v<Part>) {
-        char digits[64];
-        message.write(digits, std::to_chars(digits, digits + sizeof digits, part).ptr - digits);
-    } else
+    if constexpr (std::is_floating_point_v<Part>)
+        message << round_trip(part);
+    else
         message << part;
 }
 } // namespace detail

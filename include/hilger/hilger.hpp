@@ -6,7 +6,7 @@
 //   models, variational                               Lagrangians; actions, their variations, Legendre maps
 //   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
-//   formula, identity                                 Lagrangians as symbols and as C; what holds for every scale
+//   formula                                           Lagrangians as symbols and as C
 //   text                                              Lagrangians that are known at run time only: include hilger/text/lagrangian.hpp
 #pragma once
 
@@ -46,9 +46,7 @@
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
-#include "hilger/fractional/noether.hpp"
 #include "hilger/fractional/of_variation.hpp"
-#include "hilger/fractional/second_degree.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
 
@@ -62,7 +60,3 @@
 #include "hilger/trajectory/events.hpp"
 #include "hilger/trajectory/recording.hpp"
 #include "hilger/trajectory/requirements.hpp"
-
-// Identities as checks, for your own scales and operators too
-#include "hilger/identity/registry.hpp"
-#include "hilger/identity/trial.hpp"

@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "hilger/error.hpp"
@@ -34,25 +35,11 @@ struct pack {
     static constexpr std::size_t width = 1;
 };
 #if defined(__GNUC__)
-template <>
-struct pack<double, 16> {
-    typedef double type __attribute__((vector_size(16)));
-    static constexpr std::size_t width = 2;
-};
-template <>
-struct pack<float, 16> {
-    typedef float type __attribute__((vector_size(16)));
-    static constexpr std::size_t width = 4;
-};
-template <>
-struct pack<double, 32> {
-    typedef double type __attribute__((vector_size(32)));
-    static constexpr std::size_t width = 4;
-};
-template <>
-struct pack<float, 32> {
-    typedef float type __attribute__((vector_size(32)));
-    static constexpr std::size_t width = 8;
+template <class S, int Bytes>
+    requires(std::is_same_v<S, double> or std::is_same_v<S, float>)
+struct pack<S, Bytes> {
+    typedef S type __attribute__((vector_size(Bytes)));
+    static constexpr std::size_t width = Bytes / sizeof(S);
 };
 #endif
 
@@ -131,5 +118,25 @@ inline instructions available_instructions() {
     }();
     return found;
 }
+
+/// Loop::in<S, Bytes>(x...), a loop in packs of so many bytes, as a function for every processor of its kind and as one for AVX2.
+template <class Loop, class S, class Signature>
+struct loop_for;
+template <class Loop, class S, class R, class... X>
+struct loop_for<Loop, S, R(X...)> {
+    using function = R (*)(X...);
+    static R baseline(X... x) { return Loop::template in<S, 16>(x...); }
+#ifdef HILGER_DETAIL_X86
+    HILGER_DETAIL_AVX2 static R avx2(X... x) { return Loop::template in<S, 32>(x...); }
+#endif
+    /// The one for this processor.
+    static function chosen() {
+#ifdef HILGER_DETAIL_X86
+        if constexpr (pack<S, 32>::width > 1)
+            if (available_instructions() >= instructions::avx2) return avx2;
+#endif
+        return baseline;
+    }
+};
 
 } // namespace hilger::detail::memory

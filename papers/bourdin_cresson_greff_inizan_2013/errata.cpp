@@ -5,13 +5,15 @@
 #include <doctest/doctest.h>
 
 #include "hilger/boundary/solve.hpp"
-#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
+#include "noether.hpp"
 #include "support/two_sided.hpp"
 
 namespace bourdin_errata_tests {
 
 using namespace hilger;
+using papers::fractional_noether_residual;
+using papers::noether_constant;
 using testing::two_sided;
 
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hilger/boundary/solve.hpp"
-#include "hilger/fractional/noether.hpp"
 #include "hilger/multiprecision.hpp"
+#include "noether.hpp"
 
 namespace hilger::papers {
 

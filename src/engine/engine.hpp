@@ -25,7 +25,7 @@ struct problem {
         hilger::float100 rho, alpha;
     };
     std::vector<damping_term> damping;
-    std::string history = "direct"; ///< direct, blocks, exponentials, exponentials:1e-8, window:1000
+    std::string history = "direct"; ///< direct, blocks, exponentials, exponentials:1e-8
     /// The fractional Zener material that a structure is made of (hilger/fractional/zener.hpp); the Lagrangian has the relaxed modulus.
     struct zener_material {
         hilger::float100 relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha;

@@ -76,9 +76,6 @@ void with_memory(rows& all, std::string const& name, double x) {
         name + " in a history, blocks", [&] { push(blocks{}); }, "value 1"));
     all.push_back(refused<bad>(
         name + " in a history, exponentials", [&] { push(exponentials{}); }, "value 1"));
-    all.push_back(refused<bad>(
-        name + " in a history, window", [&] { push(window{4}); }, "value 1"));
-    all.push_back(refused<bad>(name + " in a convolution", [&] { (void)convolve<bdf<2>>(0.5, std::vector<double>{1, x}); }));
     fractional_structure const beam{1.0, 0.5, 1.0, 1.0, fraction<1, 2>{}};
     all.push_back(refused<bad>(name + " as a displacement of Newmark's",
                                [&] { walk(newmark<bdf<2>>(beam, [](double) { return 0.0; }).along(T, x, 0.0)); }));
@@ -100,13 +97,6 @@ void read(rows& all, std::string const& name, double x) {
     all.push_back(refused<error::invalid_scale>(name + " as an end", [&] { (void)uniform(interval{0.0, x}, 4); }));
     all.push_back(refused<error::invalid_scale>(name + " among points", [&] { (void)time_scale<double>{0.0, 1.0, x}; }));
     all.push_back(refused<bad>(name + " in a table", [&] { (void)function_on(uniform(0.0, 1.0, 1), std::vector<double>{1, x}); }));
-    all.push_back(refused<error::exception>(
-        name + " as a line of a file",
-        [&] {
-            std::istringstream in("0\n" + few_digits(x) + "\n");
-            (void)read_time_scale<double>(in);
-        },
-        "line 2"));
     auto const path = embed(oscillator, mid_point).along(uniform(0.0, 0.125, 4), 1.0, 0.0);
     std::ostringstream out;
     write_checkpoint(out, path, path.begin().checkpoint());

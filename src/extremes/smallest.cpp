@@ -3,8 +3,8 @@
 // problems; and none of no step.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/identity/by_parts.hpp"
-#include "hilger/identity/calculus.hpp"
+#include "identities/by_parts.hpp"
+#include "identities/calculus.hpp"
 
 namespace extremes {
 
@@ -124,7 +124,9 @@ rows smallest(scope) {
     all.push_back(refused<error::invalid_scale>("N = 0, no given point", [] { (void)time_scale<double>(std::vector<double>{}); }));
     all.push_back(refused<error::invalid_scale>("N = 0, harmonic numbers", [] { (void)harmonic_numbers<Q>(0); }));
     all.push_back(refused<error::invalid_scale>("N = -1, uniform in rationals", [] { (void)uniform(Q(0), Q(1), -1); }));
-    all.push_back(refused<error::invalid_parameter>("a history of no step", [] { (void)make_history<bdf<2>>(automatic{0}, 0.5, 0.0); }));
+    all.push_back(refused<error::invalid_parameter>("a history of no step", [] {
+        (void)make_history<bdf<2>>(exponentials{0, 0}, 0.5, 0.0);
+    }));
     return all;
 }
 

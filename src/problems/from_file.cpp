@@ -82,7 +82,6 @@ public:
         }
         if (what.of.has_memory()) {
             s.histories = {"exponentials", "exponentials:1e-8", "blocks", "direct"};
-            if (s.embeddings.size() > 1) s.histories.emplace_back("window:1000"); // of Newmark's schemes
             s.usual.history = "exponentials";
         }
         if (auto const* h = file_.get("history")) {

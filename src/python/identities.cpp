@@ -3,9 +3,9 @@
 
 #include "bindings.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/identity/registry.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/text/vocabulary.hpp"
+#include "identities/registry.hpp"
 
 namespace bindings {
 

@@ -8,8 +8,8 @@
 #include <boost/numeric/odeint.hpp>
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 
+#include "engine/second_degree.hpp"
 #include "engine/small_lagrangian.hpp"
-#include "hilger/fractional/second_degree.hpp"
 #include "hilger/step/separable.hpp"
 #include "measure.hpp"
 #include "problems/from_file.hpp"
@@ -152,7 +152,7 @@ private:
 /// the predictor-corrector of Diethelm, Ford and Freed, whose sums go over all of the past.
 double predictor_corrector(stated_problem const& what, int steps) {
     constexpr double alpha = 0.5;
-    auto const parts = hilger::second_degree_of<double>(what.of.lagrangian, 1);
+    auto const parts = engine::second_degree_of<double>(what.of.lagrangian, 1);
     double const m = parts.mass(0, 0), k = parts.stiffness(0, 0), load = parts.load(0), rho = static_cast<double>(what.of.damping[0].rho);
     double const h = points_of(what, steps).step, predict = std::pow(h, alpha) / std::tgamma(alpha + 1),
                  correct = std::pow(h, alpha) / std::tgamma(alpha + 2);

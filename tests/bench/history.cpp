@@ -13,6 +13,12 @@ using hilger::grunwald_letnikov;
 
 double seconds_since(clock::time_point begin) { return std::chrono::duration<double>(clock::now() - begin).count(); }
 
+/// sum_{n=0..k} w_n x_{k-n} of order 1/2 for all k.
+template <class G>
+std::vector<double> all_sums(std::vector<double> const& x) {
+    return hilger::toeplitz_triangle<double>(hilger::first_weights<G>(0.5, static_cast<hilger::index_type>(x.size())))(x);
+}
+
 struct line {
     double seconds = std::numeric_limits<double>::infinity(), making = seconds, distance = 0;
     std::size_t bytes = 0;
@@ -53,12 +59,11 @@ void table(std::string const& title) {
     for (long const steps : {1L << 10, 1L << 14, 1L << 17, 1L << 20}) {
         std::vector<double> x;
         for (long m = 0; m < steps; ++m) x.push_back(std::cos(static_cast<double>(m) / 100));
-        auto const exact = hilger::convolve<G>(0.5, x); // tests/runtime holds it to the sum as it is written
+        auto const exact = all_sums<G>(x); // tests/runtime holds it to the sum as it is written
         if (steps <= 1L << 17) print("direct", steps, measure<G>(hilger::direct{}, steps, steps > 1L << 14 ? 1 : 5, exact));
         print("blocks", steps, measure<G>(hilger::blocks{}, steps, 3, exact));
         print("exponentials", steps, measure<G>(hilger::exponentials{}, steps, 5, exact));
         print("exponentials{1e-8}", steps, measure<G>(hilger::exponentials{1e-8}, steps, 5, exact));
-        print("window{1000}", steps, measure<G>(hilger::window{1000}, steps, 3, exact));
     }
     std::cout << '\n';
 }
@@ -93,10 +98,10 @@ void histories() {
         auto const w = hilger::first_weights<grunwald_letnikov>(0.5, static_cast<hilger::index_type>(N));
         weights = std::min(weights, seconds_since(begin));
         begin = clock::now();
-        auto const y = hilger::convolve<grunwald_letnikov>(0.5, x);
+        auto const y = all_sums<grunwald_letnikov>(x);
         all = std::min(all, seconds_since(begin));
     }
-    std::cout << std::setprecision(3) << "convolve of 2^20 values: " << all << " s, of which " << weights << " s are the weights\n";
+    std::cout << std::setprecision(3) << "all sums of 2^20 values: " << all << " s, of which " << weights << " s are the weights\n";
 }
 
 } // namespace bench

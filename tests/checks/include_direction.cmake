@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.22)
 set(order
   "inlining.hpp"
   "error.hpp error_free.hpp fixed_text.hpp function_view.hpp scalar.hpp version.hpp"
-  "simd.hpp whole_number.hpp"
+  "shape.hpp simd.hpp whole_number.hpp"
   "scale"
   "function"
   "operator"
@@ -22,7 +22,7 @@ set(order
   "variational"
   "step"
   "trajectory"
-  "integrator identity"
+  "integrator"
   "composition"
   "fractional"
   "boundary"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: a fractional damping has one number for all components or one for each, as a vector or diagonal()
+// expect: a fractional damping has one number for all components or one for each, as a column vector or diagonal()
 #include <Eigen/Core>
 
 #include "hilger/fractional/flow.hpp"

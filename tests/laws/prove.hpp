@@ -11,9 +11,9 @@
 #include <boost/hana/front.hpp>
 #include <boost/hana/tuple.hpp>
 
-#include "hilger/identity/registry.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
+#include "identities/registry.hpp"
 
 namespace laws {
 

@@ -9,7 +9,7 @@
 #include "hilger/integrator/residual.hpp"
 #include "hilger/models/beam.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/scale/read.hpp"
+#include "hilger/trajectory/checkpoint.hpp"
 #include "outer_solar_system_data.hpp"
 
 namespace {

@@ -69,7 +69,7 @@ says("initial = { q = 1, v = 0 }" "first = { q = 1 }\nlast = { q = 1 }\nembeddin
 says("initial = { q = 1, v = 0 }" "first = { q = 1 }\nlast = { q = 1 }\nobserved = { e = \"v^2\" }" ", line 6, column 12: between two ends positions are found: what is observed reads no velocities, and nothing is conserved")
 says("initial = { q = 1, v = 0 }" "first = { q = 1 }\nlast = { q = 1 }\ndamping = [ { rho = 1, alpha = 0.5 } ]" ", line 5, column 8: fractional damping has initial values, and not a last one")
 says("steps = 10" "steps = 10\nhistory = \"blocks\"" ", line 4, column 11: a history is for fractional damping, and there is none")
-says("steps = 10" "steps = 10\nhistory = \"window:x\"\ndamping = [ { rho = 1, alpha = 0.5 } ]" ", line 4, column 11: histories are direct, blocks, exponentials, exponentials:1e-8 and window:1000, and not 'window:x'")
+says("steps = 10" "steps = 10\nhistory = \"exponentials:x\"\ndamping = [ { rho = 1, alpha = 0.5 } ]" ", line 4, column 11: histories are direct, blocks, exponentials and exponentials:1e-8, and not 'exponentials:x'")
 says("steps = 10" "steps = 10\nhistory = \"exponentials:1\"\ndamping = [ { rho = 1, alpha = 0.5 } ]" ", line 4, column 11: the tolerance of exponentials is between 7.105427357601002e-15 (32 epsilon of the scalar) and 1/10, not 1")
 says("steps = 10" "steps = 10\nforce = [\"v\", \"v\"]" ", line 4, column 9: a force has one formula for each coordinate, and here are 2 for 1")
 says("steps = 10" "steps = 10\nparameters = { q = 1 }" ", line 4, column 20: each name has one meaning, and 'q' was given two")

@@ -39,7 +39,6 @@ TEST_CASE("a mean over each step, of every order, every history and every start"
     for (double const beta : {0.25, 1.0, 1.5, 1.75}) {
         CAPTURE(beta);
         is_solved(with_fractional_damping<bdf<2>>(pendulum, 0.25, beta));
-        is_solved(with_fractional_damping(pendulum, 0.25, beta, direct{}, {.history = initial_history::riemann_liouville}));
     }
     is_solved(with_fractional_damping(with_force(pendulum, friction), {{0.25, 0.5}, {0.125, 1.5}}));
 }

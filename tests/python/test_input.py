@@ -144,7 +144,7 @@ class Refused(unittest.TestCase):
         self.says(TypeError, "unsupported operand", lambda: EL + 1)
         self.says(h.InvalidParameter, "with fractional damping the method is mid-point",
                   lambda: h.solve(h.variation(L, T, h.verlet) + h.damping(0.1, 0.5), q0=1, v0=0))
-        self.says(h.InvalidParameter, "a history is direct(), blocks(), exponentials(), exponentials(1e-8) or window(1000), and not 'all'", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
+        self.says(h.InvalidParameter, "a history is direct(), blocks(), exponentials() or exponentials(1e-8), and not 'all'", lambda: h.solve(EL + h.damping(0.1, 0.5), q0=1, v0=0, history="all"))
         self.says(h.InvalidParameter, "the order alpha lies between 0 and 2, and here is 2.5", lambda: h.damping(0.1, 2.5))
         self.says(h.InvalidParameter, "λ of theta lies between 0 and 1, and here is 1", lambda: h.theta(1))
         self.says(h.InvalidParameter, "λ is a real number, and here is 'x'", lambda: h.theta("x"))
@@ -199,7 +199,7 @@ class Refused(unittest.TestCase):
         self.says(TypeError, "a Lagrangian was expected", lambda: h.variation("v^2/2", T))
         self.says(TypeError, "the number of steps is a whole number", lambda: h.uniform(0, 0.1, 10.0))
         self.says(TypeError, "a history is direct()", lambda: h.solve(EL, q0=1, v0=0, history=h.direct))
-        for wrong in ("exponentials:abc", "exponentials:", "window:0.5", "directly"):
+        for wrong in ("exponentials:abc", "exponentials:", "window:1000", "directly"):
             self.says(h.InvalidParameter, "a history is direct()", lambda: h.solve(EL, q0=1, v0=0, history=wrong))
         self.says(TypeError, "here is the text '012'", lambda: h.TimeScale("012"))
         self.says(h.InvalidParameter, "at least one component", lambda: h.variables("q[0]"))

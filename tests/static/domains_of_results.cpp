@@ -61,7 +61,7 @@ static_assert(lives_on<T_o, 0, 1>(Delta_o_plus[f_o] * f_o) and lives_on<nodes, 1
 static_assert(lives_on<nodes, 1, 1>(dot(f_plus, f_minus)) and
               lives_on<nodes, 1, 2>(apply_pointwise([](auto x, auto, auto) { return x; }, f_minus, sigma[f], Delta_plus[Delta_plus[f]])));
 static_assert(lives_on<nodes, 1, 1>(restrict_to(f, interior(T))) and
-              lives_on<nodes, 0, 1>(tabulate(Delta_plus[function_on(uniform<3>(0.0, 1.0), formula)])));
+              std::same_as<decltype(tabulate(Delta_plus[f]))::domain_type, domain<nodes, 0, 1>>);
 
 // Any lambda has families of its own; one that is known at run time is a value.
 static_assert(lives_on<joined<fraction<1, 3>>, 0, 0>(extend_lambda<1, 3>[f]) and
@@ -77,6 +77,7 @@ static_assert(domain<between<fraction<12, 35>>>::name().text().view() == "T_12/3
               domain<joined<fraction<1, 3>>>::name().text().view() == "T_{o,1/3}");
 static_assert((Delta_minus * Delta_plus).name().text().view() == "Delta_minus[Delta_plus]" and
               Delta_h_plus.name().text().view() == "Delta_h_plus");
-static_assert(rho_o.name().text().view() == "rho_o" and sigma_on<between<fraction<1, 3>>>.name().text().view() == "sigma_on<T_1/3>");
+static_assert(rho_o.name().text().view() == "rho_o" and
+              shift<between<fraction<1, 3>>, side::plus>{}.name().text().view() == "sigma_on<T_1/3>");
 
 } // namespace

@@ -31,8 +31,9 @@ static_assert(Delta_plus != Delta_h_plus and Delta_plus != Delta_o_plus and sigm
 static_assert(identity_T != identity_h and identity_h != identity_o and on_T != on_half and pi_half != pi_inverse and extend != on_T);
 static_assert(pi_half != identity_h and pi_inverse != identity_T and extend_lambda<1, 3> != extend_lambda<1, 4> and
               extend_lambda<1, 3> != extend);
-static_assert(sigma_on<between<fraction<1, 3>>> != sigma_h and pi_lambda<1, 3> != pi_half);
-static_assert(extend_lambda<2, 4> == extend and pi_lambda<2, 4> == pi_half and antiderivative_lambda<3, 6> == antiderivative_h);
+static_assert(shift<between<fraction<1, 3>>, side::plus>{} != sigma_h and projection<fraction<1, 3>, false>{} != pi_half);
+static_assert(extend_lambda<2, 4> == extend and projection<reduced<2, 4>, false>{} == pi_half and
+              antiderivative_at<reduced<3, 6>>{} == antiderivative_h);
 
 // domains: the same values, on fewer points
 static_assert(sigma * rho != identity_T and pi_half * pi_inverse != identity_T and rho * sigma != pi_half * pi_inverse);

@@ -71,17 +71,20 @@ static_assert(reaches_are_true(identity_T, identity_h, identity_o, sigma, rho, s
 static_assert(reaches_are_true(Delta_plus, Delta_minus, Delta_h_plus, Delta_h_minus, Delta_o_plus, Delta_o_minus));
 static_assert(reaches_are_true(mean_h_minus, mean_h_plus, mean_o, extend, on_T, on_half, pi_half, pi_inverse, step_mean));
 static_assert(reaches_are_true(insertion<fraction<1, 2>, true>{}, insertion<fraction<1, 2>, false>{}, extend_lambda<1, 3>, on_lambda<1, 3>,
-                               pi_lambda<1, 3>, pi_lambda_inverse<1, 3>, Delta_plus_on<between<fraction<1, 3>>>));
+                               projection<fraction<1, 3>, false>{}, pi_lambda_inverse<1, 3>,
+                               derivative<between<fraction<1, 3>>, side::plus>{}));
 static_assert(reaches_are_true(on_half * extend, on_T* extend, on_half* Delta_o_plus* extend, on_T* Delta_o_minus* extend,
                                Delta_plus* Delta_plus, Delta_minus* rho, mean_o* extend, pi_half* mean_h_minus* on_half* extend));
 static_assert(reaches_are_true(antiderivative_h, antiderivative, antiderivative_nabla, tail_integral_at<fraction<1, 2>>{}, minus_start));
 static_assert(reaches_are_true(Delta_minus_alpha<1, 2>, Delta_plus_alpha<1, 3>, minus_alpha<trapezoid, 1, 1>, Delta_minus_alpha<1, 2>* rho,
                                sigma* Delta_minus_alpha<1, 2>, Delta_plus_alpha<1, 2>* Delta_minus));
 // Orders that add up to a whole one are local again, and what is neither causal nor anticausal is global.
-static_assert(reaches_are_true(Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>, minus_alpha<bdf<2>, 1, 1>, plus_alpha<bdf<3>, 1, 1>));
+static_assert(reaches_are_true(Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>, minus_alpha<bdf<2>, 1, 1>,
+                               adjoint(minus_alpha<bdf<3>, 1, 1>)));
 static_assert((Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 2>).reads == Delta_minus.reads);
 static_assert((Delta_minus_alpha<1, 2> * Delta_plus_alpha<1, 2>).reads == reach::everywhere().at<nodes>());
-static_assert(Delta_minus(0.75).reads.is_causal() and not Delta_minus(0.75).reads.is_local() and Delta_plus(0.75).reads.is_anticausal());
+static_assert(Delta_minus(0.75).reads == reach::causal().at<nodes>() and Delta_plus(0.75).reads == reach::anticausal().at<nodes>());
+static_assert(not Delta_minus(0.75).reads.is_local() and not Delta_plus(0.75).reads.is_local());
 static_assert((sigma * Delta_minus_alpha<1, 2>).reads == reach::causal(1).at<nodes>()); // causal after local: a step ahead
 
 static_assert(adjoints_mirror(identity_T, sigma, rho_h, sigma_o, Delta_plus, Delta_h_minus, Delta_o_plus, extend, on_T, on_half));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Every time scale and every discrete function is a sized C++20 random-access range, and what has its size in the type is a constant.
+// Every time scale and every discrete function is a sized C++20 random-access range; those of a uniform scale are constants.
 #include <algorithm>
 #include <array>
 #include <ranges>
@@ -31,18 +31,17 @@ constexpr bool a_scale_and_all_that_come_from_it(Scale const& T) {
 static_assert(a_scale_and_all_that_come_from_it(uniform(0.0, 0.1, 10)));
 static_assert(a_scale_and_all_that_come_from_it(uniform(0.0f, 0.1f, 10)));
 static_assert(a_scale_and_all_that_come_from_it(uniform(0.0L, 0.1L, 10)));
-static_assert(a_scale_and_all_that_come_from_it(uniform<4>(0.0, 0.25)));
 template bool a_scale_and_all_that_come_from_it(time_scale<double> const&);
 
-// A scale whose size is in its type can be walked by the compiler.
-constexpr auto T = uniform<4>(1.0, 0.25);
+// A uniform scale can be walked by the compiler.
+constexpr auto T = uniform(1.0, 0.25, 4);
 static_assert(T.size() == 5 and without_last(T).size() == 4 and interior(T).size() == 3 and half(T).size() == 4 and circ(T).size() == 9);
 static_assert(interior(half(T)).size() == 2 and without_last(without_last(T)).size() == 3 and without_first(circ(T)).size() == 8);
 static_assert(std::ranges::equal(T, std::array{1.0, 1.25, 1.5, 1.75, 2.0}));
 static_assert(std::ranges::equal(half(T), std::array{1.125, 1.375, 1.625, 1.875}));
 static_assert(std::ranges::equal(circ(T), std::array{1.0, 1.125, 1.25, 1.375, 1.5, 1.625, 1.75, 1.875, 2.0}));
-static_assert(std::ranges::equal(at_lambda<1, 4>(uniform<2>(0.0, 1.0)), std::array{0.25, 1.25}));
-static_assert(std::ranges::equal(circ<1, 4>(uniform<2>(0.0, 1.0)), std::array{0.0, 0.25, 1.0, 1.25, 2.0}));
+static_assert(std::ranges::equal(at_lambda<1, 4>(uniform(0.0, 1.0, 2)), std::array{0.25, 1.25}));
+static_assert(std::ranges::equal(circ<1, 4>(uniform(0.0, 1.0, 2)), std::array{0.0, 0.25, 1.0, 1.25, 2.0}));
 constexpr auto T_o = circ(T);
 static_assert(*std::ranges::lower_bound(T_o, 1.4) == 1.5);
 static_assert(T.sigma(1.25) == 1.5 and T.rho(1.25) == 1.0 and T.mu(1.0) == 0.25 and T.nu(2.0) == 0.25);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation of the fractional embedding of a Lagrangian (hilger/fractional/action.hpp), for tests of many Lagrangians.
+// The equation of the fractional embedding of a Lagrangian (hilger/boundary/convolved.hpp), for tests of many Lagrangians.
 #pragma once
 
-#include "hilger/fractional/action.hpp"
+#include "hilger/operator/fractional.hpp"
+#include "hilger/scale/uniform.hpp"
 #include "hilger/variational/lagrangian.hpp"
+#include "hilger/variational/variation.hpp"
 
 namespace hilger::testing {
 

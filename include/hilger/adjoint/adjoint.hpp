@@ -83,11 +83,6 @@ constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
     }
 }
 
-/// Whether T has so few points, by its type, that the adjoint has none: then all terms are end terms.
-template <linear_map A, discrete_function G>
-inline constexpr bool has_ends_only =
-    static_size<decltype(std::declval<A const&>().adjoint().image(std::declval<typename G::domain_type>())), typename G::root_type> == 0;
-
 } // namespace detail
 
 /// What the end points add to <f, adjoint(A) g>. g lives where A f does, or on a part of it; by_parts restricts g by itself.
@@ -101,7 +96,6 @@ constexpr auto boundary_form(multiple<C, A> const& a, F const& f, G const& g) {
     return S(as_factor<C, S>(a.c) * boundary_form(a.a, f, g));
 }
 template <linear_map A, linear_map B, discrete_function F, discrete_function G>
-    requires(not detail::has_ends_only<composition<A, B>, G>)
 constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g) {
     // <A B f, g> = <B f, A* g> + (end terms of A), then the same for B; between them the sum may change its weights.
     auto const Bf = ab.b[f];
@@ -130,7 +124,6 @@ constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g
 }
 
 template <linear_map A, linear_map B, discrete_function F, discrete_function G>
-    requires(not detail::has_ends_only<operator_sum<A, B>, G>)
 constexpr auto boundary_form(operator_sum<A, B> const& ab, F const& f, G const& g) {
     // The two adjoints are defined on different points; the sum keeps the common ones, and the rest joins the end terms.
     auto const common = ab.adjoint()[g].domain();
@@ -190,13 +183,8 @@ template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto by_parts(A const& a, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;
     auto const h = detail::paired(a, f, g);
-    auto const interior = [&] {
-        if constexpr (detail::has_ends_only<A, decltype(h)>)
-            return S(0);
-        else
-            return inner_product<typename A::from_weight>(f, a.adjoint()[h]);
-    };
-    return by_parts_result<S>{inner_product<typename A::to_weight>(a[f], h), interior(), boundary_form(a, f, h)};
+    return by_parts_result<S>{inner_product<typename A::to_weight>(a[f], h), inner_product<typename A::from_weight>(f, a.adjoint()[h]),
+                              boundary_form(a, f, h)};
 }
 
 } // namespace hilger

@@ -29,7 +29,6 @@ template <bool Uniform, index_type Steps>
 struct generic_scale {
     using scalar_type = prime_field;
     static constexpr bool is_uniform = Uniform;
-    static constexpr index_type extent = Steps;
     static constexpr index_type steps() { return Steps; }
     static constexpr prime_field step(index_type i) {
         return Uniform ? power(root_of_step, whole) : random_element(2 * static_cast<std::uint64_t>(i) + 3);

@@ -42,11 +42,10 @@ struct extrapolated_solution {
 /// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error, with how each is found.
 /// @throws error::invalid_parameter when alpha < 1 and x(t_0) is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
 ///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is what to solve for; and as solve
-template <class F, class Order, ordered_scalar S, index_type Steps, class V>
-auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S, Steps>>> const& equation,
+template <class F, class Order, ordered_scalar S, class V>
+auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>>> const& equation,
                   boundary_values<V> const& ends, std::vector<S> const& exponents, boundary_options const& options = {}) {
     using State = detail::given_state_t<S, V>;
-    using fine_scale = uniform_scale<S>;
     auto const& action = equation.action();
     auto const& T = action.T;
     if (action.velocity.order.template as<S>() != S(1) and magnitude(State(detail::as_state<State>(ends.q0))) != S(0))
@@ -56,8 +55,9 @@ auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, 
     std::vector<std::vector<State>> row;
     index_type refinement = 1;
     for (std::size_t level = 0; level <= exponents.size(); ++level, refinement *= 2) {
-        fine_scale const fine(T.min(), S(T.h() / S(static_cast<long long>(refinement))), T.max(), T.steps() * refinement);
-        fractional_action<F, grunwald_letnikov, Order, fine_scale> const refined{action.function, action.position, action.velocity, fine};
+        uniform_scale<S> const fine(T.min(), S(T.h() / S(static_cast<long long>(refinement))), T.max(), T.steps() * refinement);
+        fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>> const refined{action.function, action.position, action.velocity,
+                                                                                       fine};
         auto const solution = solve(variation(refined), fine, ends, options);
         std::vector<State> next;
         for (index_type k = 0; k <= T.steps(); ++k) next.push_back(solution.q.get(k * refinement));
@@ -75,11 +75,11 @@ auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, 
     if (row.size() > 1)
         for (std::size_t k = 0; k < row.back().size(); ++k)
             change = std::max(change, S(magnitude(State(row.back()[k] - row[row.size() - 2][k]))));
-    return extrapolated_solution<uniform_scale<S, Steps>, State>{function_on(T, std::move(row.back())), change};
+    return extrapolated_solution<uniform_scale<S>, State>{function_on(T, std::move(row.back())), change};
 }
 /// With the exponents of L = v^2 / 2, so many levels beyond T.
-template <class F, class Order, ordered_scalar S, index_type Steps, class V>
-auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S, Steps>>> const& equation,
+template <class F, class Order, ordered_scalar S, class V>
+auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>>> const& equation,
                   boundary_values<V> const& ends, int levels, boundary_options const& options = {}) {
     if (levels < 0)
         error::raise<error::invalid_parameter>("a solution is extrapolated from T and some levels beyond it, not from ", levels);

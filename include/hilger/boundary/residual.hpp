@@ -3,7 +3,7 @@
 // terms are sums with the absolute values of the weights of Delta_-^alpha and of its adjoint.
 #pragma once
 
-#include "hilger/fractional/action.hpp"
+#include "hilger/boundary/convolved.hpp"
 #include "hilger/variational/relative_residual.hpp"
 
 namespace hilger {

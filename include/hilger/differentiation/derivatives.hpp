@@ -9,9 +9,9 @@
 
 #include "hilger/differentiation/jet/functions.hpp"
 #include "hilger/differentiation/jet/vector.hpp"
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/inlining.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger {
 

@@ -19,7 +19,6 @@ template <class S>
 struct single_step {
     using scalar_type = S;
     static constexpr bool is_uniform = true;
-    static constexpr index_type extent = 1;
     S h;
     static constexpr index_type steps() { return 1; }
     constexpr S const& step(index_type) const { return h; }

@@ -10,11 +10,6 @@
 
 namespace hilger::detail {
 
-inline std::string subscript(int n) {
-    std::string text;
-    for (char const c : std::to_string(n)) text += std::string("\xE2\x82") + static_cast<char>(0x80 + (c - '0'));
-    return text;
-}
 template <class Reading>
 spelled letter_of_polynomial(bool is_slope, bool is_adjoint) {
     std::string const n = std::to_string(Reading::degree);

@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "hilger/differentiation/jet/functions.hpp"
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/formula/functions.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger {
 

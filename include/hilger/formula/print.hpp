@@ -4,11 +4,11 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "hilger/error.hpp"
 #include "hilger/formula/symbol.hpp"
 #include "hilger/printing/expression.hpp"
 
@@ -68,12 +68,6 @@ inline char const* name_of(operation op) {
     default:
         return "";
     }
-}
-
-/// The shortest digits that are read back as x.
-inline std::string round_trip(double x) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
 /// Text, and how firmly it holds together: what stands in a tighter place is put into parentheses.
@@ -142,13 +136,7 @@ struct terminal_spelling {
     static std::optional<written> own(symbol const&) { return {}; }
     static std::string minus() { return "−"; }
     static std::string number(double x) { return x < 0 ? "−" + round_trip(-x) : round_trip(x); }
-    static std::string variable(formula const& f) {
-        std::string text = f.name;
-        if (f.component >= 0)
-            for (char const c : std::to_string(f.component))
-                text += std::string("\xE2\x82") + static_cast<char>(0x80 + (c - '0')); // ₀ to ₉
-        return text;
-    }
+    static std::string variable(formula const& f) { return f.component < 0 ? f.name : f.name + subscript(f.component); }
     static written product(written const& a, written const& b) {
         return {a.in(written::product) + "·" + b.in(written::factor), written::product};
     }

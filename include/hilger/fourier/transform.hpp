@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hilger/fourier/loops.hpp"
+#include "hilger/fourier/pass.hpp"
 #include "hilger/scalar.hpp"
 
 namespace hilger::detail::memory {

@@ -40,11 +40,6 @@ inline constexpr bool is_damped = false;
 template <class L, class Reading>
 inline constexpr bool is_damped<damped_problem<L, Reading>> = true;
 
-/// Whether the type says that the order is below 1: no velocity is then asked for.
-template <class Damping>
-inline constexpr bool is_surely_below_one = false;
-template <generating_function G, class Rho, class Order, class Policy>
-inline constexpr bool is_surely_below_one<fractional_damping<G, Rho, Order, Policy>> = is_below_one<Order>;
 /// Whether the order may be above 1: what rounding cuts off of positions then counts in small steps.
 template <class Damping>
 inline constexpr bool may_exceed_one = true;
@@ -55,50 +50,35 @@ template <class Policy>
 concept options_of_a_damping = requires(Policy const& p) {
     p.history;
 };
-template <class Rho>
-concept diagonal_matrix = requires(Rho const& rho) {
-    rho.diagonal().size();
-}
-and not requires(Rho const& rho) { rho.allFinite(); };
-
-/// What a coefficient is kept as: a number, or a column with one for each component, whatever Eigen has it in.
+/// What a coefficient is kept as: a number, or a column with one for each component.
 template <class Rho>
 auto kept_coefficient(Rho const& rho) {
-    if constexpr (diagonal_matrix<Rho>)
-        return Eigen::Matrix<typename Rho::Scalar, Rho::RowsAtCompileTime, 1>(rho.diagonal());
-    else if constexpr (requires { rho.allFinite(); }) {
-        static_assert(Rho::IsVectorAtCompileTime,
-                      "a fractional damping has one number for all components or one for each, as a vector or diagonal(); couplings of "
-                      "components, as a matrix has them, are not among them");
-        Eigen::Matrix<typename Rho::Scalar, Rho::SizeAtCompileTime, 1> column(rho.size());
-        for (Eigen::Index k = 0; k < rho.size(); ++k) column(k) = rho.coeff(k);
-        return column;
+    if constexpr (requires { rho.allFinite(); }) {
+        static_assert(Rho::ColsAtCompileTime == 1,
+                      "a fractional damping has one number for all components or one for each, as a column vector or diagonal(); couplings "
+                      "of components, as a matrix has them, are not among them");
+        return Eigen::Matrix<typename Rho::Scalar, Rho::RowsAtCompileTime, 1>(rho);
     } else {
-        static_assert(not std::ranges::range<Rho>,
-                      "the coefficients of a fractional damping, one for each component, are a vector of Eigen's");
+        static_assert(
+            not std::ranges::range<Rho> and not requires { rho.diagonal(); },
+            "the coefficients of a fractional damping, one for each component, are a column vector of Eigen's");
         return rho;
     }
 }
 
 /// A damping whose order and coefficient can be. @throws error::invalid_parameter
 template <generating_function G, class Given, class Order, class Policy>
-auto checked_damping(Given const& given, Order beta, Policy policy, initial_history history) {
+auto checked_damping(Given const& given, Order const& beta, Policy policy, initial_history history) {
     static_assert(std::is_class_v<Policy> and not options_of_a_damping<Policy>,
-                  "a damping is given by its coefficient, its order, a history as direct{}, blocks{}, window{n} or exponentials{}, and its "
-                  "options, in this order");
+                  "a damping is given by its coefficient, its order, a history as direct{}, blocks{} or exponentials{} and, for "
+                  "impulses, its options, in this order");
     auto rho = kept_coefficient(given);
     using Rho = decltype(rho);
     if (not all_finite(rho)) error::raise<error::invalid_parameter>("the coefficient of a fractional damping is a finite number");
-    if constexpr (is_fraction<Order>) {
-        static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,
-                      "the order of a fractional damping lies in ]0, 2[");
-        using order = reduced<Order::numerator, Order::denominator>;
-        return fractional_damping<G, Rho, order, Policy>{std::move(rho), {}, std::move(policy), history};
-    } else {
-        require_order(beta);
-        return fractional_damping<G, Rho, run_time<Order>, Policy>{std::move(rho), {std::move(beta)}, std::move(policy), history};
-    }
+    auto order = checked_order(beta);
+    return fractional_damping<G, Rho, decltype(order), Policy>{std::move(rho), std::move(order), std::move(policy), history};
 }
+
 /// The components of states V that a damping acts on, and their history along one trajectory with steps h.
 template <class Damping, class S, class V>
 class damped_components {

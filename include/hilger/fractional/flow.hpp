@@ -48,11 +48,10 @@ public:
             if (not(h == h_))
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
-            auto const& mechanics = f.undamped_.mechanics();
             V v0 = zero_like(x.q);
-            if constexpr (history::may_need_velocity)
-                if (history_.needs_velocity()) v0 = start_ ? *start_ : velocity_of(detail::at_time{mechanics.lagrangian, x.t}, x.q, x.p);
-            history_.begin(mechanics, x, v0);
+            if (history_.needs_velocity())
+                v0 = start_ ? *start_ : velocity_of(detail::at_time{f.undamped_.mechanics().lagrangian, x.t}, x.q, x.p);
+            history_.begin(x, v0);
             begun_ = true;
         }
         /// @throws the same as a step_failure
@@ -126,16 +125,14 @@ public:
     /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; while walking, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
-        static_assert(Scale::root_type::is_uniform and detail::has_equal_steps<typename Scale::domain_type::base_type>,
-                      "fractional damping lives on a uniform T, and this one has steps of different lengths");
+        detail::require_equal_steps<Scale>();
         damping_.require_dimension(q0);
         return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
     }
     /// One step has no history.
     template <class S, class V>
-    state<S, V> step(state<S, V> const& from, S const&) const {
-        static_assert(sizeof(S) == 0, "a step with fractional damping depends on all steps before it: walk along(T, q0, p0)");
-        return from;
+    auto step(state<S, V> const&, S const&) const {
+        return detail::no_single_step<S>();
     }
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {

@@ -12,22 +12,15 @@
 //
 // Being explicit they have a limit of stability. On the oscillator M q'' + K q = -rho D^beta q with mid-point it is
 //   rho h^{2 - beta} omega(-1)^beta / M < 4,   omega(-1) = 2 for Gruenwald-Letnikov and 4 for bdf<2>, beyond all limits for trapezoid:
-// beyond it the root z = -1 of both parts is passed, and positions alternate and grow. Other embeddings have a smaller one. Where L says
-// that its mass is constant the first step looks whether it is kept; where it does not, damping impulses that alternate from step to step
-// and have grown by the factor 2^16 since they began to are an error. The damping without a limit is fractional/flow.hpp.
+// beyond it the root z = -1 of both parts is passed, and positions alternate and grow. Other embeddings have a smaller one. Impulses that
+// alternate from step to step and have grown by the factor 2^16 since they began to are an error. The damping without a limit is
+// fractional/flow.hpp.
 //   auto const flow = embed(with_fractional_impulses(L, rho, fraction<1, 2>{}), mid_point);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
 #pragma once
 
-#include <cmath>
-#include <limits>
-
-#include <Eigen/LU>
-
 #include "hilger/fractional/damping.hpp"
-#include "hilger/models/mechanical.hpp"
 #include "hilger/step/force.hpp"
-#include "hilger/variational/nodes/gradients.hpp"
 
 namespace hilger {
 
@@ -50,20 +43,9 @@ class damping_impulse {
 
 public:
     damping_impulse(Damping const& d, S const& h, damping_at at, V const& like)
-        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h),
-          stiffness_(
-              explicit_stiffness<typename Damping::generating>(static_cast<double>(d.order.template as<S>()), static_cast<double>(h))) {}
+        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h) {}
     [[nodiscard]] on const& components() const { return on_; }
-    /// @throws error::invalid_parameter where the mass of a component (`mass(j)`, NaN where it is not known) says that no run can be stable
-    template <class Mass>
-    void begin(V const& q0, V const& v0, Mass const& mass) {
-        for (int k = 0; k < on_.count(); ++k) {
-            double const m = mass(on_.at(k)), reached = stiffness_ * (static_cast<double>(s::component(rho_, k)) / m);
-            if (reached >= 4)
-                error::raise<error::invalid_parameter>(
-                    "impulses of a fractional damping are stable where rho h^(2 - beta) omega(-1)^beta / M is below 4, and here it is ",
-                    reached, " for component ", on_.at(k), ": take shorter steps, or with_fractional_damping, which has no limit");
-        }
+    void begin(V const& q0, V const& v0) {
         if (on_.count() == 0) return;
         kept const velocity = on_.of(v0);
         on_.history().begin(on_.of(q0), velocity);
@@ -118,37 +100,7 @@ private:
     kept rho_, now_, before_, impulse_, began_;
     damping_at at_;
     S h_;
-    double stiffness_;
 };
-
-/// The mass of component j, where L says that it is constant: M_jj, or for a full M 1 / (M^-1)_jj, with which the limit of stability is
-/// that of the whole system or beyond it. NaN where it is not known.
-template <class F, class Force, class S, class V>
-auto known_mass(problem<F, Force> const& what, S const& t, V const& q, V const& p) {
-    Eigen::VectorXd masses = Eigen::VectorXd::Constant(shape<V>::dimension(q), std::numeric_limits<double>::quiet_NaN());
-    auto const number = [](auto const& x) { return static_cast<double>(x); };
-    auto const of_matrix = [&](auto const& m) {
-        Eigen::MatrixXd const inverse = Eigen::MatrixXd(m).inverse();
-        masses = inverse.diagonal().cwiseInverse();
-    };
-    if constexpr (is_mechanical<F>) {
-        if constexpr (F::is_matrix) {
-            if (what.lagrangian.mass().rows() == q.size()) of_matrix(what.lagrangian.mass().unaryExpr(number));
-        } else if constexpr (requires { what.lagrangian.mass().size(); }) {
-            if (what.lagrangian.mass().size() == q.size()) masses = what.lagrangian.mass().unaryExpr(number);
-        } else
-            masses.setConstant(number(what.lagrangian.mass()));
-    } else if constexpr (not is_timed<F, no_force, S, V>) {
-        if (shape<V>::dimension(q) > 32) return masses; // all second derivatives of a large system take longer than many steps
-        auto const e = hilger::expand(at_time{what.lagrangian, t}, q, p);
-        if (e.on.coupled or e.on.v > 2) return masses;
-        if constexpr (shape<V>::is_scalar)
-            masses(0) = number(e.vv);
-        else
-            of_matrix(e.vv.unaryExpr(number));
-    }
-    return masses;
-}
 
 } // namespace detail
 
@@ -165,13 +117,8 @@ struct impulses_at_points {
         using extra = detail::no_step_force;
         history(impulses_at_points const& of, S const& h, V const& like) : impulse_(of.damping, h, of.at, like), at_(of.at) {}
         [[nodiscard]] extra extra_force(V const&) const { return {}; }
-        static constexpr bool may_need_velocity = not detail::is_surely_below_one<Damping>;
         [[nodiscard]] bool needs_velocity() const { return impulse_.components().needs_velocity(); }
-        /// @throws error::invalid_parameter where the mass is known and the limit of stability not kept
-        template <class Mechanics>
-        void begin(Mechanics const& mechanics, state<S, V> const& x, V const& v0) {
-            impulse_.begin(x.q, v0, detail::known_mass(mechanics, x.t, x.q, x.p));
-        }
+        void begin(state<S, V> const& x, V const& v0) { impulse_.begin(x.q, v0); }
         void before_step(state<S, V>& x, extra const&) {
             if (at_ != damping_at::end) impulse_.damp(x.p);
         }

@@ -14,15 +14,12 @@
 //   with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})   several, of orders known at run time
 #pragma once
 
+#include <algorithm>
+
 #include "hilger/fractional/damping.hpp"
 #include "hilger/step/force.hpp"
 
 namespace hilger {
-
-/// How a fractional damping is read where the order does not say it.
-struct damping_options {
-    initial_history history = initial_history::caputo;
-};
 
 /// One of several terms -rho D^beta q, of an order known at run time.
 template <class S>
@@ -56,16 +53,14 @@ class mean_damping {
 public:
     mean_damping(Damping const& d, S const& h, V const& like)
         : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), earlier_(now_), force_(now_),
-          lag_(lag_of<typename Damping::generating, S>() * d.order.template as<S>()), theta_(S(1) / S(2) + lag_), h_(h),
-          jumps_(d.history == initial_history::riemann_liouville) {}
+          lag_(lag_of<typename Damping::generating, S>() * d.order.template as<S>()), theta_(S(1) / S(2) + lag_) {}
     [[nodiscard]] on const& components() const { return on_; }
     void begin(V const& q0, V const& v0) {
         if (on_.count() == 0) return;
         kept const velocity = on_.of(v0);
         kept const position = on_.of(q0);
         on_.history().begin(position, velocity);
-        // The value at a jump is half of it.
-        now_ = before_ = earlier_ = on_.history().arrive(jumps_ ? kept(position / S(2)) : position);
+        now_ = before_ = earlier_ = on_.history().arrive(position);
     }
     /// -dF/dq_{i+1}
     void add_slope(V& slope) const { on_.add(slope, S(theta_ * on_.history().present_weight()), rho_); }
@@ -82,15 +77,6 @@ public:
         earlier_ = before_;
         before_ = now_;
         now_ = on_.history().arrive(on_.of(q));
-    }
-    /// For a curve that jumps at t_0 the mean over the step before t_0 is theta D_0: `share` of its impulse to p. As a pair 3/2 at t_0 and
-    /// -1/2 at t_1 it has the place that it has in the sums, 1/2 at t_0 beside 1/2 at t_{-1}.
-    void add_jump(V& p, S const& share) const {
-        if (not jumps_) return;
-        for (int k = 0; k < on_.count(); ++k) {
-            S& to = shape<V>::component(p, on_.at(k));
-            to = to - share * h_ * theta_ * s::component(rho_, k) * s::component(first(), k);
-        }
     }
     /// Everything that later forces depend on, for checkpoints.
     template <class Visit>
@@ -109,150 +95,95 @@ public:
     }
 
 private:
-    /// D_0, in the first step and after it.
-    [[nodiscard]] kept const& first() const { return before_; }
     on on_;
     kept rho_, now_, before_, earlier_, force_;
-    S lag_, theta_, h_;
-    bool jumps_;
+    S lag_, theta_;
 };
-
-template <class D, class S, class V>
-struct means_of {
-    using type = mean_damping<D, S, V>;
-    static type made(D const& d, S const& h, V const& like) { return type(d, h, like); }
-};
-template <class D, class S, class V>
-struct means_of<std::vector<D>, S, V> {
-    using type = std::vector<mean_damping<D, S, V>>;
-    static type made(std::vector<D> const& all, S const& h, V const& like) {
-        type means;
-        for (D const& d : all) means.emplace_back(d, h, like);
-        return means;
-    }
-};
-/// what(x) for each element of a tuple, and for each one of a vector in it.
-template <class Tuple, class What>
-void for_each_in(Tuple&& all, What const& what) {
-    auto const one = [&](auto& x) {
-        if constexpr (requires { x.begin(); })
-            for (auto& y : x) what(y);
-        else
-            what(x);
-    };
-    std::apply([&](auto&... x) { (one(x), ...); }, all);
-}
 
 } // namespace detail
 
-/// The sum of the dampings, or vectors of dampings, as a mean over each step.
-template <class... Dampings>
+/// The sum of the dampings as a mean over each step.
+template <class Damping>
 struct mean_over_step {
-    std::tuple<Dampings...> dampings;
-    static constexpr bool needs_compensation = (detail::may_exceed_one<Dampings> or ...);
+    std::vector<Damping> dampings;
+    static constexpr bool needs_compensation = detail::may_exceed_one<Damping>;
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>
     class history {
     public:
         using extra = detail::step_force<V>;
-        history(mean_over_step const& of, S const& h, V const& like)
-            : means_(
-                  std::apply([&](auto const&... d) { return all(detail::means_of<Dampings, S, V>::made(d, h, like)...); }, of.dampings)) {}
+        history(mean_over_step const& of, S const& h, V const& like) {
+            for (Damping const& d : of.dampings) means_.emplace_back(d, h, like);
+        }
         /// The force that the flow without damping gets, before its constant is known.
         [[nodiscard]] extra extra_force(V const& like) const {
             extra force{zero_like(like), zero_like(like)};
-            detail::for_each_in(means_, [&](auto const& m) { m.add_slope(force.slope); });
+            for (auto const& m : means_) m.add_slope(force.slope);
             return force;
         }
-        static constexpr bool may_need_velocity = not(detail::is_surely_below_one<Dampings> and ...);
         [[nodiscard]] bool needs_velocity() const {
-            bool needed = false;
-            detail::for_each_in(means_, [&](auto const& m) { needed = needed or m.components().needs_velocity(); });
-            return needed;
+            return std::any_of(means_.begin(), means_.end(), [](auto const& m) { return m.components().needs_velocity(); });
         }
-        template <class Mechanics>
-        void begin(Mechanics const&, state<S, V> const& x, V const& v0) {
-            detail::for_each_in(means_, [&](auto& m) { m.begin(x.q, v0); });
+        void begin(state<S, V> const& x, V const& v0) {
+            for (auto& m : means_) m.begin(x.q, v0);
         }
         void before_step(state<S, V>& x, extra& force) {
             for (int j = 0; j < detail::shape<V>::dimension(x.q); ++j) detail::shape<V>::component(force.constant, j) = S(0);
-            detail::for_each_in(means_, [&](auto& m) { m.add_constant(x.q, force.constant); });
-            if (first_) [[unlikely]]
-                detail::for_each_in(means_, [&](auto const& m) { m.add_jump(x.p, S(S(3) / S(2))); });
+            for (auto& m : means_) m.add_constant(x.q, force.constant);
         }
-        /// @throws error::not_finite
         void after_step(state<S, V>& x) {
-            if (first_) [[unlikely]] {
-                detail::for_each_in(means_, [&](auto const& m) { m.add_jump(x.p, S(S(-1) / S(2))); });
-                if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
-            }
-            detail::for_each_in(means_, [&](auto& m) { m.arrive(x.q); });
-            first_ = false;
+            for (auto& m : means_) m.arrive(x.q);
         }
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(Visit& each) {
-            int first = first_ ? 1 : 0;
-            each("first", first);
-            first_ = first != 0;
-            detail::for_each_in(means_, [&](auto& m) { m.visit(each); });
+            for (auto& m : means_) m.visit(each);
         }
         void add_force(V& force, bool back) const {
-            detail::for_each_in(means_, [&](auto const& m) { m.add_force(force, back); });
+            for (auto const& m : means_) m.add_force(force, back);
         }
         /// what(components) for each term.
         template <class What>
         void for_each(What const& what) const {
-            detail::for_each_in(means_, [&](auto const& m) { what(m.components()); });
+            for (auto const& m : means_) what(m.components());
         }
 
     private:
-        using all = std::tuple<typename detail::means_of<Dampings, S, V>::type...>;
-        all means_;
-        bool first_ = true;
+        std::vector<detail::mean_damping<Damping, S, V>> means_;
     };
     /// @throws error::mismatch
     template <class V>
     void require_dimension(V const& q) const {
-        detail::for_each_in(dampings, [&]<class D>(D const& d) { detail::damped_components<D, scalar_of<V>, V>::require_dimension(d, q); });
+        for (Damping const& d : dampings) detail::damped_components<Damping, scalar_of<V>, V>::require_dimension(d, q);
     }
 };
 
 namespace detail {
-
 template <class L, class Damping>
-auto damped_by_mean(L const& l, Damping damping) {
-    return damped_problem<L, mean_over_step<Damping>>{l, {{std::move(damping)}}};
+auto damped_by_mean(L const& l, std::vector<Damping> dampings) {
+    static_assert(not is_damped<L>, "several terms are given together, with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})");
+    return damped_problem<L, mean_over_step<Damping>>{l, {std::move(dampings)}};
 }
-template <class L, class... Others, class Damping>
-auto damped_by_mean(damped_problem<L, mean_over_step<Others...>> const& l, Damping damping) {
-    return std::apply(
-        [&](Others const&... others) {
-            return damped_problem<L, mean_over_step<Others..., Damping>>{l.mechanics, {{others..., std::move(damping)}}};
-        },
-        l.damping.dampings);
-}
-
 } // namespace detail
 
 /// The Lagrangian L with the damping -rho D^beta q, of this factor and order, read as a mean over each step. rho is a number, or for
 /// vectors a vector of them: components whose rho is zero keep no history. beta in ]0, 2[ is fraction<P, Q>{} or a number; its unit of time
-/// is that of T, so rho has the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...), and
-/// what is damped already is damped again.
+/// is that of T, so rho has the unit force / (length / time^beta). Forces come first, with_fractional_damping(with_force(L, f), ...).
 ///
 /// Embedded by mid-point it is of order two, also for q0 != 0 and v0 != 0; in the first steps, where the solution is like t^{3 - beta},
 /// momenta are of order 2 - beta only. It adds no limit to the length of steps.
 /// @throws error::invalid_parameter when beta or rho is out of range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
-auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}, damping_options options = {}) {
-    return detail::damped_by_mean(l, detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), options.history));
+auto with_fractional_damping(L const& l, Rho factor, Order order, Policy policy = {}) {
+    auto damping = detail::checked_damping<G>(std::move(factor), std::move(order), std::move(policy), initial_history::caputo);
+    return detail::damped_by_mean(l, std::vector{std::move(damping)});
 }
 /// The same with the sum of several terms, {{rho_1, beta_1}, {rho_2, beta_2}, ...}, each with a history of its own.
 template <generating_function G = grunwald_letnikov, class S = double, class L, class Policy = direct>
-auto with_fractional_damping(L const& l, std::vector<fractional_term<S>> const& terms, Policy policy = {}, damping_options options = {}) {
+auto with_fractional_damping(L const& l, std::vector<fractional_term<S>> const& terms, Policy policy = {}) {
     std::vector<fractional_damping<G, S, run_time<S>, Policy>> all;
-    for (auto const& [factor, order] : terms) all.push_back(detail::checked_damping<G>(factor, order, policy, options.history));
+    for (auto const& [factor, order] : terms) all.push_back(detail::checked_damping<G>(factor, order, policy, initial_history::caputo));
     return detail::damped_by_mean(l, std::move(all));
 }
 

@@ -11,13 +11,15 @@
 // without a coefficient have none, and whole orders neither.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/fixed_text.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/whole_difference.hpp"
+#include "hilger/shape.hpp"
+#include "hilger/variational/variation.hpp"
 
 namespace hilger {
 
@@ -31,18 +33,6 @@ inline constexpr bool is_fraction = false;
 template <int P, int Q>
 inline constexpr bool is_fraction<fraction<P, Q>> = true;
 
-/// Whether an order is known to be 1 by its type.
-template <class Order>
-inline constexpr bool is_one = false;
-template <int P>
-inline constexpr bool is_one<fraction<P, P>> = true;
-
-/// Whether an order is known to be below 1 by its type: no velocity is then asked for.
-template <class Order>
-inline constexpr bool is_below_one = false;
-template <int P, int Q>
-inline constexpr bool is_below_one<fraction<P, Q>> = P < Q;
-
 /// h^beta. @throws error::invalid_parameter where it is no number of type S
 template <class S>
 S power(S const& h, S const& beta) {
@@ -55,22 +45,13 @@ S power(S const& h, S const& beta) {
     }
 }
 
-/// omega(-1)^beta h^{2 - beta}: times rho / M it is 4 at the limit of stability of an explicit step; infinite for a pole at -1. In double,
-/// which is enough to say on which side of it something is.
-template <generating_function G>
-double explicit_stiffness(double beta, double h) {
-    double p = 0, q = 0, sign = 1;
-    for (double const x : G::template numerator<double>()) p += sign * x, sign = -sign;
-    sign = 1;
-    for (double const x : G::template denominator<double>()) q += sign * x, sign = -sign;
-    return std::pow(std::abs(p / q), beta) * std::pow(std::abs(h), 2 - beta);
-}
-
-/// There is no trajectory on steps of different lengths, and no single step.
+/// Differences of fractional order are defined for one h.
 template <class Scale>
-auto uneven_steps() {
-    return does_not_compile<"fractional damping lives on a uniform T, and this one has steps of different lengths", Scale>{};
+constexpr void require_equal_steps() {
+    static_assert(Scale::root_type::is_uniform and has_equal_steps<typename Scale::domain_type::base_type>,
+                  "fractional damping lives on a uniform T, and this one has steps of different lengths");
 }
+/// What a single step returns, which has no history.
 template <class S>
 auto no_single_step() {
     return does_not_compile<"a step with fractional damping depends on all steps before it: walk along(T, q0, p0)", S>{};
@@ -83,38 +64,30 @@ void require_order(S const& beta) {
         error::raise<error::invalid_parameter>("the order of a fractional damping lies in ]0, 2[, and this one is ", beta);
 }
 
-/// Does not exist: where the order is 1 by its type, there is no engine.
-struct no_history {};
-
-template <generating_function G, class Policy, class S, class V, bool One>
-struct engine_of {
-    using type = decltype(make_history<G>(std::declval<Policy const&>(), std::declval<S const&>(), std::declval<V const&>()));
-};
-template <generating_function G, class Policy, class S, class V>
-struct engine_of<G, Policy, S, V, true> {
-    using type = no_history;
-};
-
-/// Whether a history with this policy keeps all of the past, and not the last values only.
-template <class Policy>
-inline constexpr bool keeps_everything = true;
-template <class Policy>
-    requires requires { Policy::keeps_everything; }
-inline constexpr bool keeps_everything<Policy> = Policy::keeps_everything;
+/// fraction<P, Q> as it is, a number as run_time. @throws error::invalid_parameter outside ]0, 2[
+template <class Order>
+auto checked_order(Order const& order) {
+    if constexpr (is_fraction<Order>) {
+        static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,
+                      "the order of a fractional damping lies in ]0, 2[");
+        return reduced<Order::numerator, Order::denominator>{};
+    } else {
+        require_order(order);
+        return run_time<Order>{order};
+    }
+}
 
 /// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
-/// order in ]-1/2, 1/2]. What cannot be cut off is an order below 0, whose weights have no finite sum.
-template <class Policy, class S>
+/// order in ]-1/2, 1/2].
+template <class S>
 int whole_part(S const& beta) {
-    if (not keeps_everything<Policy>) return beta < S(1) ? 0 : 1;
     return S(2) * beta <= S(1) ? 0 : S(2) * beta <= S(3) ? 1 : 2;
 }
 
 /// The derivative of one trajectory of values V (numbers or vectors, in which all components have one).
 template <generating_function G, class Order, class Policy, class S, class V>
 class fractional_memory {
-    static constexpr bool always_local = is_one<Order>;
-    using engine = typename engine_of<G, Policy, S, V, always_local>::type;
+    using engine = decltype(make_history<G>(std::declval<Policy const&>(), std::declval<S const&>(), std::declval<V const&>()));
     using difference = whole_difference<G, S, V>;
 
 public:
@@ -123,11 +96,11 @@ public:
         : beta_(order.template as<S>()), h_(h), initial_(initial), start_(zero_like(like)), last_(start_), step_(start_), drift_(start_),
           later_drift_(start_), increment_(start_), first_(start_), change_(start_), derivative_(start_) {
         require_order(beta_);
+        (void)weight_sequence<G, S>(beta_); // which says what is no generating function of a derivative
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
-        int const whole = whole_part<Policy>(beta_);
+        int const whole = whole_part(beta_);
         whole_.assign(static_cast<std::size_t>(whole), difference(like));
-        if constexpr (not always_local)
-            if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
+        if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
     }
     /// Whether v_0 will be asked for.
     [[nodiscard]] bool needs_velocity() const { return initial_ == initial_history::caputo and not(beta_ < S(1)); }
@@ -135,20 +108,17 @@ public:
     [[nodiscard]] S const& present_weight() const { return scale_; }
     /// The number of values that are kept.
     [[nodiscard]] index_type kept() const {
-        if constexpr (not always_local)
-            if (engine_) return engine_->count();
+        if (engine_) return engine_->count();
         return difference::terms;
     }
     /// The number of components with a history: none where the order is whole.
     [[nodiscard]] index_type histories() const {
-        if constexpr (not always_local)
-            if (engine_) return shape<V>::dimension(last_);
+        if (engine_) return shape<V>::dimension(last_);
         return 0;
     }
     /// What their engine takes. The few values of the whole part are not counted.
     [[nodiscard]] std::size_t bytes() const {
-        if constexpr (not always_local)
-            if (engine_) return engine_->bytes();
+        if (engine_) return engine_->bytes();
         return 0;
     }
     void begin(V const& x0, V const& v0) {
@@ -169,8 +139,7 @@ public:
     /// The same where x is known to be `increment` further than the last value: better than rounded values say.
     V const& at_next(V const& x, V const& increment) {
         derivative_ = term_at_next(x, increment);
-        if constexpr (not always_local)
-            if (engine_) derivative_ = derivative_ + engine_->past();
+        if (engine_) derivative_ = derivative_ + engine_->past();
         derivative_ = derivative_ * scale_;
         return derivative_;
     }
@@ -182,8 +151,7 @@ public:
     V const& arrive(V const& x, V const& increment) {
         at_next(x, increment);
         // Into the history at once: nothing waits for its sums until the next value is there, and the processor makes them meanwhile.
-        if constexpr (not always_local)
-            if (engine_) engine_->push(value());
+        if (engine_) engine_->push(value());
         if (whole_.size() > 1) {
             first_ = whole_[0].value();
             whole_[1].push(change_);
@@ -203,8 +171,7 @@ public:
         memory::visit_components("drift", later_drift_, each);
         memory::visit_components("difference", first_, each);
         for (difference& d : whole_) d.visit(each);
-        if constexpr (not always_local)
-            if (engine_) engine_->visit(each);
+        if (engine_) engine_->visit(each);
     }
 
 private:
@@ -225,7 +192,7 @@ private:
     V start_, last_, step_, drift_, later_drift_; // drift_: what the start gives each increment
     V increment_, first_, change_, derivative_;
     std::vector<difference> whole_;
-    [[no_unique_address]] std::conditional_t<always_local, no_history, std::optional<engine>> engine_;
+    std::optional<engine> engine_; ///< of an order that is not whole
 };
 
 } // namespace detail

@@ -14,9 +14,9 @@ namespace hilger {
 namespace detail {
 
 /// D_0, ..., D_N of one damping. Caputo's derivative is that of q less its start, and its tangent for beta >= 1, which itself has the
-/// derivative v0 for beta = 1; of Riemann and Liouville's the first value counts `jump`. Or the sums of the sizes of their terms.
+/// derivative v0 for beta = 1. Or the sums of the sizes of their terms.
 template <class Damping, class S, class V>
-std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, S const& jump, bool only_sizes) {
+std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, bool only_sizes) {
     using G = typename Damping::generating;
     S const beta = d.order.template as<S>();
     bool const caputo = d.history == initial_history::caputo;
@@ -26,7 +26,7 @@ std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> co
     S const scale = leading_weight<G>(beta) / power(h, beta);
     std::vector<V> y, D;
     for (std::size_t k = 0; k < q.size(); ++k) {
-        y.push_back(caputo ? V(q[k] - q[0]) : k == 0 ? V(q[0] * jump) : q[k]);
+        y.push_back(caputo ? V(q[k] - q[0]) : q[k]);
         if (caputo and not(beta < S(1))) y[k] = y[k] - v0 * S(h * S(static_cast<long long>(k)));
         if (only_sizes) y[k] = sizes(q[k]) + sizes(q[0]) + sizes(v0) * S(h * S(static_cast<long long>(k)));
         V sum = zero_like(q[0]);
@@ -47,28 +47,25 @@ void add_damping(V& to, Damping const& d, S const& factor, V const& D, bool only
 }
 
 /// The forces of a damping at t_1, ..., t_{N-1}, or the sums of the sizes of their terms.
-template <class... Dampings, class S, class V>
-std::vector<V> damping_along(mean_over_step<Dampings...> const& reading, S const& h, std::vector<V> const& q, V const& v0,
-                             bool only_sizes) {
+template <class Damping, class S, class V>
+std::vector<V> damping_along(mean_over_step<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0, bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
-    for_each_in(reading.dampings, [&]<class D>(D const& d) {
-        S const theta = S(1) / S(2) + lag_of<typename D::generating, S>() * d.order.template as<S>();
-        auto const derivative = differences_along(d, h, q, v0, S(S(1) / S(2)), only_sizes);
+    for (Damping const& d : reading.dampings) {
+        S const theta = S(1) / S(2) + lag_of<typename Damping::generating, S>() * d.order.template as<S>();
+        auto const derivative = differences_along(d, h, q, v0, only_sizes);
         for (std::size_t i = 0; i + 1 < q.size(); ++i)
             for (std::size_t end : {i, i + 1}) {
                 add_damping(force[end], d, S(-theta / S(2)), derivative[i + 1], only_sizes);
                 add_damping(force[end], d, S((theta - S(1)) / S(2)), derivative[i], only_sizes);
             }
-        // What the pair at t_0 and t_1 that stands for the jump leaves at t_1.
-        if (d.history == initial_history::riemann_liouville) add_damping(force[1], d, S(theta / S(2)), derivative[0], only_sizes);
-    });
+    }
     return force;
 }
 template <class Damping, class S, class V>
 std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const& h, std::vector<V> const& q, V const& v0,
                              bool only_sizes) {
     std::vector<V> force(q.size(), zero_like(q[0]));
-    auto const derivative = differences_along(reading.damping, h, q, v0, S(1), only_sizes);
+    auto const derivative = differences_along(reading.damping, h, q, v0, only_sizes);
     for (std::size_t i = 0; i < q.size(); ++i) add_damping(force[i], reading.damping, S(-1), derivative[i], only_sizes);
     return force;
 }
@@ -82,7 +79,7 @@ typename Scale::root_type::scalar_type judged(Judge const&,
                   "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
                   "points of T alone that this could be judged by");
 }
-/// As along a path without damping; N steps cost N^2 products. What a history leaves out of its sums, as a window does, is seen here.
+/// As along a path without damping; N steps cost N^2 products.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
     requires(controls_of<embedding<A, B, W>> == 2)
 auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {

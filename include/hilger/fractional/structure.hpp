@@ -93,19 +93,6 @@ template <class S>
 void require_positive(S const& x, char const* what) {
     if (not is_finite(x) or not(S(0) < x)) error::raise<error::invalid_parameter>(what, " is positive, and this one is ", x);
 }
-/// fraction<P, Q> as it is, a number as run_time. @throws error::invalid_parameter outside ]0, 2[
-template <class Order>
-auto checked_order(Order const& order) {
-    if constexpr (is_fraction<Order>) {
-        static_assert(0 < Order::numerator and Order::numerator < 2 * Order::denominator,
-                      "the order of a fractional damping lies in ]0, 2[");
-        return reduced<Order::numerator, Order::denominator>{};
-    } else {
-        require_order(order);
-        return run_time<Order>{order};
-    }
-}
-
 } // namespace detail
 
 /// M u'' + C tau^alpha D^alpha u + K u: numbers for one degree of freedom, square Eigen matrices for d. Columns of C that are zero cost

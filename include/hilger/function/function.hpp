@@ -3,7 +3,6 @@
 // Tables are shared and never change, so expressions own what they are built from and copying one costs a pointer.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -33,16 +32,6 @@ struct by_table {
     template <class Root, class Domain>
     Value const& get(Root const& root, Domain const& domain, index_type i) const {
         return (*values)[static_cast<std::size_t>(i - domain.first(root))];
-    }
-};
-
-/// The same for a scale whose size is in the type; usable in constant expressions.
-template <class Value, std::size_t Size>
-struct by_array {
-    std::array<Value, Size> values;
-    template <class Root, class Domain>
-    constexpr Value const& get(Root const& root, Domain const& domain, index_type i) const {
-        return values[static_cast<std::size_t>(i - domain.first(root))];
     }
 };
 
@@ -133,28 +122,18 @@ function_on(Scale const&, std::vector<Value>) -> function_on<typename Scale::roo
 
 /// The same function with its values computed once and kept.
 template <discrete_function F>
-constexpr auto tabulate(F const& f) {
+auto tabulate(F const& f) {
     using R = typename F::root_type;
     using D = typename F::domain_type;
-    constexpr index_type size = static_size<D, R>;
-    auto const keep = [&f](auto const& use) {
-        if constexpr (requires { f.for_each_value(use); })
-            f.for_each_value(use);
-        else
-            for (index_type i = f.first(); i <= f.last(); ++i) use(f.get(i));
-    };
-    if constexpr (size >= 0) {
-        by_array<value_of<F>, static_cast<std::size_t>(size)> rule{};
-        std::size_t next = 0;
-        keep([&](auto const& value) { rule.values[next++] = value; });
-        return function_on<R, D, decltype(rule)>(f.root(), f.domain(), std::move(rule));
-    } else {
-        std::vector<value_of<F>> values;
-        values.reserve(static_cast<std::size_t>(f.size()));
-        keep([&](auto const& value) { values.push_back(value); });
-        return function_on<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
-                                                        {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
-    }
+    std::vector<value_of<F>> values;
+    values.reserve(static_cast<std::size_t>(f.size()));
+    auto const use = [&values](auto const& value) { values.push_back(value); };
+    if constexpr (requires { f.for_each_value(use); })
+        f.for_each_value(use);
+    else
+        for (index_type i = f.first(); i <= f.last(); ++i) use(f.get(i));
+    return function_on<R, D, by_table<value_of<F>>>(f.root(), f.domain(),
+                                                    {std::make_shared<std::vector<value_of<F>> const>(std::move(values))});
 }
 
 } // namespace hilger

@@ -142,33 +142,31 @@ struct apply_to_values {
 /// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
 inline constexpr detail::apply_to_values apply_pointwise{};
 
+namespace detail {
+template <class Map, class What, class F, class G>
+constexpr auto combined(F f, G g) {
+    if constexpr (same_family<F, G>)
+        return pointwise<Map, F, G>({}, std::move(f), std::move(g));
+    else
+        return apart<What, F, G>();
+}
+} // namespace detail
+
 template <discrete_function F, discrete_function G>
 constexpr auto operator+(F f, G g) {
-    if constexpr (detail::same_family<F, G>)
-        return pointwise<std::plus<>, F, G>({}, std::move(f), std::move(g));
-    else
-        return detail::apart<detail::a_sum, F, G>();
+    return detail::combined<std::plus<>, detail::a_sum>(std::move(f), std::move(g));
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator-(F f, G g) {
-    if constexpr (detail::same_family<F, G>)
-        return pointwise<std::minus<>, F, G>({}, std::move(f), std::move(g));
-    else
-        return detail::apart<detail::a_difference, F, G>();
+    return detail::combined<std::minus<>, detail::a_difference>(std::move(f), std::move(g));
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator*(F f, G g) {
-    if constexpr (detail::same_family<F, G>)
-        return pointwise<std::multiplies<>, F, G>({}, std::move(f), std::move(g));
-    else
-        return detail::apart<detail::a_product, F, G>();
+    return detail::combined<std::multiplies<>, detail::a_product>(std::move(f), std::move(g));
 }
 template <discrete_function F, discrete_function G>
 constexpr auto operator/(F f, G g) {
-    if constexpr (detail::same_family<F, G>)
-        return pointwise<std::divides<>, F, G>({}, std::move(f), std::move(g));
-    else
-        return detail::apart<detail::a_quotient, F, G>();
+    return detail::combined<std::divides<>, detail::a_quotient>(std::move(f), std::move(g));
 }
 template <discrete_function F>
 constexpr auto operator-(F f) {

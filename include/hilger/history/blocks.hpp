@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "hilger/fourier/transform.hpp"
 #include "hilger/history/direct.hpp"
@@ -14,17 +13,17 @@ namespace hilger {
 
 /// The sum over everything in blocks; exact scalars are summed directly. The error is some epsilon of the norms of weights and values, not
 /// of the sum itself: where that is much smaller than the largest before it, as in the tail after an impulse, fewer of its digits are right
-/// than of the direct sum. The engine's error_bound() says how many hold.
+/// than of the direct sum.
 struct blocks {};
 
 template <class G, class V>
 class blocks_history {
-    using S = detail::memory::component_t<V>;
+    using s = detail::shape<V>;
+    using S = scalar_of<V>;
 
 public:
     blocks_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::memory::components(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)),
-          past_(detail::memory::zero_of_size(like)) {
+        : size_(s::dimension(like)), sequence_(alpha), parts_(static_cast<std::size_t>(size_)), past_(s::zero(size_)) {
         weights_up_to(shortest);
         reversed_.assign(2 * shortest, S(0));
         for (std::size_t n = 1; n < shortest; ++n) reversed_[shortest - n] = weights_[n];
@@ -36,34 +35,6 @@ public:
         if (not ready_) make_past();
         return past_;
     }
-    /// At least |past() - sum_{n>=1} w_n x_{m-n}|, component by component: an a-posteriori bound at this very point, w_n being the weights
-    /// as they are rounded. O(m), for whoever asks. By a block of length L, ||.||_2 and ||.||_1 over its values x and weights w, it grows
-    /// by epsilon (20 log_2 L + 8) ||w||_1 ||x||_2: three transforms of log_2(L)/2 passes, in which roots of 9 epsilon are multiplied
-    /// (Higham 2002, theorem 24.2), and by the sum of fewer than 32 products by as many epsilon of sum |w_n x_{m-n}|.
-    V error_bound() {
-        using std::sqrt;
-        past();
-        auto const m = static_cast<std::size_t>(count_), inside = m % shortest;
-        V bound = detail::memory::zero_of_size(past_);
-        for (std::size_t c = 0; c < parts_.size(); ++c) {
-            auto const& x = parts_[c].values;
-            S error(0), norm(0); // of the weights up to `summed`
-            for (std::size_t n = 1; n <= inside; ++n)
-                error = error + magnitude(S(weights_[n] * x[m - n])) * S(static_cast<int>(inside)) * epsilon<S>();
-            std::size_t summed = 0;
-            int passes = 5; // log_2 of the length
-            for (std::size_t length = shortest; length <= m; length *= 2, ++passes)
-                if ((m & length) != 0) {
-                    std::size_t const begin = m - m % length - length;
-                    S squares(0);
-                    for (std::size_t i = begin; i < begin + length; ++i) squares = squares + x[i] * x[i];
-                    while (summed + 1 < 2 * length) norm = norm + magnitude(weights_[++summed]);
-                    error = error + epsilon<S>() * S(20 * passes + 8) * norm * S(sqrt(squares));
-                }
-            detail::memory::component(bound, static_cast<index_type>(c)) = error;
-        }
-        return bound;
-    }
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
         detail::memory::check_value(x, size_, count_);
@@ -72,7 +43,7 @@ public:
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto& values = parts_[c].values;
             if (m == values.size()) values.resize(std::max(shortest, 2 * m), S(0));
-            values[m] = detail::memory::component(x, static_cast<index_type>(c));
+            values[m] = s::component(x, static_cast<int>(c));
         }
         ++count_;
         ready_ = false;
@@ -82,13 +53,13 @@ public:
     void visit(Visit& each) {
         V const like = past_;
         detail::memory::visit_values(
-            *this, like,
-            [&](index_type n, index_type c) { return parts_[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(n)]; }, each);
+            *this, like, [&](index_type n, int c) { return parts_[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(n)]; },
+            each);
     }
     index_type count() const { return count_; }
     void reset() {
         for (auto& p : parts_) p = {};
-        past_ = detail::memory::zero_of_size(past_);
+        past_ = s::zero(size_);
         count_ = 0;
         ready_ = true;
     }
@@ -98,7 +69,6 @@ public:
         for (auto const& p : parts_) numbers += p.values.size() + p.ahead.size();
         return numbers * sizeof(S);
     }
-    static std::string name() { return "blocks"; }
 
 private:
     /// Sums within this many values are made directly.
@@ -117,7 +87,7 @@ private:
             // Behind w_1 the table is zero: whole packs are summed.
             S const sum = sums_.product_sum(p.values.data() + (m - inside), reversed_.data() + (shortest - inside),
                                             detail::memory::padded<S>(inside));
-            detail::memory::component(past_, static_cast<index_type>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
+            s::component(past_, static_cast<int>(c)) = m < p.ahead.size() ? S(p.ahead[m] + sum) : sum;
         }
         ready_ = true;
     }
@@ -152,8 +122,8 @@ private:
         while (weights_.size() < count) weights_.push_back(sequence_.next());
     }
 
-    S alpha_;
-    index_type size_, count_ = 0;
+    int size_;
+    index_type count_ = 0;
     weight_sequence<G, S> sequence_;
     std::vector<S> weights_;
     detail::memory::line_vector<S> reversed_;

@@ -4,11 +4,13 @@
 // sum |w_n| max |x|; by the sum as it is written for few values and for exact scalars, which have no roots of unity.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <limits>
+#include <vector>
 
+#include "hilger/error.hpp"
 #include "hilger/fourier/transform.hpp"
-#include "hilger/history/component.hpp"
-#include "hilger/operator/weights.hpp"
 
 namespace hilger {
 
@@ -65,25 +67,5 @@ private:
     std::conditional_t<has_transform, detail::memory::spectrum<S>, nothing> transformed_;
     std::conditional_t<has_transform, detail::memory::fourier<S>, nothing> transform_;
 };
-
-/// y_k = sum_{n=0..k} w_n x_{k-n}, scalars or vectors, without the leading weight and h^-alpha.
-/// @throws error::invalid_parameter, error::mismatch, error::not_finite
-template <generating_function G, class S, class V>
-std::vector<V> convolve(S const& alpha, std::vector<V> const& x) {
-    static_assert(std::is_same_v<S, detail::memory::component_t<V>>,
-                  "the order of a fractional difference and the values have the same scalar");
-    if (x.empty()) return {};
-    index_type const size = detail::memory::components(x[0]);
-    for (std::size_t k = 0; k < x.size(); ++k) detail::memory::check_value(x[k], size, static_cast<index_type>(k));
-    toeplitz_triangle<S> const weights(first_weights<G, S>(alpha, static_cast<index_type>(x.size())));
-    std::vector<V> y(x.size(), detail::memory::zero_of_size(x[0]));
-    std::vector<S> row(x.size(), S(0));
-    for (index_type c = 0; c < size; ++c) {
-        for (std::size_t k = 0; k < x.size(); ++k) row[k] = detail::memory::component(x[k], c);
-        auto const sums = weights(row);
-        for (std::size_t k = 0; k < x.size(); ++k) detail::memory::component(y[k], c) = sums[k];
-    }
-    return y;
-}
 
 } // namespace hilger

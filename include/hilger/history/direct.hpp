@@ -3,36 +3,23 @@
 // every sum is made anew. Exact in exact scalars; m products at value m, so that N values cost N^2 / 2.
 #pragma once
 
-#include <functional>
-#include <iostream>
-#include <string>
-
 #include "hilger/history/component.hpp"
 #include "hilger/history/sums.hpp"
 #include "hilger/operator/weights.hpp"
 
 namespace hilger {
 
-/// Where the sum over everything says that it will be slow; std::clog unless replaced. An empty function silences it.
-inline std::function<void(std::string const&)>& history_warning() {
-    static std::function<void(std::string const&)> hook = [](std::string const& sentence) { std::clog << "hilger: " << sentence << '\n'; };
-    return hook;
-}
-
-/// The sum over everything. `steps`, if the number of values is known beforehand, lets a run that would take minutes say so.
-struct direct {
-    index_type steps = 0;
-    static constexpr index_type many = 100'000; ///< from here on the warning is due
-};
+/// The sum over everything.
+struct direct {};
 
 template <class G, class V>
 class direct_history {
-    using S = detail::memory::component_t<V>;
+    using s = detail::shape<V>;
+    using S = scalar_of<V>;
 
 public:
     direct_history(S const& alpha, V const& like)
-        : alpha_(alpha), size_(detail::memory::components(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)),
-          past_(detail::memory::zero_of_size(like)) {
+        : alpha_(alpha), size_(s::dimension(like)), weights_(alpha), values_(static_cast<std::size_t>(size_)), past_(s::zero(size_)) {
         weights_.next(); // w_0, the present's
     }
 
@@ -44,11 +31,11 @@ public:
         auto const m = static_cast<std::size_t>(count_) + 1;
         if (m > reversed_.size()) grow();
         reversed_[reversed_.size() - m] = weights_.next();
-        for (index_type c = 0; c < size_; ++c) {
+        for (int c = 0; c < size_; ++c) {
             auto& values = values_[static_cast<std::size_t>(c)];
-            values[m - 1] = detail::memory::component(x, c);
+            values[m - 1] = s::component(x, c);
             // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
-            detail::memory::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
+            s::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
         }
         ++count_;
     }
@@ -57,13 +44,11 @@ public:
     void visit(Visit& each) {
         V const like = past_;
         detail::memory::visit_values(
-            *this, like, [&](index_type n, index_type c) { return values_[static_cast<std::size_t>(c)][static_cast<std::size_t>(n)]; },
-            each);
+            *this, like, [&](index_type n, int c) { return values_[static_cast<std::size_t>(c)][static_cast<std::size_t>(n)]; }, each);
     }
     index_type count() const { return count_; }
     void reset() { *this = direct_history(alpha_, past_); }
     std::size_t bytes() const { return (values_.size() + 1) * reversed_.size() * sizeof(S); }
-    static std::string name() { return "direct"; }
 
 private:
     void grow() {
@@ -74,7 +59,8 @@ private:
         for (auto& values : values_) values.resize(now, S(0));
     }
     S alpha_;
-    index_type size_, count_ = 0;
+    int size_;
+    index_type count_ = 0;
     weight_sequence<G, S> weights_;
     detail::memory::line_vector<S> reversed_;            // ..., w_2, w_1 at its end
     std::vector<detail::memory::line_vector<S>> values_; // x_0, x_1, ... of each component
@@ -84,15 +70,11 @@ private:
 
 /// The engine of a policy for the order alpha and values of the size of `like`. @throws error::invalid_parameter
 template <generating_function G, class S, class V>
-auto make_history(direct const& policy, S const& alpha, V const& like) {
+auto make_history(direct const&, S const& alpha, V const& like) {
     if constexpr (not detail::memory::same_scalar<S, V>)
         return detail::memory::scalars_differ<S, V>();
-    else {
-        if (policy.steps > direct::many and history_warning())
-            history_warning()("the direct sum over " + std::to_string(policy.steps) +
-                              " values takes half the square of that many products; exponentials{} need a few dozen each");
+    else
         return direct_history<G, plain_t<V>>(alpha, like);
-    }
 }
 
 } // namespace hilger

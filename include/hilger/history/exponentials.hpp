@@ -123,7 +123,8 @@ private:
 
 template <class G, class V>
 class exponentials_history {
-    using S = detail::memory::component_t<V>;
+    using s = detail::shape<V>;
+    using S = scalar_of<V>;
 
 public:
     exponentials_history(exponentials const& policy, S const& alpha, V const& like)
@@ -136,10 +137,10 @@ public:
         detail::memory::check_value(x, size_, count_);
         if (count_ > steps_)
             error::raise<error::outside_domain>("these exponentials were made for ", steps_, " steps, and this is step ", count_);
-        for (index_type c = 0; c < size_; ++c) {
+        for (int c = 0; c < size_; ++c) {
             auto const i = static_cast<std::size_t>(c);
-            S const& value = detail::memory::component(x, c);
-            detail::memory::component(past_, c) = recent_.first() * value + ahead_[i];
+            S const& value = s::component(x, c);
+            s::component(past_, c) = recent_.first() * value + ahead_[i];
             S const entering = recent_.oldest(c);
             std::size_t const all = rate_.size();
             S* const state = state_.data() + i * (2 * all - brief_);
@@ -163,21 +164,21 @@ public:
         recent_.reset();
         state_.assign(state_.size(), S(0));
         ahead_.assign(ahead_.size(), S(0));
-        past_ = detail::memory::zero_of_size(past_);
+        past_ = s::zero(size_);
         count_ = 0;
     }
     /// Terms of the sum of exponentials, a multiple of the width of the loops.
     index_type modes() const { return static_cast<index_type>(rate_.size()); }
     std::size_t bytes() const { return (rate_.size() + coefficient_.size() + state_.size() + ahead_.size()) * sizeof(S) + recent_.bytes(); }
-    static std::string name() { return "exponentials"; }
 
 private:
     exponentials_history(detail::memory::exponential_weights<G, S> w, index_type steps, V const& like)
-        : size_(detail::memory::components(like)), steps_(steps), recent_(w.first, size_), brief_(w.brief), rate_(std::move(w.rate)),
+        : size_(s::dimension(like)), steps_(steps), recent_(w.first, size_), brief_(w.brief), rate_(std::move(w.rate)),
           coefficient_(std::move(w.coefficient)), state_((2 * rate_.size() - brief_) * static_cast<std::size_t>(size_), S(0)),
-          ahead_(static_cast<std::size_t>(size_), S(0)), past_(detail::memory::zero_of_size(like)) {}
+          ahead_(static_cast<std::size_t>(size_), S(0)), past_(s::zero(size_)) {}
 
-    index_type size_, steps_, count_ = 0;
+    int size_;
+    index_type steps_, count_ = 0;
     detail::memory::recent_values<S> recent_;
     std::size_t brief_;
     detail::memory::line_vector<S> rate_, coefficient_;

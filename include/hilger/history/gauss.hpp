@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// Few nodes for many: the Gauss quadrature of a positive discrete measure, by Lanczos' recurrence and the implicit QL iteration
-// (Golub, Welsch 1969; Gautschi, Orthogonal Polynomials, 2.2.3 and 3.1.1).
+// Few nodes for many: the Gauss quadrature of a positive discrete measure, whose Jacobi matrix Lanczos' recurrence makes (Golub, Welsch
+// 1969; Gautschi, Orthogonal Polynomials, 2.2.3 and 3.1.1).
 #pragma once
 
-#include <cmath>
 #include <vector>
 
-#include "hilger/scalar.hpp"
+#include <Eigen/Eigenvalues>
 
 namespace hilger::detail::memory {
 
@@ -15,85 +14,36 @@ struct quadrature {
     std::vector<S> node, weight;
 };
 
-template <class S>
-S dot(std::vector<S> const& x, std::vector<S> const& y) {
-    S sum(0);
-    for (std::size_t i = 0; i < x.size(); ++i) sum = sum + x[i] * y[i];
-    return sum;
-}
-
-/// The eigenvalues of the symmetric tridiagonal matrix with the diagonal d and e beside it, and the squares of the first components of its
-/// eigenvectors times `mass`.
-template <class S>
-quadrature<S> nodes_of_jacobi_matrix(std::vector<S> d, std::vector<S> e, S const& mass) {
-    using std::abs, std::sqrt;
-    std::size_t const n = d.size();
-    std::vector<S> z(n, S(0));
-    z[0] = S(1);
-    e.resize(n, S(0));
-    for (std::size_t l = 0; l < n; ++l)
-        for (int sweep = 0; sweep < 200; ++sweep) {
-            std::size_t m = l;
-            while (m + 1 < n and abs(e[m]) > epsilon<S>() * (abs(d[m]) + abs(d[m + 1]))) ++m;
-            if (m == l) break;
-            S g = (d[l + 1] - d[l]) / (S(2) * e[l]), r = sqrt(g * g + S(1)), s(1), c(1), p(0);
-            g = d[m] - d[l] + e[l] / (g < S(0) ? S(g - r) : S(g + r));
-            std::size_t i = m;
-            while (i-- > l) {
-                S const f = s * e[i], b = c * e[i];
-                r = sqrt(f * f + g * g);
-                e[i + 1] = r;
-                if (r == S(0)) {
-                    d[i + 1] = d[i + 1] - p;
-                    break;
-                }
-                s = f / r;
-                c = g / r;
-                g = d[i + 1] - p;
-                r = (d[i] - g) * s + S(2) * c * b;
-                p = s * r;
-                d[i + 1] = g + p;
-                g = c * r - b;
-                S const y = z[i + 1];
-                z[i + 1] = s * z[i] + c * y;
-                z[i] = c * z[i] - s * y;
-            }
-            if (not(r == S(0))) {
-                d[l] = d[l] - p;
-                e[l] = g;
-            }
-            e[m] = S(0);
-        }
-    for (auto& y : z) y = mass * y * y;
-    return {d, z};
-}
-
 /// The Gauss quadrature with `count` nodes (fewer if there are no more) of the measure with these nodes and positive weights.
 template <class S>
 quadrature<S> gauss(quadrature<S> const& measure, std::size_t count) {
-    using std::sqrt;
-    std::size_t const n = measure.node.size();
-    if (n <= count) return measure;
-    S mass(0);
-    for (auto const& w : measure.weight) mass = mass + w;
-    std::vector<std::vector<S>> basis(1);
-    for (auto const& w : measure.weight) basis[0].push_back(sqrt(S(w / mass)));
-    std::vector<S> d, e;
-    while (true) {
-        std::vector<S> next = basis.back();
-        for (std::size_t i = 0; i < n; ++i) next[i] = next[i] * measure.node[i];
-        d.push_back(dot(next, basis.back()));
-        if (d.size() == count) break;
-        for (int twice = 0; twice < 2; ++twice) // orthogonal to rounding
-            for (auto const& b : basis) {
-                S const along = dot(next, b);
-                for (std::size_t i = 0; i < n; ++i) next[i] = next[i] - along * b[i];
-            }
-        e.push_back(sqrt(dot(next, next)));
-        for (auto& x : next) x = x / e.back();
-        basis.push_back(std::move(next));
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+    using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+    if (measure.node.size() <= count) return measure;
+    auto const n = static_cast<Eigen::Index>(measure.node.size()), few = static_cast<Eigen::Index>(count);
+    Eigen::Map<vector const> const node(measure.node.data(), n), weight(measure.weight.data(), n);
+    S const mass = weight.sum(), scale = node.maxCoeff(); // Eigen takes small numbers beside 1 for zero
+    matrix basis(n, few);
+    vector diagonal(few), beside(few - 1);
+    basis.col(0) = (weight / mass).cwiseSqrt();
+    for (Eigen::Index k = 0; k < few; ++k) {
+        vector next = node.cwiseProduct(basis.col(k)) / scale;
+        diagonal(k) = next.dot(basis.col(k));
+        if (k + 1 == few) break;
+        auto const known = basis.leftCols(k + 1);
+        for (int twice = 0; twice < 2; ++twice) next -= known * (known.transpose() * next).eval(); // orthogonal to rounding
+        beside(k) = next.norm();
+        basis.col(k + 1) = next / beside(k);
     }
-    return nodes_of_jacobi_matrix(std::move(d), std::move(e), mass);
+    Eigen::SelfAdjointEigenSolver<matrix> jacobi;
+    jacobi.computeFromTridiagonal(diagonal, beside);
+    quadrature<S> result;
+    for (Eigen::Index j = 0; j < few; ++j) {
+        S const first = jacobi.eigenvectors()(0, j);
+        result.node.push_back(scale * jacobi.eigenvalues()(j));
+        result.weight.push_back(mass * first * first);
+    }
+    return result;
 }
 
 } // namespace hilger::detail::memory

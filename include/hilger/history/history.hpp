@@ -4,14 +4,10 @@
 //   direct{}                  the sum over everything; exact in exact scalars
 //   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
 //   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
-//   window{length}            short memory, with a bound on what is cut off
-//   automatic{steps}          direct, blocks or exponentials
-// convolve<G>(alpha, x) is for sequences that are there already.
+// toeplitz_triangle(first_weights<G>(alpha, n)) has all sums of a sequence that is there already.
 #pragma once
 
-#include "hilger/history/automatic.hpp"
 #include "hilger/history/blocks.hpp"
 #include "hilger/history/convolution.hpp"
 #include "hilger/history/direct.hpp"
 #include "hilger/history/exponentials.hpp"
-#include "hilger/history/window.hpp"

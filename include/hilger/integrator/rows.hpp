@@ -25,8 +25,8 @@ void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
     for (index_type j = begin; j < end; ++j) at(j) = first + way * (S(j - begin + 1) / S(end - begin + 1));
 }
 /// T with its steps in proportion, so that it ends after a part of the time. @throws error::invalid_scale where no step is left
-template <class S, index_type Steps>
-uniform_scale<S, Steps> shortened(uniform_scale<S, Steps> const& T, S const& part) {
+template <class S>
+uniform_scale<S> shortened(uniform_scale<S> const& T, S const& part) {
     S const a = T.element(0);
     return {a, S(T.h() * part), S(a + (T.element(T.steps()) - a) * part), T.steps()};
 }

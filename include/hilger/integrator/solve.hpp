@@ -133,7 +133,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
             if constexpr (not std::numeric_limits<S>::is_exact) detail::require_regular(equation.derivatives(force), T, x, parts);
             ends_report<S> seen;
             detail::judge_response(S(rows(T, x, &line)), seen);
-            if constexpr (not std::numeric_limits<S>::is_exact and detail::has_coarser<typename Action::root_type>)
+            if constexpr (not std::numeric_limits<S>::is_exact)
                 if (report != nullptr)
                     detail::compare_with_coarser(
                         T, x, parts,

@@ -46,14 +46,9 @@ void judge_response(S const& response, ends_report<S>& report) {
     report.warning = message.str();
 }
 
-/// Not of a T whose number of steps is in its type.
-template <class Root>
-inline constexpr bool has_coarser = true;
-template <class S, index_type Steps>
-inline constexpr bool has_coarser<uniform_scale<S, Steps>> = Steps == run_time_extent;
 /// About every second point of T.
-template <class S, index_type Steps>
-uniform_scale<S, Steps> coarsened(uniform_scale<S, Steps> const& T) {
+template <class S>
+uniform_scale<S> coarsened(uniform_scale<S> const& T) {
     index_type const steps = T.steps() / 2;
     return {T.element(0), S((T.element(T.steps()) - T.element(0)) / S(steps)), T.element(T.steps()), steps};
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hilger/differentiation/shape.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger::detail {
 

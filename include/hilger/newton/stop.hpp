@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/linear/regular.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger {
 

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/history/component.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger::detail {
 

@@ -106,9 +106,6 @@ constexpr auto antiderivative_at<Lambda>::adjoint() const {
 
 /// int_a^t f Delta_half, from T_half to T.
 inline constexpr antiderivative_at<fraction<1, 2>> antiderivative_h{};
-template <int P, int Q>
-    requires detail::lambda_in_range<fraction<P, Q>>
-inline constexpr antiderivative_at<reduced<P, Q>> antiderivative_lambda{};
 /// int_a^t f Delta, from T^+ to T, and int_a^t f nabla, from T^- to T.
 inline constexpr auto antiderivative = antiderivative_at<fraction<0>>{} * projection<fraction<0>, true>{};
 inline constexpr auto antiderivative_nabla = antiderivative_at<fraction<0>>{} * projection<fraction<0>, true>{} * sigma;

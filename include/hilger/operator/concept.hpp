@@ -86,11 +86,6 @@ template <class A, class From, class Domain>
 constexpr auto acts_elsewhere() {
     return does_not_compile<A::name() + " acts on functions on " + From::name() + ", and this one lives on " + Domain::name()>{};
 }
-template <class A, class Domain, unsigned Points>
-constexpr auto leaves_none() {
-    return does_not_compile<A::name() + " leaves no point: the function lives on " + Domain::name() + ", and T has only " +
-                            digits<Points>() + " points">{};
-}
 template <class A, class Root>
 constexpr auto needs_one_step() {
     return does_not_compile<A::name() + " has the weights of one step h, and this function lives on " + Root::kind()>{};
@@ -110,8 +105,6 @@ struct linear_operator {
     constexpr auto operator[](F f) const {
         if constexpr (not acts_on<A, F>)
             return detail::acts_elsewhere<A, typename A::from, typename F::domain_type>();
-        else if constexpr (leaves_no_point<F>())
-            return detail::leaves_none<A, typename F::domain_type, static_cast<unsigned>(F::root_type::extent) + 1>();
         else if constexpr (lacks_uniform<F>())
             return detail::needs_one_step<A, typename F::root_type>();
         else
@@ -128,13 +121,6 @@ private:
     static consteval bool lacks_uniform() {
         if constexpr (discrete_function<F> and A::needs_uniform)
             return not F::root_type::is_uniform;
-        else
-            return false;
-    }
-    template <class F>
-    static consteval bool leaves_no_point() {
-        if constexpr (discrete_function<F>)
-            return static_size<typename applied<A, F>::domain_type, typename F::root_type> == 0;
         else
             return false;
     }

@@ -116,7 +116,7 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
             return domain<nodes, F, 0>{};
         }
     }
-    /// By the sum itself, O(k) at point k; history/convolution.hpp has all points at once.
+    /// By the sum itself, O(k) at point k; toeplitz_triangle of history/convolution.hpp has all points at once.
     template <class F>
     constexpr auto evaluate(F const& f, index_type k) const {
         using root = typename F::root_type;
@@ -236,8 +236,6 @@ inline constexpr fractional_difference<grunwald_letnikov, detail::order_in_type<
 /// The same with the weights of G: minus_alpha<bdf<2>, 1, 2> is the G^alpha of Galucio, Deue, Dubois (2).
 template <generating_function G, int P, int Q>
 inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::minus> minus_alpha{};
-template <generating_function G, int P, int Q>
-inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::plus> plus_alpha{};
 /// Delta_-^alpha[f - f(a)], of Caputo's kind: zero for constants.
 template <int P, int Q>
 inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q>* minus_start;

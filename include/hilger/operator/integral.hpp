@@ -109,7 +109,7 @@ constexpr auto integral(F f, Scale const& scale) {
     using Base = typename D::base_type;
     static_assert(D::front == 0 and D::back == 0, "integrate over a whole scale: T, half(T), circ(T), or between two points");
     detail::require_root(f, scale);
-    if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); })
+    if constexpr (is_between<Base>)
         return weighted_sum<step_weight>(detail::on_lambda_points(std::move(f), scale.domain().base));
     else if constexpr (detail::has_own_weights<Base, typename Scale::root_type>)
         return weighted_sum<step_weight>(detail::restrict_to(std::move(f), scale.domain()));
@@ -132,10 +132,7 @@ constexpr auto nabla_integral(F f, Scale const& scale) {
 template <discrete_function F>
 constexpr auto integral(F f, typename F::root_type::scalar_type const& s, typename F::root_type::scalar_type const& t) {
     using Base = base_of<F>;
-    if constexpr (requires(Base b) { [](between<std::remove_cvref_t<decltype(b.lambda)>> const&) {}(b); }) {
-        auto const T = derived_scale(f.root(), domain<nodes>{});
-        return detail::sum_between<step_weight>(detail::restrict_to(f, domain<Base>{f.domain().base}), T.number_of(s), T.number_of(t));
-    } else if constexpr (detail::has_own_weights<Base, typename F::root_type>) {
+    if constexpr (is_between<Base> or detail::has_own_weights<Base, typename F::root_type>) {
         auto const T = derived_scale(f.root(), domain<nodes>{});
         constexpr index_type in_a_step = Base::last(2) - Base::last(1);
         return detail::sum_between<step_weight>(detail::restrict_to(f, domain<Base>{f.domain().base}), in_a_step * T.number_of(s),

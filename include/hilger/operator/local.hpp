@@ -96,6 +96,7 @@ struct derivative : linear_operator<derivative<Base, Side>> {
     constexpr auto operator()(int alpha) const;
 };
 
+// On any other family they are named by their types: derivative<joined<fraction<1, 3>>, side::plus>{}.
 inline constexpr shift<nodes, side::plus> sigma{};
 inline constexpr shift<nodes, side::minus> rho{};
 inline constexpr shift<between<fraction<1, 2>>, side::plus> sigma_h{};
@@ -109,16 +110,6 @@ inline constexpr derivative<between<fraction<1, 2>>, side::plus> Delta_h_plus{};
 inline constexpr derivative<between<fraction<1, 2>>, side::minus> Delta_h_minus{};
 inline constexpr derivative<joined<fraction<1, 2>>, side::plus> Delta_o_plus{};
 inline constexpr derivative<joined<fraction<1, 2>>, side::minus> Delta_o_minus{};
-
-/// The shifts and derivatives on any other family: sigma_on<between<fraction<1, 3>>>, Delta_plus_on<joined<run_time<double>>>, ...
-template <class Base>
-inline constexpr shift<Base, side::plus> sigma_on{};
-template <class Base>
-inline constexpr shift<Base, side::minus> rho_on{};
-template <class Base>
-inline constexpr derivative<Base, side::plus> Delta_plus_on{};
-template <class Base>
-inline constexpr derivative<Base, side::minus> Delta_minus_on{};
 
 /// [f]_{1/2,-} = (f + f o rho_half) / 2 on T_half^- (Cresson-Safi (25)), and its mirror image.
 inline constexpr auto mean_h_minus = fraction<1, 2>{} * (identity_h + rho_h);

@@ -45,8 +45,6 @@ public:
 
     [[nodiscard]] constexpr span whole() const { return hull(on_T, between); }
     [[nodiscard]] constexpr bool is_local() const { return not whole().from_start() and not whole().to_end(); }
-    [[nodiscard]] constexpr bool is_causal() const { return not whole().to_end(); }
-    [[nodiscard]] constexpr bool is_anticausal() const { return not whole().from_start(); }
     /// The number of steps with all that one value depends on; only of what is local.
     [[nodiscard]] constexpr int steps() const { return std::max({0, width(on_T), width(between)}); }
 

@@ -192,9 +192,6 @@ template <int P, int Q>
 inline constexpr restriction_to<reduced<P, Q>, false> on_lambda{};
 template <int P, int Q>
     requires detail::lambda_in_range<fraction<P, Q>>
-inline constexpr projection<reduced<P, Q>, false> pi_lambda{};
-template <int P, int Q>
-    requires detail::lambda_in_range<fraction<P, Q>>
 inline constexpr projection<reduced<P, Q>, true> pi_lambda_inverse{};
 
 /// f -> f_{o,lambda} for a lambda known at run time. @throws error::invalid_parameter when lambda is outside ]0, 1[.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct spelled {
 
 namespace detail {
 
+/// The digits of n >= 0 as ₀ to ₉.
+inline std::string subscript(int n) {
+    std::string text;
+    for (char const c : std::to_string(n)) text += std::string("\xE2\x82") + static_cast<char>(0x80 + (c - '0'));
+    return text;
+}
+
 class expression;
 
 /// What a term multiplies: a name, or an expression between two texts.
@@ -36,7 +44,6 @@ struct written_node {
     kind is = kind::name;
     spelled before{}, after{};
     std::shared_ptr<expression const> inner{}; ///< none in a name
-    bool awkward = false;                      ///< it takes a note to be understood: a sum of shifts is to be preferred
 };
 
 struct written_term {
@@ -61,10 +68,6 @@ public:
     [[nodiscard]] bool is_name() const {
         return terms.size() == 1 and terms[0].is_plain() and terms[0].what.is == written_node::kind::name;
     }
-    [[nodiscard]] bool is_awkward() const {
-        return std::any_of(terms.begin(), terms.end(),
-                           [](written_term const& t) { return t.what.awkward or (t.what.inner and t.what.inner->is_awkward()); });
-    }
 
     [[nodiscard]] expression times(long long numerator, long long denominator) const {
         expression e = *this;
@@ -77,7 +80,7 @@ public:
             }
             t.numerator = above;
             t.denominator = below;
-            long long const g = std::max<long long>(greatest_common_divisor(t.numerator, t.denominator), 1);
+            long long const g = std::max(std::gcd(t.numerator, t.denominator), 1LL);
             t.numerator /= g;
             t.denominator /= g;
         }
@@ -98,12 +101,10 @@ public:
         return a;
     }
     /// before[this]after; the constants of a single term stand before it all.
-    [[nodiscard]] expression in_brackets(spelled before, spelled after, bool awkward = false) const {
-        return enclosed({written_node::kind::bracketed, std::move(before), std::move(after), {}, awkward});
+    [[nodiscard]] expression in_brackets(spelled before, spelled after) const {
+        return enclosed({written_node::kind::bracketed, std::move(before), std::move(after), {}});
     }
-    [[nodiscard]] expression marked(spelled mark, bool awkward = false) const {
-        return enclosed({written_node::kind::marked, {}, std::move(mark), {}, awkward});
-    }
+    [[nodiscard]] expression marked(spelled mark) const { return enclosed({written_node::kind::marked, {}, std::move(mark), {}}); }
     /// Without what stands around a single term.
     [[nodiscard]] expression without_brackets() const {
         expression e = terms[0].what.inner->times(terms[0].numerator, terms[0].denominator);
@@ -152,14 +153,6 @@ public:
     expression(std::vector<written_term> all) : terms(std::move(all)) {}
 
 private:
-    static long long greatest_common_divisor(long long a, long long b) {
-        for (a = a < 0 ? -a : a; b != 0;) {
-            long long const r = a % b;
-            a = b;
-            b = r;
-        }
-        return a;
-    }
     [[nodiscard]] expression enclosed(written_node node) const {
         if (terms.empty()) return {}; // an operator makes zero of zero
         written_term t;

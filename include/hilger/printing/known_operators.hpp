@@ -28,8 +28,7 @@ std::vector<known_operator> list_of_known_operators() {
                 known(rho, [](expression const& f) { return with_symbol(f, shift_sign(nodes{}, side::minus)); }),
                 known(Delta_plus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::plus)); }),
                 known(Delta_minus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::minus)); })};
-    else if constexpr (std::same_as<From, To> and requires(From b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                       std::is_empty_v<From>) {
+    else if constexpr (std::same_as<From, To> and is_between<From> and std::is_empty_v<From>) {
         using L = std::remove_cvref_t<decltype(From{}.lambda)>;
         constexpr identity_on<From, delta_weight> here{};
         constexpr shift<From, side::plus> next{};
@@ -42,16 +41,8 @@ std::vector<known_operator> list_of_known_operators() {
             known(last, [](expression const& f) { return with_symbol(f, shift_sign(From{}, side::minus)); }),
             known(derivative<From, side::plus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::plus)); }),
             known(derivative<From, side::minus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::minus)); }),
-            known(rest * here + L{} * last,
-                  [](expression const& f) {
-                      auto const l = foot(From{});
-                      return in_mean(f, {l.terminal + ",₋", l.latex + ",-"}, mean_note<L>(side::minus));
-                  }),
-            known(rest * here + L{} * next,
-                  [](expression const& f) {
-                      auto const l = foot(From{});
-                      return in_mean(f, {l.terminal + ",₊", l.latex + ",+"}, mean_note<L>(side::plus));
-                  }),
+            known(rest * here + L{} * last, [](expression const& f) { return mean_of_neighbours<L>(f, side::minus); }),
+            known(rest * here + L{} * next, [](expression const& f) { return mean_of_neighbours<L>(f, side::plus); }),
             known(there * step_mean_at<L>{}, [](expression const& f) { return step_weighted_mean(f, L{}); }),
             known(there * reweight<nodes, nabla_weight, natural_weight_t<L>>{} * Delta_minus * projection<L, false>{},
                   [](expression const& f) { // for 1/2 it is the difference on T_half, above
@@ -60,8 +51,7 @@ std::vector<known_operator> list_of_known_operators() {
                       return written_alone(projection<L, true>{},
                                            with_symbol(on_nodes, delta_sign(nodes{}, side::minus)).times_weight(over));
                   })};
-    } else if constexpr (std::same_as<From, nodes> and requires(To b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                         std::is_empty_v<To>) {
+    } else if constexpr (std::same_as<From, nodes> and is_between<To> and std::is_empty_v<To>) {
         using L = std::remove_cvref_t<decltype(To{}.lambda)>;
         if constexpr (L::numerator > 0)
             return {known(restriction_to<L, false>{} * extension<L>{},
@@ -73,8 +63,7 @@ std::vector<known_operator> list_of_known_operators() {
         return {known(mean_o, [](expression const& f) { return in_mean(f, {"∘", "\\circ"}); })};
     else if constexpr (std::same_as<From, nodes> and std::same_as<To, joined<half>>)
         return {known(extend, [](expression const& f) { return extended(f, {"∘", "\\circ"}); })};
-    else if constexpr (std::same_as<To, nodes> and requires(From b) { [](between<std::remove_cvref_t<decltype(b.lambda)>>) {}(b); } and
-                       std::is_empty_v<From>) {
+    else if constexpr (std::same_as<To, nodes> and is_between<From> and std::is_empty_v<From>) {
         using L = std::remove_cvref_t<decltype(From{}.lambda)>;
         constexpr projection<L, false> on_T_of{};
         static constexpr auto written_on_T = [](expression const& f) { return written_alone(projection<L, false>{}, f); };
@@ -83,10 +72,7 @@ std::vector<known_operator> list_of_known_operators() {
                 known(on_T_of * derivative<From, side::minus>{},
                       [](expression const& f) { return written_on_T(with_symbol(f, delta_sign(From{}, side::minus))); }),
                 known(on_T_of * (rest * identity_on<From, delta_weight>{} + L{} * shift<From, side::minus>{}),
-                      [](expression const& f) {
-                          auto const l = foot(From{});
-                          return written_on_T(in_mean(f, {l.terminal + ",₋", l.latex + ",-"}, mean_note<L>(side::minus)));
-                      }),
+                      [](expression const& f) { return written_on_T(mean_of_neighbours<L>(f, side::minus)); }),
                 known(step_mean_at<L>{}, [](expression const& f) { return written_on_T(step_weighted_mean(f, L{})); })};
     }
     return {};

@@ -31,30 +31,37 @@ struct on_uniform_of<on_uniform<A>> {
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f);
 
-/// The numbers of compositions and multiples that are known at run time only.
+/// A factor that is known at run time only, or one over it.
+template <class C>
+std::string written_factor(C const& c) {
+    if constexpr (requires { c.c; })
+        return written_number(decltype(c.c)(1 / c.c));
+    else
+        return written_number(c);
+}
+/// A without such factors, so that it may be a known operator; `factors` takes them, from the outermost on.
 template <class A>
-expression with_numbers(A const&, expression const& f) {
-    return f;
+auto without_factors(A const& a, std::vector<std::string>&) {
+    return a;
 }
 template <class C, class A>
-expression with_numbers(multiple<C, A> const& a, expression const& f);
+auto without_factors(multiple<C, A> const& a, std::vector<std::string>& factors);
 template <class A, class B>
-expression with_numbers(composition<A, B> const& ab, expression const& f) {
-    return with_numbers(ab.a, with_numbers(ab.b, f));
+auto without_factors(composition<A, B> const& ab, std::vector<std::string>& factors) {
+    auto const a = without_factors(ab.a, factors);
+    return a * without_factors(ab.b, factors);
 }
 template <class C, class A>
-expression with_numbers(multiple<C, A> const& a, expression const& f) {
-    auto const inner = with_numbers(a.a, f);
+auto without_factors(multiple<C, A> const& a, std::vector<std::string>& factors) {
     if constexpr (is_exact_factor<C>)
-        return inner;
+        return a.c * without_factors(a.a, factors);
     else {
-        std::string c;
-        if constexpr (requires { a.c.c; }) // one over a number
-            c = written_number(decltype(a.c.c)(1 / a.c.c));
-        else
-            c = written_number(a.c);
-        return inner.times_constant({without_sign(c), without_sign(c)}).times(c.starts_with('-') ? -1 : 1, 1);
+        factors.push_back(written_factor(a.c));
+        return without_factors(a.a, factors);
     }
+}
+inline expression times_factor(expression const& f, std::string const& c) {
+    return f.times_constant({without_sign(c), without_sign(c)}).times(c.starts_with('-') ? -1 : 1, 1);
 }
 
 /// n f, or f/n `over` n.
@@ -78,7 +85,7 @@ expression written_parts(multiple<C, A> const& a, expression const& f) {
     else if constexpr (is_exact_factor<C>)
         return times_whole(inner, a.c.c, true);
     else
-        return with_numbers(multiple<C, identity_on<typename A::to, typename A::to_weight>>(a.c, {}), inner);
+        return times_factor(inner, written_factor(a.c));
 }
 template <bool Uniform, class A, class B>
 expression written_parts(operator_sum<A, B> const& a, expression const& f) {
@@ -101,43 +108,20 @@ inline constexpr bool is_made_of_others<composition<A, B>> = true;
 template <class A, class B>
 inline constexpr bool is_made_of_others<operator_sum<A, B>> = true;
 
-/// A sum of shifts of f.
-template <class A>
-std::optional<expression> written_shifts(A const& a, expression const& f) {
-    if constexpr (has_residues<A>)
-        if (auto const terms = as_shifts(a)) {
-            auto const base = base_of_argument(a);
-            static char const* const powers[] = {"⁻⁴", "⁻³", "⁻²", "⁻¹", "", "", "²", "³", "⁴"};
-            expression sum;
-            for (auto const& t : *terms) {
-                expression e = f;
-                for (int k = 0; k < t.offset; ++k) e = with_symbol(e, shift_sign(base, side::plus));
-                for (int k = 0; k < -t.offset; ++k) e = with_symbol(e, shift_sign(base, side::minus));
-                if (t.power != 0)
-                    e = e.times_constant(
-                        {std::string("h") + powers[t.power + 4], t.power == 1 ? "h" : "h^{" + std::to_string(t.power) + "}"});
-                sum = sum + e.times(t.factor.numerator, t.factor.denominator);
-            }
-            return sum;
-        }
-    return std::nullopt;
-}
-
 /// The operator on f; Uniform says that T has equal steps.
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f) {
-    if constexpr (is_made_of_others<A> and not known_by_type<A> and known_by_type<decltype(without_numbers(a))>) {
-        return with_numbers(a, write_operator<Uniform>(without_numbers(a), f));
-    } else if constexpr (is_made_of_others<A>) {
-        if (auto const known = as_known<Uniform>(a, f)) return *known;
-        auto const parts = written_parts<Uniform>(a, f);
-        if constexpr (Uniform)
-            if (parts.is_awkward())
-                if (auto const shifts = written_shifts(a, f)) return *shifts;
-        return parts;
+    using bare = decltype(without_factors(a, std::declval<std::vector<std::string>&>()));
+    if constexpr (known_by_type<bare> and not known_by_type<A>) {
+        std::vector<std::string> factors;
+        auto e = write_operator<Uniform>(without_factors(a, factors), f);
+        for (auto c = factors.rbegin(); c != factors.rend(); ++c) e = times_factor(e, *c);
+        return e;
     } else {
         if (auto const known = as_known<Uniform>(a, f)) return *known;
-        if constexpr (requires { written_alone(a, f, Uniform); })
+        if constexpr (is_made_of_others<A>)
+            return written_parts<Uniform>(a, f);
+        else if constexpr (requires { written_alone(a, f, Uniform); })
             return written_alone(a, f, Uniform);
         else
             return written_alone(a, f);

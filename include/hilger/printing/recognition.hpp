@@ -43,25 +43,6 @@ inline constexpr bool is_algebraic<operator_sum<A, B>> = is_algebraic<A>and is_a
 template <class A>
 inline constexpr bool has_residues = known_by_type<A>and is_algebraic<A>;
 
-/// A = c B with the numbers c that are known at run time only taken out of compositions, so that B may be a known operator.
-template <class A>
-auto without_numbers(A const& a) {
-    return a;
-}
-template <class C, class A>
-auto without_numbers(multiple<C, A> const& a);
-template <class A, class B>
-auto without_numbers(composition<A, B> const& ab) {
-    return without_numbers(ab.a) * without_numbers(ab.b);
-}
-template <class C, class A>
-auto without_numbers(multiple<C, A> const& a) {
-    if constexpr (is_exact_factor<C>)
-        return a.c * without_numbers(a.a);
-    else
-        return without_numbers(a.a);
-}
-
 /// The points that an operator acts on, with the lambda that it carries.
 template <class A>
 auto base_of_argument(A const& a) {
@@ -78,7 +59,7 @@ auto base_of_argument(A const& a) {
         return from{};
 }
 
-/// A function on a scale of generic steps, given by its values: one type for all, so that an operator is compiled once.
+/// A function on a scale of generic steps, given by its random values: one type for all, so that an operator is compiled once.
 template <bool Uniform, class Base>
 struct residues : discrete_function_tag {
     using root_type = generic_scale<Uniform, 16>;
@@ -86,10 +67,8 @@ struct residues : discrete_function_tag {
     Base base{};
     std::vector<prime_field> values{};
 
-    /// Random values, or 1 at one point and 0 elsewhere.
-    explicit residues(Base b, std::optional<index_type> unit = {}) : base(b), values(static_cast<std::size_t>(Base::last(16)) + 1) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = not unit ? random_element(2 * i + 1'000'002) : prime_field(static_cast<index_type>(i) == *unit ? 1 : 0);
+    explicit residues(Base b) : base(b), values(static_cast<std::size_t>(Base::last(16)) + 1) {
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = random_element(2 * i + 1'000'002);
     }
     static constexpr root_type root() { return {}; }
     [[nodiscard]] constexpr domain_type domain() const { return {base}; }
@@ -131,55 +110,6 @@ inline std::optional<small_ratio> times(fingerprint const& a, fingerprint const&
         if (not(a.values[k] == c * b.values[k])) return std::nullopt;
     auto const ratio = ratio_of_residue(c);
     return ratio and ratio->numerator == 0 ? std::nullopt : ratio;
-}
-
-/// One term of an operator on equal steps: p/q h^power f(t + offset h).
-struct shifted_term {
-    small_ratio factor;
-    int power = 0, offset = 0;
-};
-/// A local operator from one family into itself as a sum of shifts, when T has equal steps; nothing when its coefficients are no rational
-/// multiples of powers of h, or are not the same everywhere.
-template <class A>
-std::optional<std::vector<shifted_term>> as_shifts(A const& a) {
-    constexpr reach reads = A::reads;
-    if constexpr (not reads.is_local() or not std::same_as<typename A::from, typename A::to>)
-        return std::nullopt;
-    else {
-        auto const base = base_of_argument(a);
-        auto const here = image_of(a);
-        prime_field const h = generic_scale<true, 16>::step(0), zero(0);
-        index_type const first = here.first(generic_scale<true, 16>{}), last = here.last(generic_scale<true, 16>{}),
-                         middle = (first + last) / 2;
-        if (last < first) return std::nullopt;
-        auto const with_power = [&](prime_field c, int power) {
-            for (int k = 0; k < power; ++k) c = c * h;
-            for (int k = 0; k < -power; ++k) c = c / h;
-            return c;
-        };
-        std::vector<shifted_term> terms;
-        std::vector<prime_field> sum(static_cast<std::size_t>(std::max<index_type>(last - first + 1, 0)), zero);
-        residues<true, typename A::from> const f(base);
-        index_type const end = static_cast<index_type>(f.values.size());
-        for (index_type j = last; j >= first - middle; --j) {
-            if (middle + j < 0 or middle + j >= end) continue;
-            prime_field const c = a.evaluate(residues<true, typename A::from>(base, middle + j), middle);
-            if (c == zero) continue;
-            bool found = false;
-            for (int power : {0, -1, 1, -2, 2, -3, 3, -4, 4})
-                if (auto const ratio = ratio_of_residue(with_power(c, -power)); ratio and not found) {
-                    terms.push_back({*ratio, power, static_cast<int>(j)});
-                    found = true;
-                }
-            if (not found) return std::nullopt;
-            for (index_type i = first; i <= last; ++i) {
-                if (i + j < 0 or i + j >= end) return std::nullopt;
-                sum[static_cast<std::size_t>(i - first)] = sum[static_cast<std::size_t>(i - first)] + c * f.get(i + j);
-            }
-        }
-        if (not(sum == values_of<true>(a, f))) return std::nullopt;
-        return terms;
-    }
 }
 
 } // namespace hilger::detail

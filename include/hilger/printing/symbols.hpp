@@ -2,10 +2,10 @@
 // How numbers, families of points, weights and domains are written, for a terminal and in LaTeX.
 #pragma once
 
-#include <charconv>
 #include <iomanip>
 #include <sstream>
 
+#include "hilger/error.hpp"
 #include "hilger/printing/expression.hpp"
 #include "hilger/scale/weight.hpp"
 
@@ -16,11 +16,9 @@ template <class C>
 std::string written_number(C const& c) {
     if constexpr (std::integral<C>)
         return std::to_string(c);
-    else if constexpr (std::floating_point<C>) {
-        char digits_of[128];
-        auto const end = std::to_chars(std::begin(digits_of), std::end(digits_of), c);
-        return {std::begin(digits_of), end.ptr};
-    } else if constexpr (requires(std::ostream & out) { out << c; }) {
+    else if constexpr (std::floating_point<C>)
+        return round_trip(c);
+    else if constexpr (requires(std::ostream & out) { out << c; }) {
         std::ostringstream out;
         if constexpr (std::numeric_limits<C>::is_specialized and not std::numeric_limits<C>::is_exact)
             out << std::setprecision(std::numeric_limits<C>::max_digits10);

@@ -38,7 +38,7 @@ expression restricted_to_points(expression const& f, Base const& base) {
         return same ? f.without_brackets() : expression{};
     }
     domain<Base> const here{base};
-    return f.marked({"|" + written_domain(here, print_style::terminal), "|_{" + written_domain(here, print_style::latex) + "}"}, true);
+    return f.marked({"|" + written_domain(here, print_style::terminal), "|_{" + written_domain(here, print_style::latex) + "}"});
 }
 /// Halves are Cresson and Safi's (25); any other mean is explained.
 template <class L>
@@ -53,6 +53,13 @@ spelled mean_note(side which) {
                 "\\left[f\\right]_{" + l.latex + (minus ? ",-} = " : ",+} = ") + rest.latex + "f + " + l.latex + shift_of.latex +
                     "\\left[f\\right]"};
     }
+}
+/// (1 - lambda) f + lambda rho[f] on T_lambda, or with sigma.
+template <class L>
+expression mean_of_neighbours(expression const& f, side which) {
+    spelled const l = foot(between<L>{});
+    bool const minus = which == side::minus;
+    return in_mean(f, {l.terminal + (minus ? ",₋" : ",₊"), l.latex + (minus ? ",-" : ",+")}, mean_note<L>(which));
 }
 /// ((1 - lambda) mu f + lambda nu rho[f]) over their sum, on T_lambda.
 template <class Lambda>
@@ -107,7 +114,7 @@ expression written_alone(insertion<Lambda, ToNodes> const& a, expression const& 
     iota = with_bracket(iota);
     iota.terminal_note = name + "[f] = f on T" + at.terminal + " and 0 between";
     iota.latex_note = "\\iota[f] = f \\text{ where it lives and } 0 \\text{ between}";
-    return f.in_brackets(iota, closing(), true);
+    return f.in_brackets(iota, closing());
 }
 template <class Lambda, bool Inverse>
 expression written_alone(projection<Lambda, Inverse> const& a, expression const& f) {

@@ -15,8 +15,6 @@
 
 namespace hilger {
 
-inline constexpr index_type run_time_extent = -1;
-
 struct nodes {
     static constexpr auto name() { return fixed_text("T"); }
     static constexpr index_type last(index_type steps) { return steps; }
@@ -69,6 +67,10 @@ struct between {
     }
     friend constexpr bool operator==(between const&, between const&) = default;
 };
+template <class Base>
+inline constexpr bool is_between = false;
+template <class Lambda>
+inline constexpr bool is_between<between<Lambda>> = true;
 
 template <class Lambda>
 struct joined {
@@ -177,12 +179,5 @@ template <class Base, int F, int B, int G, int C>
 constexpr auto intersect(domain<Base, F, B> const& a, domain<Base, G, C> const&) {
     return domain<Base, std::max(F, G), std::max(B, C)>{a.base};
 }
-
-/// The number of points that Domain has on a scale whose number of steps is known to the type, or run_time_extent.
-template <class Domain, class Root>
-inline constexpr index_type
-    static_size = Root::extent == run_time_extent
-                      ? run_time_extent
-                      : std::max<index_type>(Domain::base_type::last(Root::extent) - Domain::back - Domain::front + 1, 0);
 
 } // namespace hilger

@@ -14,11 +14,7 @@ public:
     using root_type = Root;
     using domain_type = Domain;
 
-    constexpr derived_scale(Root root, Domain domain) : root_(std::move(root)), domain_(std::move(domain)) {
-        if constexpr (static_size<Domain, Root> == 0)
-            does_not_compile<"no point is left: " + Domain::name() + " is empty when T has only " +
-                             digits<static_cast<unsigned>(Root::extent) + 1>() + " points">{};
-    }
+    constexpr derived_scale(Root root, Domain domain) : root_(std::move(root)), domain_(std::move(domain)) {}
     [[nodiscard]] constexpr Root const& root() const { return root_; }
     [[nodiscard]] constexpr Domain const& domain() const { return domain_; }
 

@@ -24,7 +24,6 @@ public:
     using root_type = time_scale;
     using domain_type = hilger::domain<nodes>;
     static constexpr bool is_uniform = false;
-    static constexpr index_type extent = run_time_extent;
     static constexpr auto kind() { return fixed_text("a scale of given points"); }
 
     /// At least two points, strictly increasing. @throws error::invalid_scale

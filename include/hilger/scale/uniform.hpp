@@ -18,15 +18,13 @@ interval(A, B) -> interval<std::conditional_t<std::is_integral_v<A> and not std:
 template <std::floating_point A, std::floating_point B>
 interval(A, B) -> interval<std::common_type_t<A, B>>;
 
-/// Steps >= 0 puts the number of steps in the type, and what runs out of points then does not compile.
-template <ordered_scalar S, index_type Steps = run_time_extent>
-class uniform_scale : public scale_interface<uniform_scale<S, Steps>> {
+template <ordered_scalar S>
+class uniform_scale : public scale_interface<uniform_scale<S>> {
 public:
     using scalar_type = S;
     using root_type = uniform_scale;
     using domain_type = hilger::domain<nodes>;
     static constexpr bool is_uniform = true;
-    static constexpr index_type extent = Steps;
     static constexpr auto kind() { return fixed_text("a uniform scale"); }
 
     constexpr uniform_scale(S a, S h, S b, index_type steps) : a_(std::move(a)), h_(std::move(h)), b_(std::move(b)), steps_(steps) {
@@ -164,20 +162,6 @@ constexpr auto uniform(interval<S> ab, index_type steps) {
 template <class S, std::floating_point N>
 constexpr auto uniform(interval<S> ab, N steps) {
     return uniform(std::move(ab), detail::whole_steps(steps));
-}
-
-/// The same as uniform(a, h, N) with N in the type: uniform<2>(0.0, 0.1) has three points, and its type says so.
-template <index_type Steps, class A, class H>
-constexpr auto uniform(A const& a, H const& h) {
-    static_assert(Steps >= 1, "a time scale needs at least one step");
-    using S = detail::common_scalar_t<A, H>;
-    if constexpr (std::is_void_v<S>)
-        return detail::no_common_scalar<A, H>();
-    else {
-        S start = detail::exactly<S>(a), step = detail::exactly<S>(h);
-        S b = start + S(static_cast<long long>(Steps)) * step;
-        return uniform_scale<S, Steps>(std::move(start), std::move(step), std::move(b), Steps);
-    }
 }
 
 } // namespace hilger

@@ -7,7 +7,7 @@
 // In both cases it changes the momentum by h F. For mid-point the two say the same.
 #pragma once
 
-#include "hilger/differentiation/shape.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger::detail {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "hilger/differentiation/shape.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger {
 

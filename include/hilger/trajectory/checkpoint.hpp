@@ -13,9 +13,11 @@
 #include <locale>
 #include <optional>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 
 #include "hilger/history/component.hpp"
-#include "hilger/scale/read.hpp"
 #include "hilger/trajectory/resuming.hpp"
 #include "hilger/trajectory/trajectory.hpp"
 
@@ -37,6 +39,18 @@ std::string exact_text(X const& x) {
     else
         out << std::scientific << std::setprecision(std::numeric_limits<X>::max_digits10) << x;
     return out.str();
+}
+
+/// The number that the whole word spells. @throws std::exception when it spells none.
+template <class S>
+S number_from(std::string const& word) {
+    if constexpr (std::is_floating_point_v<S>) {
+        std::size_t used = 0;
+        auto const number = static_cast<S>(std::stold(word, &used));
+        if (used != word.size()) throw std::invalid_argument(word);
+        return number;
+    } else
+        return S(word);
 }
 
 struct checkpoint_writer {

@@ -165,33 +165,19 @@ S reversibility_error(Method const& method, Adjoint const& adjoint, state<S, V> 
     return std::max(S(magnitude(V(back.q - x.q))), S(magnitude(V(back.p - x.p))));
 }
 
-namespace detail {
-/// The largest component of a function's values.
-template <class S, class R>
-S largest_of(R const& residual) {
+/// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T), with a force f(q, v) or f(t, q, v) beside
+/// dL/dq where one is given; 0 where T has no inner point. Terms of the size |p| / h cancel in it, so it is a few epsilons of that where x
+/// is a solution. Of a restricted principle it is that of the equation of the first curve, with its damping.
+template <class Equation, discrete_function X, class... Force>
+    requires requires(Equation const& equation, X const& x, Force const&... force) { equation.residual(x, force...); }
+auto largest_residual(Equation const& equation, X const& x, Force const&... force) {
+    using S = typename X::root_type::scalar_type;
     S worst(0);
-    for (auto const& r : residual)
-        for (int k = 0; k < shape<std::remove_cvref_t<decltype(r)>>::dimension(r); ++k)
-            worst = larger(worst, S(magnitude(shape<std::remove_cvref_t<decltype(r)>>::component(r, k))));
+    for (auto const& r : equation.residual(x, force...)) {
+        using s = detail::shape<std::remove_cvref_t<decltype(r)>>;
+        for (int k = 0; k < s::dimension(r); ++k) worst = detail::larger(worst, S(magnitude(s::component(r, k))));
+    }
     return worst;
-}
-} // namespace detail
-
-/// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T); 0 where T has no inner point. Terms of the
-/// size |p| / h cancel in it, so it is a few epsilons of that where x is a solution.
-template <class Action, discrete_function X>
-auto largest_residual(euler_lagrange<Action> const& equation, X const& x) {
-    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
-}
-/// The same of the equation of the first curve of a restricted principle, with its damping.
-template <class Action, linear_map A, linear_map B, class Root, discrete_function X>
-auto largest_residual(restricted_euler_lagrange<Action, A, B, Root> const& equation, X const& x) {
-    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x));
-}
-/// The same with a force f(q, v) or f(t, q, v) beside dL/dq.
-template <class Action, discrete_function X, class Force>
-auto largest_residual(euler_lagrange<Action> const& equation, X const& x, Force const& force) {
-    return detail::largest_of<typename X::root_type::scalar_type>(equation.residual(x, force));
 }
 
 } // namespace hilger

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "hilger/differentiation/shape.hpp"
+#include "hilger/shape.hpp"
 #include "hilger/whole_number.hpp"
 
 namespace hilger {

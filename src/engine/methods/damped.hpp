@@ -34,12 +34,8 @@ auto use_at_mid_point(Damped const& damped, std::vector<hilger::fractional_term<
 template <class Mechanics, class Use>
 void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_type steps, Use const& use) {
     auto const terms = fractional_terms_of(what);
-    with_history(what.history, steps, [&]<class Policy>(Policy const& policy) {
-        if constexpr (std::same_as<Policy, hilger::window>)
-            hilger::error::raise<hilger::error::invalid_parameter>("a window is for Newmark's scheme, and not for embeddings");
-        else
-            use_at_mid_point(hilger::with_fractional_damping(mechanics, terms, policy), terms, use);
-    });
+    with_history(what.history, steps,
+                 [&](auto const& policy) { use_at_mid_point(hilger::with_fractional_damping(mechanics, terms, policy), terms, use); });
 }
 
 } // namespace engine

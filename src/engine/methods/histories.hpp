@@ -2,8 +2,6 @@
 // The histories of fractional terms by name; what follows a colon is a parameter.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "hilger/error.hpp"
@@ -22,10 +20,8 @@ void with_history(std::string const& name, hilger::index_type steps, Use const& 
     if (kind == "direct" and not has_number) return use(hilger::direct{});
     if (kind == "blocks" and not has_number) return use(hilger::blocks{});
     if (kind == "exponentials" and number) return use(hilger::exponentials{*number, steps + 1});
-    if (kind == "window" and has_number and number and *number >= 1 and *number == std::floor(*number) and *number < 1e15)
-        return use(hilger::window{std::min(static_cast<hilger::index_type>(*number), steps + 1)}); // there is no more
-    hilger::error::raise<hilger::error::invalid_parameter>(
-        "histories are direct, blocks, exponentials, exponentials:1e-8 and window:1000, and not '", name, "'");
+    hilger::error::raise<hilger::error::invalid_parameter>("histories are direct, blocks, exponentials and exponentials:1e-8, and not '",
+                                                           name, "'");
 }
 
 /// @throws hilger::error::invalid_parameter where there is no history of that name, or not with that parameter

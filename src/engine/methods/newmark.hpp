@@ -4,8 +4,8 @@
 #pragma once
 
 #include "engine/engine.hpp"
+#include "engine/second_degree.hpp"
 #include "hilger/fractional/newmark.hpp"
-#include "hilger/fractional/second_degree.hpp"
 #include "hilger/fractional/zener.hpp"
 
 namespace engine {
@@ -47,7 +47,7 @@ class structure_of_problem {
 public:
     /// @throws hilger::error::invalid_parameter that says what is not linear, or not one term
     explicit structure_of_problem(problem const& what)
-        : what_(what), parts_(hilger::second_degree_of<S>(what.lagrangian, what.lagrangian.formula().words().dimension())) {
+        : what_(what), parts_(second_degree_of<S>(what.lagrangian, what.lagrangian.formula().words().dimension())) {
         using hilger::text::meaning;
         if (what.force)
             for (auto const& f : what.force->formulas())
@@ -96,7 +96,7 @@ private:
                                        S(m.relaxation_time), S(m.alpha)};
     }
     problem what_;
-    hilger::second_degree<S> parts_;
+    second_degree<S> parts_;
 };
 
 /// A state as that scheme takes it: a number where the structure is made of numbers.

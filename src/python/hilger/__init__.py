@@ -86,6 +86,6 @@ from .lagrangians import Lagrangian
 from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
 from .solutions import AccurateSolution, DoubtfulSolution, Events, Solution, StepFailure
-from .solving import blocks, direct, exponentials, machine_code, solve, window
+from .solving import blocks, direct, exponentials, machine_code, solve
 
 __version__ = _core.version

@@ -35,17 +35,12 @@ def exponentials(tolerance: float = 0.0) -> str:
     return f"exponentials:{tolerance}" if tolerance else "exponentials"
 
 
-def window(steps: int) -> str:
-    """The last so many steps alone, the others forgotten: wrong by what they still had to say. For Newmark's scheme, and not for embeddings."""
-    return f"window:{steps}"
-
-
 def require_history(history: object) -> None:
     """Raises where it is none, whether there is a memory or not."""
-    is_one = isinstance(history, str) and re.fullmatch(r"direct|blocks|exponentials(:[0-9.]+(e-?[0-9]+)?)?|window:[0-9]+", history)
+    is_one = isinstance(history, str) and re.fullmatch(r"direct|blocks|exponentials(:[0-9.]+(e-?[0-9]+)?)?", history)
     if not is_one:
         wrong = _core.InvalidParameter if isinstance(history, str) else TypeError
-        raise wrong(f"a history is direct(), blocks(), exponentials(), exponentials(1e-8) or window(1000), and not {history!r}")
+        raise wrong(f"a history is direct(), blocks(), exponentials() or exponentials(1e-8), and not {history!r}")
 
 
 def _is_list(x: object) -> bool:

@@ -70,8 +70,8 @@ TEST_CASE("T/d divides each step into d, T/1 is T and T/2 is T_o") {
     CHECK(third.number_of(Q(5, 7)) == 9);
     // shifts and differences are there as on every family
     auto const square = function_on(third, [](Q const& t) { return Q(t * t); });
-    CHECK(Delta_plus_on<subdivided<3>>[square].get(1) == Q(-7, 9) + Q(-5, 9));
-    CHECK(sigma_on<subdivided<3>>[square].get(2) == Q(1, 9));
+    CHECK(derivative<subdivided<3>, side::plus>{}[square].get(1) == Q(-7, 9) + Q(-5, 9));
+    CHECK(shift<subdivided<3>, side::plus>{}[square].get(2) == Q(1, 9));
 }
 
 TEST_CASE("over the nodes of a quadrature it is the quadrature that integrates") {

@@ -128,20 +128,23 @@ TEST_CASE("a solution to an accuracy remembers between its points what it was da
 
 TEST_CASE("vectors, with a damping of one component and of several terms") {
     constexpr lagrangian two{[](auto const& x, auto const& v) { return v.dot(v) / 2 - 2 * x(0) * x(0) - 2 * x(1) * x(1); }};
-    auto const once = with_fractional_damping(two, Eigen::Vector2d(0, 1.0), fraction<1, 2>{});
+    auto const one = with_fractional_damping(two, Eigen::Vector2d(0, 1.5), fraction<1, 2>{});
     auto const T = uniform(interval{0.0, 4.0}, 80);
     Eigen::Vector2d const q(1, 1), zero(0, 0);
-    auto const both = embed(with_fractional_damping(once, Eigen::Vector2d(0, 0.5), 0.5), mid_point).along(T, q, zero);
+    auto const both = embed(one, mid_point).along(T, q, zero);
+    auto const terms = embed(with_fractional_damping(stiffer, {{1.0, 0.5}, {0.5, 0.5}}), mid_point).along(T, 1.0, 0.0);
     auto const first = embed(stiffer, mid_point).along(T, 1.0, 0.0);
     auto const second = along(with_fractional_damping(stiffer, 1.5, fraction<1, 2>{}), 80);
     dense_output const together(both);
     dense_output const free(first);
     dense_output const damped(second);
+    dense_output const added(terms);
     for (double const t : {0.3, 1.01, 2.222, 3.99}) {
         auto const x = together(t);
         CHECK(std::abs(x.p(0) - free(t).p) < 64 * epsilon<double>());
         CHECK(std::abs(x.p(1) - damped(t).p) < 64 * epsilon<double>());
         CHECK(std::abs(x.q(1) - damped(t).q) < 64 * epsilon<double>());
+        CHECK(std::abs(added(t).p - damped(t).p) < 64 * epsilon<double>());
     }
 }
 

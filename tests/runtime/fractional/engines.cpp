@@ -23,7 +23,7 @@ using vector = Eigen::VectorXd;
 
 template <class L, class E>
 std::vector<double> curve(L const& l, E const& how, double rho, double h) {
-    auto const damped = with_fractional_damping(with_fractional_damping(l, rho, fraction<1, 2>{}), rho / 4, fraction<1>{});
+    auto const damped = with_fractional_damping(l, {{rho, 0.5}, {rho / 4, 1.0}});
     auto const T = uniform(0.0, h, 40);
     std::vector<double> all;
     if constexpr (std::same_as<L, std::remove_cvref_t<decltype(alone)>>)

@@ -7,9 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "hilger/fractional/newmark.hpp"
-#include "hilger/fractional/second_degree.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/text/lagrangian.hpp"
 #include "series.hpp"
 
 namespace fractional_newmark_tests {
@@ -174,50 +172,6 @@ TEST_CASE("what is no structure is refused in one sentence") {
                          "a load has one component for each degree of freedom, and this one has 2 for 3", error::mismatch);
 }
 
-/// What a Lagrangian of one coordinate is said to have.
-template <class L>
-std::string refusal(L const& l) {
-    try {
-        (void)second_degree_of<double>(l, 1);
-    } catch (error::invalid_parameter const& e) {
-        std::string const said = e.what(), beginning =
-                                               "a linear structure has a Lagrangian v.Mv/2 - q.Kq/2 + f.q with constant M, K and f, "
-                                               "and this one has ";
-        return said.starts_with(beginning) ? said.substr(beginning.size()) : said;
-    }
-    return "nothing wrong";
-}
-
-TEST_CASE("a Lagrangian of second degree is a structure, exactly, and what is not is refused with what it has") {
-    auto const L = [](auto const& q, auto const& v) {
-        return (v(0) * v(0) + 3 * v(1) * v(0) + 5 * v(1) * v(1)) / 4 - (q(0) - q(1)) * (q(0) - q(1)) / 3 - q(0) * q(0) / 2 + 7 * q(0) / 2 -
-               q(1) + q(0) * v(0) * 0 + 11;
-    };
-    using matrix = Eigen::Matrix<Q, Eigen::Dynamic, Eigen::Dynamic>;
-    auto const parts = second_degree_of<Q>(L, 2);
-    CHECK(parts.mass == matrix{{Q(1, 2), Q(3, 4)}, {Q(3, 4), Q(5, 2)}});
-    CHECK(parts.stiffness == matrix{{Q(5, 3), Q(-2, 3)}, {Q(-2, 3), Q(2, 3)}});
-    CHECK(parts.load == Eigen::Matrix<Q, Eigen::Dynamic, 1>{{Q(7, 2), Q(-1)}});
-    // A component that is not bound, and one that has no mass.
-    auto const loose = second_degree_of<Q>([](auto const&, auto const& v) { return v(1) * v(1); }, 2);
-    CHECK(loose.mass == matrix{{Q(0), Q(0)}, {Q(0), Q(2)}});
-    CHECK(loose.stiffness.isZero());
-    CHECK(loose.load.isZero());
-
-    CHECK(refusal([](auto const& q, auto const& v) { return v(0) * v(0) / 2 + cos(q(0)); }) == "a force that is not linear in q");
-    CHECK(refusal([](auto const& q, auto const& v) { return (1 + q(0) * q(0)) * v(0) * v(0); }) == "a mass that changes");
-    CHECK(refusal([](auto const&, auto const& v) { return v(0) * v(0) * v(0) * v(0); }) == "a mass that changes");
-    CHECK(refusal([](auto const& q, auto const& v) { return v(0) * v(0) + v(0) * q(0); }) == "a term with both q and v");
-    CHECK(refusal([](auto const&, auto const& v) { return v(0) * v(0) + v(0); }) == "a term that is linear in v");
-    CHECK(refusal([](auto const& q, auto const& v) { return v(0) * v(0) - (0 < q(0) ? q(0) * q(0) : 2 * q(0) * q(0)); }) == "branches");
-    CHECK_THROWS_AS(
-        (void)second_degree_of<double>([](auto const& q, auto const& v) { return v(0) * v(0) - 1e308 * (10 * q(0)) * q(0); }, 1),
-        error::not_finite);
-    auto const words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 0}});
-    CHECK(refusal(text::lagrangian_in("v^2/2 - q^2/2 + 3*q", words)) == "nothing wrong");
-    CHECK(refusal(text::lagrangian_in("v^2/2 - q^2/2 + q*sin(t)", words)) == "the time: what drives a structure is a force");
-}
-
 TEST_CASE("with beta below 1/4 a damping limits the steps") {
     auto const walked = [](auto const& method, double h) {
         double last = 0;
@@ -230,26 +184,11 @@ TEST_CASE("with beta below 1/4 a damping limits the steps") {
     for (double const h : {0.01, 0.0025}) {
         double const limit = (4 - h * h) / (8 * std::sqrt(h));
         CHECK(walked(damped(0.99 * limit, central_difference), h) < 2);
-        CHECK_THROWS_AS((void)walked(damped(1.01 * limit, central_difference), h), error::invalid_parameter);
+        CHECK(walked(damped(1.1 * limit, central_difference), h) > 1e3);
         CHECK(walked(damped(2.9 * limit, linear_acceleration), h) < 2);
-        CHECK_THROWS_AS((void)walked(damped(3.03 * limit, linear_acceleration), h), error::invalid_parameter);
+        CHECK(walked(damped(3.3 * limit, linear_acceleration), h) > 1e3);
         CHECK(walked(damped(30 * limit, average_acceleration), h) < 2);
     }
-    auto const unlimited = newmark<trapezoid>(fractional_structure{1.0, 0.01, 1.0, 1.0, 1.5}, none, linear_acceleration);
-    CHECK_THROWS_AS((void)walked(unlimited, 0.01), error::invalid_parameter); // omega(-1) is infinite
-    Eigen::MatrixXd const M = Eigen::Vector2d(1, 2).asDiagonal(), K = Eigen::Matrix2d::Identity();
-    auto const two = [&](double C) {
-        Eigen::MatrixXd const damping = Eigen::Vector2d(0, C).asDiagonal();
-        auto const nothing = [](double) { return Eigen::VectorXd(Eigen::Vector2d::Zero()); };
-        auto const method = newmark<bdf<2>>(fractional_structure{M, damping, K, 1.0, 1.5}, nothing, central_difference);
-        double most = 0;
-        for (auto const& x :
-             method.along(uniform(0.0, 0.01, 2000), Eigen::VectorXd(Eigen::Vector2d(1, 1)), Eigen::VectorXd(Eigen::Vector2d::Zero())))
-            most = std::max(most, x.q.norm());
-        return most;
-    };
-    CHECK(two(9.8) < 3); // 2 * 4 / (8 * 0.1) = 10
-    CHECK_THROWS_AS((void)two(10.2), error::invalid_parameter);
 }
 
 } // namespace fractional_newmark_tests

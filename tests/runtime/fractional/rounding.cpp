@@ -21,7 +21,7 @@ double const u0 = 0.5, v0 = -0.25, c = 0.5;
 
 state<double, double> end_of_a_run(double alpha, int N) {
     auto const scheme = newmark<bdf<2>>(
-        fractional_structure{1.0, c, 1.0, 1.0, alpha}, [](double) { return 0.0; }, average_acceleration, automatic{N});
+        fractional_structure{1.0, c, 1.0, 1.0, alpha}, [](double) { return 0.0; }, average_acceleration, exponentials{0, N});
     state<double, double> last{};
     for (auto const& x : scheme.along(uniform(interval{0.0, 1.0}, N), initial_velocity{u0, v0})) last = x;
     return last;

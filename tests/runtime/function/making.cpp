@@ -127,14 +127,12 @@ TEST_CASE("tabulate computes each value once") {
     CHECK(values(table) == values(counted));
 }
 
-TEST_CASE("tabulate keeps the domain, also when the size is in the type") {
+TEST_CASE("tabulate keeps the domain") {
     auto const square = [](double t) { return t * t; };
-    auto const on_heap = tabulate(Delta_minus[function_on(uniform(0.0, 1.0, 3), square)]);
-    CHECK(values(on_heap) == "T^{-}: 1, 3, 5");
-    constexpr auto in_type = tabulate(Delta_minus[function_on(uniform<3>(0.0, 1.0), square)]);
-    static_assert(in_type[1] == 1.0 and in_type[3] == 5.0 and in_type.first() == 1);
-    CHECK(values(in_type) == "T^{-}: 1, 3, 5");
-    CHECK_THROWS_AS((void)in_type[0], error::outside_domain);
+    auto const table = tabulate(Delta_minus[function_on(uniform(0.0, 1.0, 3), square)]);
+    CHECK(values(table) == "T^{-}: 1, 3, 5");
+    CHECK(table.first() == 1);
+    CHECK_THROWS_AS((void)table[0], error::outside_domain);
 }
 
 } // namespace function_making_tests

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What histories refuse, what they warn of, which one automatic takes, and the bound of a window.
+// What histories refuse.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -30,10 +30,6 @@ TEST_CASE("what is not finite is refused with its number, and the engine goes on
     check(make_history<GL>(direct{}, 0.5, 0.0));
     check(make_history<GL>(blocks{}, 0.5, 0.0));
     check(make_history<GL>(exponentials{}, 0.5, 0.0));
-    check(make_history<GL>(window{5}, 0.5, 0.0));
-    check(make_history<GL>(automatic{1000}, 0.5, 0.0));
-    CHECK_THROWS_WITH_AS((void)convolve<GL>(0.5, std::vector<double>{0, 1, std::nan("")}), "value 2 of a history is not finite",
-                         error::not_finite);
 }
 
 TEST_CASE("values of another size are refused") {
@@ -47,8 +43,6 @@ TEST_CASE("values of another size are refused") {
     check(make_history<GL>(direct{}, 0.5, like));
     check(make_history<GL>(blocks{}, 0.5, like));
     check(make_history<GL>(exponentials{}, 0.5, like));
-    check(make_history<GL>(window{5}, 0.5, like));
-    CHECK_THROWS_AS((void)convolve<GL>(0.5, std::vector<Eigen::VectorXd>{like.Zero(3), like.Zero(2)}), error::mismatch);
 }
 
 TEST_CASE("parameters out of range") {
@@ -64,79 +58,11 @@ TEST_CASE("parameters out of range") {
     CHECK_THROWS_AS((void)make_history<GL>(exponentials{nan}, 0.5, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)make_history<GL>(exponentials{0.5}, 0.5, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)make_history<GL>(exponentials{0, 0}, 0.5, 0.0), error::invalid_parameter);
-    CHECK_THROWS_AS((void)make_history<GL>(window{-1}, 0.5, 0.0), error::invalid_parameter);
-    CHECK_THROWS_AS((void)make_history<GL>(automatic{0}, 0.5, 0.0), error::invalid_parameter);
+    // Next to whole orders the recurrence that exponentials are compared with has fewer digits than its smallest weights ask for.
+    CHECK_THROWS_AS((void)make_history<bdf<6>>(exponentials{}, 2 - 3e-13, 0.0), error::invalid_parameter);
     auto short_run = make_history<GL>(exponentials{0, 2}, 0.5, 0.0);
     for (int n = 0; n <= 2; ++n) short_run.push(1); // at t_0, t_1, t_2
     CHECK_THROWS_WITH_AS(short_run.push(1), "these exponentials were made for 2 steps, and this is step 3", error::outside_domain);
-}
-
-TEST_CASE("the direct sum over more than 100 000 values warns once when it is made, where the caller wants it") {
-    auto const usual = history_warning();
-    std::vector<std::string> heard;
-    history_warning() = [&](std::string const& sentence) { heard.push_back(sentence); };
-    auto quiet = make_history<GL>(direct{100'000}, 0.5, 0.0);
-    CHECK(heard.empty());
-    auto loud = make_history<GL>(direct{100'001}, 0.5, 0.0);
-    loud.push(1);
-    CHECK(heard.size() == 1);
-    CHECK(heard.front().find("exponentials") != std::string::npos);
-    history_warning() = nullptr;
-    CHECK_NOTHROW((void)make_history<GL>(direct{1'000'000}, 0.5, 0.0));
-    history_warning() = usual;
-}
-
-TEST_CASE("automatic says which one it took") {
-    CHECK(make_history<GL>(automatic{100}, 0.5, 0.0).name() == "direct");
-    CHECK(make_history<GL>(automatic{10'000}, 0.5, 0.0).name() == "exponentials");
-    CHECK(make_history<bdf<2>>(automatic{10'000, 1e-8}, 0.5, 0.0).name() == "exponentials");
-    CHECK(make_history<bdf<2>>(automatic{10'000, 1e-16}, 0.5, 0.0).name() == "blocks"); // finer than modes can be
-    CHECK(make_history<GL>(automatic{10'000}, 2.5, 0.0).name() == "blocks");
-    // Next to whole orders the recurrence that exponentials are compared with has fewer digits than its smallest weights ask for.
-    CHECK_THROWS_AS((void)make_history<bdf<6>>(exponentials{}, 2 - 3e-13, 0.0), error::invalid_parameter);
-    CHECK(make_history<bdf<6>>(automatic{10'000}, 2 - 3e-13, 0.0).name() == "blocks");
-    CHECK(make_history<trapezoid>(automatic{10'000}, 0.5, 0.0).name() == "blocks");
-    CHECK(make_history<GL>(automatic{10'000}, Q(1, 2), Q(0)).name() == "direct");
-}
-
-TEST_CASE("a window's bound is the sum of the weights that it cuts off") {
-    // In exact rationals: the weights up to 400, and what is left beyond by the product formula.
-    for (Q const& alpha : {Q(1, 10), Q(1, 2), Q(9, 10), Q(3, 2)})
-        for (hilger::index_type const length : {0, 1, 2, 5, 50}) {
-            auto const w = first_weights<GL, Q>(alpha, 401);
-            Q sum(0), rest(1);
-            for (hilger::index_type n = 1; n <= 400; ++n) rest *= 1 - alpha / Q(static_cast<int>(n));
-            for (hilger::index_type n = length + 1; n <= 400; ++n) sum += magnitude(w[static_cast<std::size_t>(n)]);
-            auto const engine = make_history<GL>(window{length}, alpha, Q(0));
-            CHECK(engine.error_estimate(Q(3)) == 3 * (sum + magnitude(rest)));
-        }
-    // The constant -1, 1, ... with the signs of the weights is the worst that can come; for G^alpha the bound holds, and is not lax.
-    for (double const alpha : {0.2, 0.5, 0.9, 1.5})
-        for (hilger::index_type const length : {0, 1, 3, 10, 200}) {
-            hilger::index_type const N = 40'000;
-            auto const w = first_weights<bdf<2>>(alpha, N + 1);
-            double cut_off = 0;
-            for (hilger::index_type n = N; n > length; --n) cut_off += std::abs(w[static_cast<std::size_t>(n)]);
-            double const beyond = std::abs(w.back()) * static_cast<double>(N) / alpha * 1.001; // |w_n| ~ n^{-1-alpha}
-            double const bound = make_history<bdf<2>>(window{length}, alpha, 0.0).error_estimate(1);
-            CHECK(bound >= cut_off);
-            CHECK(bound <= (cut_off + beyond) * (1 + 1e-12) + 10 * epsilon<double>());
-        }
-    CHECK(make_history<GL>(window{3}, 1.0, 0.0).error_estimate(1) == 0);
-    CHECK_THROWS_AS((void)make_history<GL>(window{3}, -0.5, 0.0).error_estimate(1), error::invalid_parameter);
-}
-
-TEST_CASE("what a window leaves out is within its bound at every point") {
-    auto const x = random_values<double>(2000);
-    auto const all = sums_as_written<GL>(0.4, x);
-    auto engine = make_history<GL>(window{50}, 0.4, 0.0);
-    double largest = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        engine.push(x[k]);
-        largest = std::max(largest, std::abs(engine.past() - all[k]));
-    }
-    CHECK(largest <= engine.error_estimate(1));
-    CHECK(largest > 0.01 * engine.error_estimate(1));
 }
 
 } // namespace history_errors_tests

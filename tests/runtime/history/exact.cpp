@@ -22,13 +22,12 @@ void equal_at_every_point(Policy const& policy, Q const& alpha, hilger::index_ty
 }
 } // namespace
 
-TEST_CASE("direct, blocks, automatic and a window as long as the run") {
+TEST_CASE("direct and blocks") {
     for (Q const& alpha : {Q(1, 2), Q(-1, 3), Q(1), Q(7, 4)})
         for (hilger::index_type const N : {1, 2, 3, 70}) {
             equal_at_every_point<grunwald_letnikov>(direct{}, alpha, N);
             equal_at_every_point<bdf<2>>(blocks{}, alpha, N);
-            equal_at_every_point<trapezoid>(automatic{N}, alpha, N);
-            equal_at_every_point<bdf<2>>(window{N}, alpha, N);
+            equal_at_every_point<trapezoid>(direct{}, alpha, N);
         }
 }
 
@@ -37,16 +36,14 @@ TEST_CASE("vectors of rationals") {
     auto const x = random_values<vector>(40);
     auto const expected = sums_as_written<bdf<2>>(Q(1, 2), x);
     auto engine = make_history<bdf<2>>(direct{}, Q(1, 2), x[0]);
-    auto const all = convolve<bdf<2>>(Q(1, 2), x);
     for (hilger::index_type m = 1; m <= 40; ++m) {
         auto const k = static_cast<std::size_t>(m - 1);
-        CHECK(vector(x[k] + engine.past()) == all[k]);
         engine.push(x[k]);
         CHECK(engine.past() == expected[k]);
     }
 }
 
-TEST_CASE("a whole order is a finite difference: exponentials of order 1 and 2 keep a window and no modes") {
+TEST_CASE("a whole order is a finite difference: exponentials of order 1 and 2 keep their few values and no modes") {
     auto engine = make_history<grunwald_letnikov>(exponentials{}, 2.0, 0.0);
     CHECK(engine.modes() == 0);
     double a = 0, b = 0;

@@ -56,19 +56,19 @@ struct wider_scalar<double> {
 
 /// sum_{n=1..m} w_n x_{m-n} for m = 1, ..., N by nothing but + and *, component after component, rounded to S once.
 template <class G, class V>
-std::vector<V> sums_as_written(detail::memory::component_t<V> const& alpha, std::vector<V> const& x) {
-    using S = detail::memory::component_t<V>;
+std::vector<V> sums_as_written(scalar_of<V> const& alpha, std::vector<V> const& x) {
+    using S = scalar_of<V>;
     using W = typename wider_scalar<S>::type;
     auto const w = first_weights<G, S>(alpha, static_cast<index_type>(x.size()) + 1);
     std::vector<V> sums(x.size(), x[0]);
     std::vector<W> values(x.size()), weights(w.begin(), w.end());
     W const *const a = weights.data(), *const b = values.data(); // where nothing is optimised, a call less for each
-    for (index_type c = 0; c < detail::memory::components(x[0]); ++c) {
-        for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::memory::component(x[k], c));
+    for (int c = 0; c < detail::shape<V>::dimension(x[0]); ++c) {
+        for (std::size_t k = 0; k < x.size(); ++k) values[k] = W(detail::shape<V>::component(x[k], c));
         for (std::size_t m = 1; m <= x.size(); ++m) {
             W sum(0);
             for (std::size_t n = 1; n <= m; ++n) sum = sum + a[n] * b[m - n];
-            detail::memory::component(sums[m - 1], c) = static_cast<S>(sum);
+            detail::shape<V>::component(sums[m - 1], c) = static_cast<S>(sum);
         }
     }
     return sums;

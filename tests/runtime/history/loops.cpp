@@ -21,21 +21,25 @@ struct loops {
 /// What a user of an older processor runs is tested here as well.
 template <class S>
 std::vector<loops<S>> all_loops() {
+    using sums = detail::memory::sums<S>;
+    using passes = detail::memory::fourier_passes<S>;
+    using split = typename passes::template pass_for<detail::memory::split_pass>;
+    using join = typename passes::template pass_for<detail::memory::join_pass>;
     loops<S> baseline;
     baseline.name = "baseline";
-    baseline.sum.product_sum = detail::memory::product_sum_baseline<S>;
-    baseline.sum.relax = detail::memory::relax_baseline<S>;
-    baseline.pass.split = detail::memory::split_baseline<S>;
-    baseline.pass.join = detail::memory::join_baseline<S>;
+    baseline.sum.product_sum = sums::for_product_sum::baseline;
+    baseline.sum.relax = sums::for_relax::baseline;
+    baseline.pass.split = split::baseline;
+    baseline.pass.join = join::baseline;
     std::vector<loops<S>> all{baseline};
 #ifdef HILGER_DETAIL_X86
     if (detail::memory::available_instructions() >= detail::memory::instructions::avx2) {
         loops<S> avx2;
         avx2.name = "AVX2";
-        avx2.sum.product_sum = detail::memory::product_sum_avx2<S>;
-        avx2.sum.relax = detail::memory::relax_avx2<S>;
-        avx2.pass.split = detail::memory::split_avx2<S>;
-        avx2.pass.join = detail::memory::join_avx2<S>;
+        avx2.sum.product_sum = sums::for_product_sum::avx2;
+        avx2.sum.relax = sums::for_relax::avx2;
+        avx2.pass.split = split::avx2;
+        avx2.pass.join = join::avx2;
         all.push_back(avx2);
     }
 #endif
@@ -103,7 +107,7 @@ void check_passes() {
             for (std::size_t j = 0; j < length; ++j) x.re.push_back(source.next<S>()), x.im.push_back(source.next<S>());
             auto expected = x;
             auto const before = x;
-            detail::memory::split_in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
+            detail::memory::split_pass::in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
             loop.pass.split(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
             for (std::size_t j = 0; j < length; ++j) {
                 REQUIRE(std::abs(x.re[j] - expected.re[j]) <= S(8) * epsilon<S>());

@@ -24,7 +24,7 @@ TEST_CASE("antiderivatives start at 0 in a and gain a step times a value at each
     CHECK(values(antiderivative[f]) == "T: 0, 1, 5, 29");       // 1*1, + 2*2, + 4*6
     CHECK(values(antiderivative_nabla[f]) == "T: 0, 2, 14, 6"); // 1*2, + 2*6, - 4*2
     CHECK(values(antiderivative_h[g]) == "T: 0, 4, 6, 34");     // 1*4, + 2*1, + 4*7
-    CHECK(values(antiderivative_lambda<1, 3>[function_on(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7})]) == "T: 0, 4, 6, 34");
+    CHECK(values(antiderivative_at<fraction<1, 3>>{}[function_on(at_lambda<1, 3>(T), std::vector<Q>{4, 1, 7})]) == "T: 0, 4, 6, 34");
     CHECK(values(antiderivative[Delta_plus[f]]) == "T: 0, 1, 5, -3"); // f - f(a)
     CHECK(values(antiderivative_nabla[Delta_minus[f]]) == "T: 0, 1, 5, -3");
     CHECK(values(Delta_plus[antiderivative[f]]) == "T^{+}: 1, 2, 6");
@@ -48,8 +48,7 @@ TEST_CASE("a table of an antiderivative has its values to the last bit, and take
     bool same = true;
     for (index_type i = 0; i <= 1000; ++i) same = same and table[i] == antiderivative[counted][i];
     CHECK(same);
-    constexpr auto in_type = tabulate(antiderivative[function_on(uniform<3>(0.0, 1.0), [](double t) { return t; })]);
-    static_assert(in_type[3] == 3);
+    CHECK(tabulate(antiderivative[function_on(uniform(0.0, 1.0, 3), [](double t) { return t; })])[3] == 3);
 }
 
 TEST_CASE("the tail integral sums what comes after a mid-point") {
@@ -92,7 +91,7 @@ TEST_CASE("the integral of 1 is the length, on every kind of scale") {
         CHECK(integral(function_on(S, one), S.min(), S.max()) == length);
     };
     check(T), check(uniform(Q(-1), Q(1, 3), 7)), check(uniform(Q(0), Q(1), 1)), check(powers(Q(2), -3, 3)),
-        check(uniform<2>(Q(0), Q(1, 7)));
+        check(uniform(Q(0), Q(1, 7), 2));
 }
 
 TEST_CASE("integrals between two points, in either order") {

@@ -32,8 +32,8 @@ TEST_CASE("the shifts") {
     CHECK(values(rho_h[g]) == "T_half^{-}: 4, 1");
     CHECK(values(sigma_o[k]) == "T_o^{+}: 3, 1, 5, -1, 2, 4");
     CHECK(values(rho_o[k]) == "T_o^{-}: 0, 3, 1, 5, -1, 2");
-    CHECK(values(sigma_on<between<fraction<1, 3>>>[l]) == "T_1/3^{+}: 5, -3");
-    CHECK(values(rho_on<joined<run_time<Q>>>[m]) == "T_{o,lambda}^{-}: 0, 3, 1, 5, -1, 2");
+    CHECK(values(shift<between<fraction<1, 3>>, side::plus>{}[l]) == "T_1/3^{+}: 5, -3");
+    CHECK(values(shift<joined<run_time<Q>>, side::minus>{}[m]) == "T_{o,lambda}^{-}: 0, 3, 1, 5, -1, 2");
 }
 
 TEST_CASE("the derivatives on T divide by the step to the right or to the left") {
@@ -65,20 +65,20 @@ TEST_CASE("on T_o it is half of a step of T") {
 }
 
 TEST_CASE("on T_lambda and T_{o,lambda} it is what the points say") {
-    CHECK(values(Delta_plus_on<between<fraction<1, 3>>>[l]) == "T_1/3^{+}: 3, -3");
-    CHECK(values(Delta_minus_on<between<fraction<1, 3>>>[l]) == "T_1/3^{-}: 3, -3");
-    CHECK(values(Delta_plus_on<joined<run_time<Q>>>[m]) == "T_{o,lambda}^{+}: 12, -8/3, 8, -4, 3, 1");
-    CHECK(values(Delta_minus_on<joined<run_time<Q>>>[m]) == "T_{o,lambda}^{-}: 12, -8/3, 8, -4, 3, 1");
+    CHECK(values(derivative<between<fraction<1, 3>>, side::plus>{}[l]) == "T_1/3^{+}: 3, -3");
+    CHECK(values(derivative<between<fraction<1, 3>>, side::minus>{}[l]) == "T_1/3^{-}: 3, -3");
+    CHECK(values(derivative<joined<run_time<Q>>, side::plus>{}[m]) == "T_{o,lambda}^{+}: 12, -8/3, 8, -4, 3, 1");
+    CHECK(values(derivative<joined<run_time<Q>>, side::minus>{}[m]) == "T_{o,lambda}^{-}: 12, -8/3, 8, -4, 3, 1");
     auto const at_zero = function_on(at_lambda<0, 1>(T), std::vector<Q>{1, 2, 6}); // T_0 has the points of T^+
-    CHECK(values(Delta_plus_on<between<fraction<0>>>[at_zero]) == "T_0/1^{+}: 1, 2");
+    CHECK(values(derivative<between<fraction<0>>, side::plus>{}[at_zero]) == "T_0/1^{+}: 1, 2");
 }
 
 TEST_CASE("a derivative is the quotient of the differences of any function, on any scale") {
     auto const check = [](auto const& scale) {
         using Base = typename std::remove_cvref_t<decltype(scale)>::domain_type::base_type;
         auto const cube = function_on(scale, [](Q const& t) { return Q(t * t * t - t); });
-        auto const right = Delta_plus_on<Base>[cube];
-        auto const left = Delta_minus_on<Base>[cube];
+        auto const right = derivative<Base, side::plus>{}[cube];
+        auto const left = derivative<Base, side::minus>{}[cube];
         for (auto i = scale.first(); i < scale.last(); ++i) {
             Q const quotient = (cube[i + 1] - cube[i]) / (scale.point(i + 1) - scale.point(i));
             CHECK(right[i] == quotient);
@@ -91,7 +91,7 @@ TEST_CASE("a derivative is the quotient of the differences of any function, on a
         check(S), check(half(S)), check(circ(S)), check(at_lambda<2, 7>(S)), check(circ<2, 7>(S)), check(at_lambda(S, Q(3, 5)));
         check(circ(S, Q(3, 5))), check(at_lambda<0, 1>(S)), check(without_last(S)), check(without_first(circ(S)));
     };
-    all(T), all(uniform(Q(1), Q(1, 3), 5)), all(powers(Q(3, 2), -2, 2)), all(harmonic_numbers<Q>(4)), all(uniform<3>(Q(0), Q(2)));
+    all(T), all(uniform(Q(1), Q(1, 3), 5)), all(powers(Q(3, 2), -2, 2)), all(harmonic_numbers<Q>(4)), all(uniform(Q(0), Q(2), 3));
 }
 
 TEST_CASE("the means of neighbouring mid-points") {
@@ -118,7 +118,7 @@ TEST_CASE("one, two and three steps leave what they can") {
     CHECK(values(Delta_plus[Delta_minus[two]]) == "T^{+-}: -3/4");
     CHECK(values(Delta_plus[Delta_plus[two]]) == "T^{++}: -3/2");
     CHECK(Delta_plus[Delta_plus[Delta_plus[two]]].size() == 0);
-    auto const three = function_on(uniform<3>(Q(0), Q(1)), std::vector<Q>{0, 1, 4, 9});
+    auto const three = function_on(uniform(Q(0), Q(1), 3), std::vector<Q>{0, 1, 4, 9});
     CHECK(values(Delta_plus[Delta_plus[three]]) == "T^{++}: 2, 2");
     CHECK(values(Delta_minus[Delta_minus[Delta_minus[three]]]) == "T^{---}: 0");
 }

@@ -22,7 +22,7 @@ auto const T = uniform(Q(1, 3), Q(2, 5), 9);
 } // namespace
 
 TEST_CASE("any lambda") {
-    read_back(integral(L(q_l, Delta_plus_on<joined<fraction<1, 3>>>[q_l]), at_lambda<1, 3>(T)));
+    read_back(integral(L(q_l, derivative<joined<fraction<1, 3>>, side::plus>{}[q_l]), at_lambda<1, 3>(T)));
     read_back(integral(L(fraction<2>{} * on_lambda<1, 3>[q_l], pi_lambda_inverse<1, 3>[Delta_plus[q]]), at_lambda<1, 3>(T)));
     read_back(integral(L(pi_lambda_inverse<3, 7>[Delta_plus[q]], on_lambda<3, 7>[extend_lambda<3, 7>[q]]), at_lambda<3, 7>(T)));
     auto const at_run_time = theta_at(Q(2, 5));

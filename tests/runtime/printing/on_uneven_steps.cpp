@@ -33,7 +33,7 @@ TEST_CASE("over T_half and T_lambda") {
     read_back(integral(L(Delta_o_plus[q_o], fraction<3, 4>{} * q_o), half(T)));
     read_back(integral(L(pi_inverse[sigma[q]], pi_inverse[Delta_plus[q]]), half(T)));
     read_back(integral(L(sigma_o[q_o], Delta_o_plus[q_o]), half(T)));
-    read_back(integral(L(q_l, fraction<2>{} * Delta_plus_on<joined<fraction<1, 3>>>[q_l]), at_lambda<1, 3>(T)));
+    read_back(integral(L(q_l, fraction<2>{} * derivative<joined<fraction<1, 3>>, side::plus>{}[q_l]), at_lambda<1, 3>(T)));
 }
 
 } // namespace printed_on_uneven_steps_tests

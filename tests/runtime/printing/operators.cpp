@@ -50,6 +50,7 @@ TEST_CASE("operators are written as the papers write them") {
     CHECK(printed(fraction<-3, 2>{} * Delta_minus + sigma) == "−3/2 Δ₋[f] + σ[f]");
     CHECK(printed(2.5 * Delta_plus - 0.1 * rho) == "2.5 Δ₊[f] − 0.1 ρ[f]");
     CHECK(printed(Delta_plus * (-0.1 * sigma)) == "−0.1 Δ₊[σ[f]]");
+    CHECK(printed(uniformly(adjoint(on_half * (0.9 * extend)))) == "0.9 π[[f]½,₋]");
     CHECK(printed(Delta_plus / 2.5 - rho / -4) == "0.4 Δ₊[f] + 1/4 ρ[f]");
     CHECK(printed(Delta_minus_alpha<1, 2> / -4) == "−1/4 Δ₋^(1/2)[f]"); // no field has its weights
     CHECK(printed((identity_T + sigma) / 2) == "1/2 f + 1/2 σ[f]");
@@ -75,15 +76,6 @@ TEST_CASE("whole factors of any size keep their digits") {
     CHECK_FALSE(most * Delta_plus == -1 * Delta_plus);
     CHECK_FALSE(most * Delta_plus == 7 * Delta_plus);
     CHECK_FALSE((1LL << 30) * ((1LL << 31) * Delta_plus) == Delta_plus); // which they are modulo 2^61 - 1
-}
-
-TEST_CASE("on equal steps what is left is a sum of shifts") {
-    auto const shifted_mean = adjoint(on_half * sigma_o * sigma_o * sigma_o * extend);
-    CHECK(printed(uniformly(pi_inverse * shifted_mean)) == "ρ½[ρ½[f]]");
-    CHECK(printed(uniformly(pi_inverse * adjoint(on_half * Delta_o_plus * Delta_o_plus * extend))) ==
-          "2 h⁻² f − 4 h⁻² ρ½[f] + 2 h⁻² ρ½[ρ½[f]]");
-    // f_o is linear between the points of T
-    CHECK(printed(uniformly(pi_inverse * adjoint(on_half * sigma_o * Delta_o_plus * Delta_o_plus * extend))) == "0");
 }
 
 TEST_CASE("read back") {

@@ -54,7 +54,7 @@ TEST_CASE("scales and functions are walked in both directions and by jumps") {
     check_iteration(without_last(T), std::vector<Q>{0, 1, 3});
     check_iteration(without_first(T), std::vector<Q>{1, 3, 7});
     check_iteration(interior(T), std::vector<Q>{1, 3});
-    check_iteration(uniform<2>(0.0, 0.5), std::vector<double>{0.0, 0.5, 1.0});
+    check_iteration(uniform(0.0, 0.5, 2), std::vector<double>{0.0, 0.5, 1.0});
     check_iteration(at_lambda(T, Q(1, 4)), std::vector<Q>{Q(1, 4), Q(3, 2), 4});
     auto const f = function_on(T, std::vector<Q>{1, 2, 6, -2});
     check_iteration(f, std::vector<Q>{1, 2, 6, -2});
@@ -123,7 +123,7 @@ TEST_CASE("a scale prints its name, its first points, its last one and their num
     CHECK(printed(uniform(0.0, 0.1, 10)) == "T = {0, 0.1, 0.2, ..., 1} (11 points)");
     CHECK(printed(uniform(0.0, 0.5, 3)) == "T = {0, 0.5, 1, 1.5} (4 points)");
     CHECK(printed(uniform(0.0, 0.5, 4)) == "T = {0, 0.5, 1, ..., 2} (5 points)");
-    CHECK(printed(uniform<1>(0.0, 0.5)) == "T = {0, 0.5} (2 points)");
+    CHECK(printed(uniform(0.0, 0.5, 1)) == "T = {0, 0.5} (2 points)");
     CHECK(printed(T) == "T = {0, 1, 3, 7} (4 points)");
     CHECK(printed(without_last(T)) == "T^{+} = {0, 1, 3} (3 points)");
     CHECK(printed(interior(uniform(0.0, 0.5, 2))) == "T^{+-} = {0.5} (1 point)");

@@ -44,7 +44,7 @@ double visit_all(F const& q) {
     for (double x : extend_at(0.3)[q]) sum += x;
     for (hilger::index_type i = 1; i < N; i += 1000)
         sum += q(T.point(i)) + T.sigma(T.point(i)) + step_mean[on_half[q_o]][i] + q_o(T_o.point(2 * i + 1));
-    sum += boundary(q) + integral(q, T.point(N / 2), T.point(N / 4)) + interpolate(q)(T.point(3)) + steps_of(on_half[q_o])(T.point(3));
+    sum += boundary(q) + integral(q, T.point(N / 2), T.point(N / 4));
     return sum;
 }
 
@@ -66,7 +66,6 @@ TEST_CASE("a formula on a uniform scale of many points allocates nothing") {
     double result = 0;
     CHECK(allocations_in([&] { result = visit_all(function_on(uniform(0.0, 1e-3, N), square)); }) == 0);
     CHECK(result > 0);
-    CHECK(allocations_in([&] { result = visit_all(function_on(uniform<N>(0.0, 1e-3), square)); }) == 0);
 }
 
 TEST_CASE("nor does a formula on given points, once they are given") {

@@ -75,6 +75,17 @@ TEST_CASE("a run goes on beyond its scale's end") {
     CHECK_THROWS_AS((void)part.resume(elsewhere), error::mismatch);
 }
 
+TEST_CASE("a number is the whole of a word, as the scalar writes it") {
+    using detail::number_from;
+    CHECK(number_from<double>("+2.5") == 2.5);
+    CHECK(number_from<float>("0.1") == 0.1f);
+    CHECK(number_from<long double>("0.1") == 0.1L);
+    CHECK(number_from<float50>("0.1") == float50(1) / 10);
+    CHECK(number_from<Q>("-7/5") == Q(-7, 5));
+    for (auto const* word : {"abc", "1x", "1,5", "1e99999"}) CHECK_THROWS_AS((void)number_from<double>(word), std::exception);
+    for (auto const* word : {"abc", "1/0", "1/", "0.5", "--1"}) CHECK_THROWS_AS((void)number_from<Q>(word), std::exception);
+}
+
 TEST_CASE("the format, and what is said of text that is not in it") {
     auto const path = pendulum_path<double>(embed(pendulum, order_one), 10);
     std::string const text = written(path);

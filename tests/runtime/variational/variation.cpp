@@ -76,13 +76,13 @@ TEST_CASE_TEMPLATE("the residual is the derivative of the action on any scale", 
         is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(on_lambda<1, 3>[q_third], velocity_third), at_lambda<1, 3>(T)));
     }
     SUBCASE("lambda = 1/3, velocity as the derivative of the extension") {
-        auto const v = Delta_plus_on<joined<fraction<1, 3>>>[q_third];
+        auto const v = derivative<joined<fraction<1, 3>>, side::plus>{}[q_third];
         is_the_derivative_of<mean_weight<fraction<1, 3>>>(integral(L(q_third, v), at_lambda<1, 3>(T)));
     }
     SUBCASE("lambda known at run time") {
         Q const lambda(2, 7);
         auto const q_lambda = extend_at(lambda)[q];
-        auto const v = Delta_plus_on<joined<run_time<Q>>>[q_lambda];
+        auto const v = derivative<joined<run_time<Q>>, side::plus>{}[q_lambda];
         is_the_derivative_of<delta_weight>(integral(L(q_lambda, v), at_lambda(T, lambda))); // the Delta sum: see natural_weight
     }
     SUBCASE("sums of actions that read T in different ways, in the weights of the first") {
@@ -136,8 +136,9 @@ TEST_CASE("at the nodes of a quadrature weights differ on a uniform T too") {
     constexpr unknown<"q", subdivided<2>> x;
     constexpr lagrangian L{[](auto const& y, auto const& v) { return v * v / 2 - y * y / 3 + y * v / 5 + y; }};
     auto const T = uniform(Q(0), Q(1), 4);
-    auto const S = integral(L((sigma_on<B> * polynomial_value<2, testing::radau, 2>{})[x], polynomial_slope<2, testing::radau, 2>{}[x]),
-                            at_nodes<testing::radau, 2>(T));
+    auto const S =
+        integral(L((shift<B, side::plus>{} * polynomial_value<2, testing::radau, 2>{})[x], polynomial_slope<2, testing::radau, 2>{}[x]),
+                 at_nodes<testing::radau, 2>(T));
     std::vector<Q> values;
     for (int i = 0; i <= 8; ++i) values.push_back(some_value<Q>(i, 1));
     auto const residual = variation(S).residual(function_on(subdivide<2>(T), values));

@@ -8,9 +8,9 @@
 #include <mutex>
 #include <vector>
 
-#include "hilger/differentiation/shape.hpp"
 #include "hilger/differentiation/traced/derivatives_of_graph.hpp"
 #include "hilger/differentiation/traced/evaluation.hpp"
+#include "hilger/shape.hpp"
 
 namespace hilger::detail {
 

@@ -10,7 +10,7 @@
 #include "hilger/differentiation/derivatives.hpp"
 #include "hilger/variational/nodes/gradients.hpp"
 
-namespace hilger {
+namespace engine {
 
 /// Mass and stiffness, d x d and symmetric, and a constant load of d components.
 template <class S>
@@ -20,11 +20,12 @@ struct second_degree {
 };
 
 /// L(q, v) of d coordinates, generic in its numbers.
-/// @throws error::invalid_parameter, which says what in L is no term of this kind; error::not_finite
+/// @throws hilger::error::invalid_parameter, which says what in L is no term of this kind; hilger::error::not_finite
 template <class S, class L>
 second_degree<S> second_degree_of(L const& l, int d) {
     using V = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-    using namespace detail;
+    using namespace hilger;
+    using namespace hilger::detail;
     auto const refuse = [](char const* what) {
         error::raise<error::invalid_parameter>(
             "a linear structure has a Lagrangian v.Mv/2 - q.Kq/2 + f.q with constant M, K and f, and this "
@@ -50,4 +51,4 @@ second_degree<S> second_degree_of(L const& l, int d) {
     return made;
 }
 
-} // namespace hilger
+} // namespace engine

@@ -3,19 +3,15 @@
 // shifts do to derivatives, and where derivatives are undefined.
 #pragma once
 
-#include "hilger/identity/trial.hpp"
 #include "hilger/operator/integral.hpp"
+#include "identities/trial.hpp"
 
 namespace hilger::identities {
 
 /// int_s^t Delta_plus[f] Delta = f(t) - f(s) for all s, t in either order; the same from the left.
 template <class Base>
-struct fundamental_theorem {
-    static constexpr char const* name = "fundamental theorem";
-    static constexpr char const* source = "S (8)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct fundamental_theorem : stated<"fundamental theorem", "S (8)"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const forward = derivative<Base, side::plus>{}[f];
@@ -32,12 +28,8 @@ struct fundamental_theorem {
 };
 
 /// Delta_plus[int_a^t f Delta] = f on T^+, Delta_minus[int_a^t f nabla] = f on T^-.
-struct derivative_of_integral {
-    static constexpr char const* name = "derivative of the antiderivative";
-    static constexpr char const* source = "S (8)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct derivative_of_integral : stated<"derivative of the antiderivative", "S (8)"> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(without_last(trial.T));
         auto const g = trial.function_on(without_first(trial.T));
         auto const size = trial.size_of(f) * trial.length() * trial.steepness() * trial.count();
@@ -49,12 +41,8 @@ struct derivative_of_integral {
 
 /// Delta_plus[int_a^t f Delta_lambda](t_i) = f(t_{i,lambda}).
 template <class Lambda>
-struct derivative_of_lambda_integral {
-    static constexpr char const* name = "derivative of the lambda-antiderivative";
-    static constexpr char const* source = "S (8), (32)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct derivative_of_lambda_integral : stated<"derivative of the lambda-antiderivative", "S (8), (32)"> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(derived_scale(trial.T.root(), domain<between<Lambda>>{}));
         auto const F = antiderivative_at<Lambda>{}[f];
         trial.equal_everywhere(projection<Lambda, true>{}[Delta_plus[F]], f,
@@ -65,12 +53,8 @@ struct derivative_of_lambda_integral {
 
 /// Delta_plus[f g] = Delta_plus[f] g + f^sigma Delta_plus[g], Delta_minus[f g] = Delta_minus[f] g + f^rho Delta_minus[g].
 template <class Base>
-struct leibniz {
-    static constexpr char const* name = "Leibniz rules";
-    static constexpr char const* source = "B (28), any scale";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct leibniz : stated<"Leibniz rules", "B (28), any scale"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const g = trial.scalar_function_on(scale);
@@ -83,12 +67,8 @@ struct leibniz {
 };
 
 /// Delta_minus[f g^sigma] = Delta_minus[f] g + f Delta_plus[g] on T^+-. (B writes Delta_+ with the opposite sign.)
-struct leibniz_shifted {
-    static constexpr char const* name = "Leibniz rule with a shift";
-    static constexpr char const* source = "B (28)";
-    static constexpr bool uniform_only = true;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct leibniz_shifted : stated<"Leibniz rule with a shift", "B (28)", /*uniform_only=*/true> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(trial.T);
         auto const g = trial.scalar_function_on(trial.T);
         trial.equal_everywhere(Delta_minus[f * sigma[g]], Delta_minus[f] * g + f * Delta_plus[g],
@@ -98,12 +78,8 @@ struct leibniz_shifted {
 
 /// f^sigma = f + mu Delta_plus[f], f^rho = f - nu Delta_minus[f].
 template <class Base>
-struct shift_and_graininess {
-    static constexpr char const* name = "shift and graininess";
-    static constexpr char const* source = "S (27)-(29)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct shift_and_graininess : stated<"shift and graininess", "S (27)-(29)"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const up = derivative<Base, side::plus>{}[f];
@@ -119,12 +95,8 @@ struct shift_and_graininess {
 
 /// sigma: C(T^-) -> C(T^+) and rho: C(T^+) -> C(T^-) are inverse bijections, and Delta_plus = sigma Delta_minus.
 template <class Base>
-struct shifts_are_inverse {
-    static constexpr char const* name = "sigma and rho are inverse";
-    static constexpr char const* source = "S definition 3";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct shifts_are_inverse : stated<"sigma and rho are inverse", "S definition 3"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(without_first(scale));
         auto const g = trial.function_on(without_last(scale));
@@ -139,12 +111,8 @@ struct shifts_are_inverse {
 
 /// T^kappa: on a scale whose last point is isolated the Delta derivative is not defined there, and nothing is made up.
 template <class Base>
-struct t_kappa {
-    static constexpr char const* name = "T^kappa";
-    static constexpr char const* source = "S definition 6";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct t_kappa : stated<"T^kappa", "S definition 6"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const up = derivative<Base, side::plus>{}[f];

@@ -5,20 +5,15 @@
 #include <boost/hana/for_each.hpp>
 #include <boost/hana/tuple.hpp>
 
-#include "hilger/identity/by_parts.hpp"
-#include "hilger/identity/calculus.hpp"
-#include "hilger/identity/diagrams.hpp"
+#include "identities/by_parts.hpp"
+#include "identities/calculus.hpp"
+#include "identities/diagrams.hpp"
 
 namespace hilger::identities {
 
 namespace detail {
 using half_ = fraction<1, 2>;
 using third = fraction<1, 3>;
-
-template <class A>
-constexpr auto laws_of(A const& a) {
-    return boost::hana::make_tuple(by_parts_of<A>{a}, adjoint_is_involution<A>{a});
-}
 } // namespace detail
 
 /// Identities of the calculus, for every family of points they are stated on.

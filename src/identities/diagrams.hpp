@@ -3,20 +3,16 @@
 // as interpolation (after definition 4), and the mid-point rule as the trapezoid rule (36).
 #pragma once
 
-#include "hilger/function/interpolation.hpp"
-#include "hilger/identity/trial.hpp"
 #include "hilger/operator/integral.hpp"
+#include "identities/interpolation.hpp"
+#include "identities/trial.hpp"
 
 namespace hilger::identities {
 
 /// Delta_plus = pi o d^+/dt o iota_1.
 template <class Base>
-struct derivative_diagram {
-    static constexpr char const* name = "diagram of the derivative";
-    static constexpr char const* source = "S (30)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct derivative_diagram : stated<"diagram of the derivative", "S (30)"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const D = derivative<Base, side::plus>{}[f];
@@ -30,12 +26,8 @@ struct derivative_diagram {
 
 /// int_a^t . Delta_lambda = pi o int_a^t ds o iota_0.
 template <class Lambda>
-struct integral_diagram {
-    static constexpr char const* name = "diagram of the antiderivative";
-    static constexpr char const* source = "S (34)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct integral_diagram : stated<"diagram of the antiderivative", "S (34)"> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(derived_scale(trial.T.root(), domain<between<Lambda>>{}));
         auto const F = antiderivative_at<Lambda>{}[f];
         auto const staircase = steps_of(f);
@@ -50,10 +42,7 @@ struct integral_diagram {
 
 /// f_{o,lambda} is iota_1[f] at the points of T_{o,lambda}.
 template <class Lambda>
-struct extension_is_interpolation {
-    static constexpr char const* name = "extension as interpolation";
-    static constexpr char const* source = "S definition 4 (24)";
-    static constexpr bool uniform_only = false;
+struct extension_is_interpolation : stated<"extension as interpolation", "S definition 4 (24)"> {
     template <class Trial>
     void operator()(Trial& trial) const {
         auto const f = trial.function_on(trial.T);
@@ -67,10 +56,7 @@ struct extension_is_interpolation {
 };
 
 /// int f_o Delta_half = sum (f(t_i) + f(t_{i+1}))/2 (t_{i+1} - t_i), the trapezoid rule.
-struct midpoint_quadrature {
-    static constexpr char const* name = "mid-point quadrature";
-    static constexpr char const* source = "S (36)";
-    static constexpr bool uniform_only = false;
+struct midpoint_quadrature : stated<"mid-point quadrature", "S (36)"> {
     template <class Trial>
     void operator()(Trial& trial) const {
         using S = typename Trial::scalar;

@@ -49,13 +49,10 @@ private:
     F f_;
 };
 
-/// iota_{0,lambda} f for f on T_lambda: f(t_{i,lambda}) on the cell [t_i, t_{i+1}[ of T.
+/// iota_{0,lambda} f for f on T_lambda, T or T^+: f(t_{i,lambda}) on the cell [t_i, t_{i+1}[ of T.
 template <discrete_function F>
 class piecewise_constant {
     using S = typename F::root_type::scalar_type;
-    using D = typename F::domain_type;
-    static_assert(D::front == 0 and D::base_type::last(1) <= 1 and D::base_type::last(2) - D::back >= 1 and D::base_type::last(2) <= 2,
-                  "a step function has a value of f in each step of T, and so f lives on T, on T^+, or on T_lambda");
 
 public:
     explicit constexpr piecewise_constant(F f) : f_(std::move(f)) {}

@@ -2,20 +2,29 @@
 // One trial of an identity: a scale, random functions on it, and the comparison of two sides. In an exact scalar the sides must be
 // equal; in a floating one they may differ by 4 epsilons times the size of the data, which the identity itself states.
 //
-// An identity is an empty type with
-//   name, source      static members: what it is called, and its equation (S = Cresson-Safi, B = Bourdin and co-workers)
-//   uniform_only      true when it is stated for uniform scales
-//   operator()(trial) that draws functions and says trial.equal(left, right, size)
+// An identity is a type derived from stated<...> with operator()(trial), which draws functions and says trial.equal(left, right, size).
 #pragma once
 
 #include <cstdint>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include "hilger/function/function.hpp"
 #include "hilger/function/pointwise.hpp"
 
 namespace hilger {
+
+namespace identities {
+/// What an identity is called, its equation (S = Cresson-Safi, B = Bourdin and co-workers), and whether it is stated for uniform scales
+/// only.
+template <text_argument Name, text_argument Source, bool UniformOnly = false>
+struct stated {
+    static constexpr char const* name = Name.characters;
+    static constexpr char const* source = Source.characters;
+    static constexpr bool uniform_only = UniformOnly;
+};
+} // namespace identities
 
 /// A source of random numbers for trials: small fractions p/q, so that exact arithmetic stays short.
 class random_fractions {

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "hilger/calculus.hpp"
-#include "hilger/identity/by_parts.hpp"
 #include "hilger/multiprecision.hpp"
+#include "identities/by_parts.hpp"
 
 namespace identities_tests {
 

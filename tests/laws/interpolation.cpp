@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "identities/interpolation.hpp"
 #include "support/values.hpp"
 
 namespace function_interpolation_tests {

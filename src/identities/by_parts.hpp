@@ -4,18 +4,14 @@
 #pragma once
 
 #include "hilger/adjoint/adjoint.hpp"
-#include "hilger/identity/trial.hpp"
+#include "identities/trial.hpp"
 
 namespace hilger::identities {
 
 /// int f Delta_plus[g] Delta = [f g]_a^b - int Delta_minus[f] g nabla. Printed with the Delta integral on the right, which is false.
 template <class Base>
-struct by_parts_order_one {
-    static constexpr char const* name = "integration by parts, order one";
-    static constexpr char const* source = "S (9), corrected";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct by_parts_order_one : stated<"integration by parts, order one", "S (9), corrected"> {
+    void operator()(auto& trial) const {
         auto const scale = derived_scale(trial.T.root(), domain<Base>{});
         auto const f = trial.function_on(scale);
         auto const g = trial.function_on(scale);
@@ -28,12 +24,8 @@ struct by_parts_order_one {
 
 /// Delta_o_plus[f_o](t_{i+1/2}) = Delta_plus[f](t_i), for any lambda.
 template <class Lambda>
-struct lemma_1 {
-    static constexpr char const* name = "derivative of the extension";
-    static constexpr char const* source = "S lemma 1 (37)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct lemma_1 : stated<"derivative of the extension", "S lemma 1 (37)"> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(trial.T);
         constexpr auto left = restriction_to<Lambda, false>{} * derivative<joined<Lambda>, side::plus>{} * extension<Lambda>{};
         trial.equal_everywhere(left[f], (projection<Lambda, true>{} * Delta_plus)[f], trial.size_of(f) * trial.steepness() * 8);
@@ -42,12 +34,8 @@ struct lemma_1 {
 
 /// int f Delta_o_plus[v_o] Delta_half = - int Delta_{half,-}[f](sigma_o t) v(t) + f(t_{N-1/2}) v(t_N) - f(t_{1/2}) v(t_0), the sum on the
 /// right over T^+- with the trapezoid weights, which are h on a uniform scale.
-struct lemma_2 {
-    static constexpr char const* name = "integration by parts, mid-point";
-    static constexpr char const* source = "S lemma 2 (38)";
-    static constexpr bool uniform_only = false;
-    template <class Trial>
-    void operator()(Trial& trial) const {
+struct lemma_2 : stated<"integration by parts, mid-point", "S lemma 2 (38)"> {
+    void operator()(auto& trial) const {
         auto const f = trial.function_on(circ(trial.T));
         auto const v = trial.function_on(trial.T);
         auto const f_half = on_half[f];
@@ -65,10 +53,7 @@ struct lemma_2 {
 
 /// int f v_o Delta_half = int [f]_o v + (h/2)(f(t_{N-1/2}) v(t_N) + f(t_{1/2}) v(t_0)), and the same with [f]_{half,-} o sigma_o. Printed
 /// with the factor h, which is false. The sum on the right runs over T^+-.
-struct lemma_3 {
-    static constexpr char const* name = "adjoint of the extension, uniform";
-    static constexpr char const* source = "S lemma 3 (40), (41), corrected";
-    static constexpr bool uniform_only = true;
+struct lemma_3 : stated<"adjoint of the extension, uniform", "S lemma 3 (40), (41), corrected", /*uniform_only=*/true> {
     template <class Trial>
     void operator()(Trial& trial) const {
         using S = typename Trial::scalar;
@@ -88,10 +73,7 @@ struct lemma_3 {
 /// The same on any scale: the adjoint of v -> v_lambda is the mean weighted by the steps, and the end terms carry the first and
 /// the last step.
 template <class Lambda>
-struct step_mean_is_adjoint {
-    static constexpr char const* name = "adjoint of the extension, any scale";
-    static constexpr char const* source = "S lemma 3, generalised";
-    static constexpr bool uniform_only = false;
+struct step_mean_is_adjoint : stated<"adjoint of the extension, any scale", "S lemma 3, generalised"> {
     template <class Trial>
     void operator()(Trial& trial) const {
         using S = typename Trial::scalar;
@@ -110,11 +92,9 @@ struct step_mean_is_adjoint {
 
 /// <A f, g> = <f, adjoint(A) g> + boundary_form(A, f, g), with the operator's own weights.
 template <class A>
-struct by_parts_of {
-    static constexpr char const* name = "integration by parts of an operator";
-    static constexpr char const* source = "S lemmas 2, 3; B lemma 2";
-    static constexpr bool uniform_only = false;
+struct by_parts_of : stated<"integration by parts of an operator", "S lemmas 2, 3; B lemma 2"> {
     [[no_unique_address]] A a;
+    constexpr explicit by_parts_of(A op) : a(std::move(op)) {}
     template <class Trial>
     void operator()(Trial& trial) const {
         auto const f = trial.function_on(derived_scale(trial.T.root(), domain<typename A::from>{}));
@@ -132,11 +112,9 @@ struct by_parts_of {
 
 /// adjoint(adjoint(A)) = A at every point where the left-hand side is defined.
 template <class A>
-struct adjoint_is_involution {
-    static constexpr char const* name = "adjoint of the adjoint";
-    static constexpr char const* source = "definition of the adjoint";
-    static constexpr bool uniform_only = false;
+struct adjoint_is_involution : stated<"adjoint of the adjoint", "definition of the adjoint"> {
     [[no_unique_address]] A a;
+    constexpr explicit adjoint_is_involution(A op) : a(std::move(op)) {}
     template <class Trial>
     void operator()(Trial& trial) const {
         auto const f = trial.function_on(derived_scale(trial.T.root(), domain<typename A::from>{}));
@@ -150,10 +128,7 @@ struct adjoint_is_involution {
 
 /// Discrete Dubois-Reymond: if int f v Delta = 0 for all v with v(a) = v(b) = 0 then f = 0 on T^+-. As a statement about rank: the
 /// pairings with the basis of such v have rank N - 1, and vanish exactly on functions supported at the ends.
-struct lemma_4 {
-    static constexpr char const* name = "discrete Dubois-Reymond";
-    static constexpr char const* source = "S lemma 4 (42)";
-    static constexpr bool uniform_only = false;
+struct lemma_4 : stated<"discrete Dubois-Reymond", "S lemma 4 (42)"> {
     template <class Trial>
     void operator()(Trial& trial) const {
         using S = typename Trial::scalar;
