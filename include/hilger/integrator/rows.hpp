@@ -190,10 +190,10 @@ private:
 };
 
 /// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: next to
-/// those that there are or, where `straight_line` has values on one, near them, and where Newton's method does not come to a root from
-/// there, the one that motions in less time lead to. The other arguments are those of rows_of_equation, and `what` names the rows in
-/// messages. Nothing is a root that does not solve its rows to the rounding of their terms. Returns how strongly the values respond to
-/// those at both sides, where `straight_line` has values.
+/// those that there are or, where `straight_line` has values on one, near them: by corrections that become smaller; where these do not come
+/// to a root, the one that motions in less time lead to, if it is not far away. The other arguments are
+/// those of rows_of_equation, and `what` names the rows in messages. Nothing is a root that does not solve its rows to the rounding of
+/// their terms. Returns how strongly the values respond to those at both sides, where `straight_line` has values.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
@@ -208,28 +208,31 @@ auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     auto const correct = [&](vector const& r, vector& d) { rows.correct(r, d); };
     newton_equation<vector> const f{evaluate, linearize, correct, true};
     unwatched const inside;
-    vector y = rows.unknown(x), r = y;
-    auto const how = newton<vector>(f, y, r, corrections::smaller);
-    bool const is_next_to = straight_line == nullptr or std::numeric_limits<S>::is_exact;
-    if (is_next_to and how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
-    if (is_next_to) {
+    vector const guess = rows.unknown(x);
+    vector y = guess, r = guess;
+    newton_outcome const how = newton<vector>(f, y, r, corrections::smaller);
+    if (straight_line == nullptr or std::numeric_limits<S>::is_exact) {
+        if (how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
         rows.put(y);
         return S(0);
     }
+    vector const first = y, first_rest = r;
     S rest = how == newton_outcome::found ? rows.polish(y) : S(2 * most_roundings);
+    bool found = how == newton_outcome::found;
     if (not(rest <= S(most_roundings))) {
         S const quarter = S(1) / S(4);
-        auto const set_share = [&](S const& part) { rows.set_share(part); };
-        bool const arrives =
-            continued<vector>(f, y, rows.unknown(*straight_line), r, {quarter, quarter, quarter / S(16)}, corrections::smaller, set_share);
-        if (not arrives and how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
+        bool const arrives = continued<vector>(f, y, rows.unknown(*straight_line), r, {S(0), quarter, quarter / S(8)}, corrections::smaller,
+                                               [&](S const& part) { rows.set_share(part); }) and
+                             magnitude(vector(y - guess)) <= S(4) * magnitude(guess);
+        found = found or arrives;
         if (arrives) rest = rows.polish(y);
-        if (not(rest <= S(most_roundings))) {
-            std::ostringstream message;
-            message << what << " did not converge: what is nearest to a solution leaves " << rest
-                    << " times the rounding of the terms of a row, and a solution less than " << most_roundings << ". " << by.advice;
-            throw newton_failure<vector>(message.str(), y, r);
-        }
+    }
+    if (not found) throw_newton_failure(what, how, first, first_rest, by);
+    if (not(rest <= S(most_roundings))) {
+        std::ostringstream message;
+        message << what << " did not converge: what is nearest to a solution leaves " << rest
+                << " times the rounding of the terms of a row, and a solution less than " << most_roundings << ". " << by.advice;
+        throw newton_failure<vector>(message.str(), y, r);
     }
     return rows.response_to_ends();
 }

@@ -33,9 +33,9 @@ struct newton_equation {
     bool has_one_unit = false;                              ///< components are measured by the largest, not each by itself
 };
 
-/// What a share s of a correction d has to leave: less than d, and the root is known to half of the digits only; (1 - s) d, to a quarter of
-/// d, which keeps to the path that leads to the root nearby; or that half-way too, so that it leaps over nothing.
-enum class corrections { smaller, on_the_path, followed };
+/// What a share s of a correction d has to leave: anything; less than d; (1 - s) d, to a quarter of d, which keeps to the path that leads
+/// to the root nearby; or that half-way too, so that it leaps over nothing. In the first two cases the root is known to half of the digits.
+enum class corrections { any, smaller, on_the_path, followed };
 
 /// One search for a root from x. At the end x is where r was evaluated last, and `residual` is r there.
 template <class X>
@@ -58,7 +58,7 @@ public:
         if (not all_finite(r_)) return newton_outcome::not_finite;
         S smallest = magnitude(r_);
         for (int round = 0; round < rounds; ++round) {
-            if (round == whole_rounds and smallest < magnitude(r_)) return_to_best();
+            if (round == whole_rounds and here_.path.made > 0 and smallest < magnitude(r_)) return_to_best();
             if (not equation_.linearize()) // a root there is one of many
                 return round == 0 or here_.path.made > 0 ? newton_outcome::singular : newton_outcome::lost;
             equation_.correct(r_, d_);
@@ -99,7 +99,8 @@ private:
             if (meets_nan) continue;
             bool const contracts_there = there.path == here_.path and contracts_by(share_), contracts = contracts_there and half_way;
             if (contracts and share_ == S(1) and is_last()) return accept(there);
-            if (is_rounding(rest_, there, 4) and (not contracts_there or here_.path.made > 0)) return accept(there);
+            if (is_rounding(rest_, there, 4) and (not contracts_there or here_.path.made > 0 or how_ <= corrections::smaller))
+                return accept(there);
             if (contracts or (here_.path.made > 0 and (any_across or magnitude(rest_) <= (S(1) - share_ / S(4)) * magnitude(r_)))) {
                 (void)accept(there);
                 return std::nullopt;
@@ -118,10 +119,11 @@ private:
     }
     /// Whether nothing can be leapt over.
     [[nodiscard]] bool is_small(X const& d) const { return size_of(d) <= square_root_of_epsilon<S>() / S(16); }
-    [[nodiscard]] bool is_last() const { return how_ == corrections::smaller ? is_small(left_) : size_of(left_) <= S(4) * epsilon<S>(); }
+    [[nodiscard]] bool is_last() const { return how_ <= corrections::smaller ? is_small(d_) : size_of(left_) <= S(4) * epsilon<S>(); }
     /// Whether a share of d leaves what it should.
     bool contracts_by(S const& share) {
         equation_.correct(rest_, left_);
+        if (how_ == corrections::any) return true;
         if (how_ == corrections::smaller) return size_of(left_) <= (S(1) - share / S(4)) * size_of(d_);
         return size_of(X(left_ - d_ * S(S(1) - share))) <= size_of(d_) / S(4);
     }
@@ -161,7 +163,8 @@ newton_outcome newton(newton_equation<X> const& equation, X& x, X& residual, cor
     return newton_search<X>(equation, x, residual, how).run();
 }
 
-/// The shares of a continuation: the first one, the largest increase, and the smallest one that it is given up with.
+/// The shares of a continuation: the first one, of 0 the start is the root, the largest increase, and the smallest one that it is given up
+/// with.
 template <class S>
 struct continuation_shares {
     S first, most, least;
@@ -175,37 +178,48 @@ bool continued(newton_equation<X> const& equation, X& x, X const& start, X& resi
     using S = scalar_of<X>;
     S share = shares.first, growth = shares.most;
     X y = start, next = start, slope = start - start, rest = residual;
-    set_share(share);
-    if (newton(equation, y, rest, how) != newton_outcome::found) return false;
+    if (S(0) < share) {
+        set_share(share);
+        if (newton(equation, y, rest, how) != newton_outcome::found) return false;
+    }
     for (int made = 0; share < S(1); ++made) {
         if (growth < shares.least or made == 1024) return false;
         S const further = std::min(S(1), S(share + growth));
-        next = y + slope * S(further - share);
+        next = how == corrections::smaller ? y : X(y + slope * S(further - share));
         set_share(further);
-        if (newton(equation, next, rest, how) == newton_outcome::found) {
+        bool is_root = newton(equation, next, rest, how) == newton_outcome::found;
+        if (not is_root and how == corrections::smaller and growth < S(2) * shares.least) {
+            next = y;
+            is_root = newton(equation, next, rest, corrections::any) == newton_outcome::found;
+        }
+        if (is_root) {
             slope = (next - y) * S(S(1) / (further - share));
             y = next;
             share = further;
             growth = std::min(shares.most, S(S(2) * growth));
         } else
-            growth = growth / S(4);
+            growth = growth / S(how == corrections::smaller ? 2 : 4);
     }
     x = y;
     residual = rest;
     return true;
 }
-/// The root of the equation of a step from x or, without branches, from `last`, the velocity of the step before; and where there is none,
-/// by continuation in the share of the step. x is of the size of a velocity for all shares.
+/// The root of the equation of a step: across branches from x, else by continuation in the share of the step from `last`, the velocity of
+/// the step before. Each takes the place of the other where it does not come to a root. x is of the size of a velocity for all shares.
 template <class X>
 newton_outcome root_of_step(bool has_branches, newton_equation<X> const& equation, X& x, X const& last, X& residual,
                             function_view<void(scalar_of<X> const&)> const& set_share) {
     using S = scalar_of<X>;
-    if (not has_branches) x = last;
-    newton_outcome const how = newton(equation, x, residual, corrections::followed);
-    if (how == newton_outcome::found or std::numeric_limits<S>::is_exact) return how;
     S const nearly_none = S(1) / S(1 << 24);
-    bool const arrives = continued(equation, x, last, residual, {nearly_none, S(1) / S(16), nearly_none}, corrections::followed, set_share);
-    return arrives ? newton_outcome::found : how;
+    auto const grows = [&] {
+        return not std::numeric_limits<S>::is_exact and
+               continued(equation, x, last, residual, {nearly_none, S(1) / S(16), nearly_none}, corrections::followed, set_share);
+    };
+    if (not has_branches and grows()) return newton_outcome::found;
+    if (not has_branches) x = last;
+    set_share(S(1));
+    newton_outcome const how = newton(equation, x, residual, corrections::followed);
+    return how != newton_outcome::found and has_branches and grows() ? newton_outcome::found : how;
 }
 
 } // namespace hilger::detail
