@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // See compiled_once.hpp. With the sanitizers, which numbers.cpp has not.
-#include "texts_once.hpp"
+#include "compiled_once.hpp"
 
 namespace hilger::detail {
 HILGER_ENGINES_WITH_ROOTS(, double)
 } // namespace hilger::detail
-
-HILGER_TEXTS()

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
-  engine/methods/two_sided.cpp engine/methods/lambda.cpp)
+  engine/methods/two_sided.cpp)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
 # Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
 # what is in several files the linker takes the first, which is the program's own.
 set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp scenes/cost.cpp
   scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp problems/summed_walk.cpp
-  problems/stated.cpp engine/methods/lambda.cpp)
+  problems/stated.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 add_executable(hilger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
@@ -19,11 +19,11 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_precompile_headers(hilger_not_optimised REUSE_FROM extremes)
   target_include_directories(hilger_not_optimised SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
   target_include_directories(hilger_not_optimised PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
-  target_link_libraries(hilger_not_optimised PRIVATE hilger_development)
+  target_link_libraries(hilger_not_optimised PRIVATE hilger_development hilger_text)
   target_link_libraries(hilger PRIVATE hilger_not_optimised)
   # Runs take the same time with -O3, and what is compiled here a sixth more.
   target_compile_options(hilger PRIVATE -O2)
-  target_precompile_headers(hilger PRIVATE precompiled.hpp)
+  target_precompile_headers(hilger PRIVATE compiled_once.hpp)
   link_numbers(hilger)
   set(precompiled_for_programs hilger PARENT_SCOPE)
 else()
@@ -36,7 +36,7 @@ target_sources(hilger PRIVATE ${sources})
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
 target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
-target_link_libraries(hilger PRIVATE hilger_development extremes CLI11::CLI11 ${CMAKE_DL_LIBS})
+target_link_libraries(hilger PRIVATE hilger_development extremes hilger_text CLI11::CLI11 ${CMAKE_DL_LIBS})
 # One more peer for hilger trade, where it is installed (libgsl-dev).
 find_package(GSL QUIET)
 if(GSL_FOUND)

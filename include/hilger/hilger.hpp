@@ -7,7 +7,7 @@
 //   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
 //   formula                                           Lagrangians as symbols and as C
-//   text                                              Lagrangians that are known at run time only: include hilger/text/lagrangian.hpp
+//   text                                              Lagrangians that are known at run time only: hilger/text/lagrangian.hpp, hilger::text
 #pragma once
 
 #include "hilger/version.hpp"

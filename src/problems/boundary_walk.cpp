@@ -5,7 +5,7 @@
 #include "engine/methods/lambda.hpp"
 #include "engine/motions.hpp"
 #include "from_file.hpp"
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 #include "path_walk.hpp"
 
 namespace program {

@@ -10,7 +10,7 @@
 #include "engine/small_lagrangian.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 #include "path_walk.hpp"
 
 namespace program {

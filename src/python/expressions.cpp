@@ -5,10 +5,8 @@
 #include <unordered_map>
 
 #include "bindings.hpp"
-#include "hilger/text/functions.hpp"
-#include "hilger/text/read.hpp"
+#include "hilger/error.hpp"
 #include "hilger/text/stated.hpp"
-#include "hilger/text/write.hpp"
 #include "hilger/version.hpp"
 
 namespace bindings {

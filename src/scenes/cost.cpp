@@ -7,6 +7,9 @@
 #include "hilger/hilger.hpp"
 #include "problems/from_file.hpp"
 #include "problems/scene.hpp"
+#include "text/in_numbers.hpp"
+
+HILGER_FORMULAS_IN(hilger::counted) // costs alone are computed in these
 
 namespace program {
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // No text makes the reader of formulas do anything but accept it or throw an error of hilger's; and what it accepts is written as a text
 // that it accepts, and is written the same again. By hand, from the root of the project:
-//   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address,undefined -DHILGER_HAS_FLOAT128=0 -Iinclude -isystem /usr/include/eigen3
-//     tests/fuzz/formula.cpp -o build/fuzz_formula
+//   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address,undefined -DHILGER_HAS_FLOAT128=0 -Iinclude -Isrc
+//     -isystem /usr/include/eigen3 tests/fuzz/formula.cpp src/text/*.cpp -o build/fuzz_formula
 //   build/fuzz_formula -max_len=400 -max_total_time=600 -timeout=20 build/corpus tests/fuzz/formulas
 #include <cstdint>
 
 #include "hilger/text/lagrangian.hpp"
-#include "hilger/text/write.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
     namespace text = hilger::text;

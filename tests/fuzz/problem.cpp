@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The same of the reader of problems in TOML, without what toml++ itself shifts out of range. By hand, from the root of the project:
 //   clang++ -std=gnu++20 -O1 -g -fsanitize=fuzzer,address -DHILGER_HAS_FLOAT128=0 -Iinclude -Isrc -Isrc/problems
-//     -isystem /usr/include/eigen3 tests/fuzz/problem.cpp src/problems/{from_file,observed_in_file}.cpp -o build/fuzz_problem
+//     -isystem /usr/include/eigen3 tests/fuzz/problem.cpp src/problems/{from_file,observed_in_file}.cpp src/text/*.cpp
+//     -o build/fuzz_problem
 //   build/fuzz_problem -max_len=1000 -max_total_time=600 -timeout=20 build/corpus tests/fuzz/problems
 #include <cstdint>
 

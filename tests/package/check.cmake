@@ -20,3 +20,6 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${binary}/build -G ${genera
   -D hilger_version=${hilger_version})
 run(${CMAKE_COMMAND} --build ${binary}/build)
 run(${binary}/build/consumer)
+if(way STREQUAL "find_package" AND text)
+  run(${binary}/build/reader)
+endif()

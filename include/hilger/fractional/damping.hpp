@@ -57,7 +57,9 @@ auto kept_coefficient(Rho const& rho) {
         static_assert(Rho::ColsAtCompileTime == 1,
                       "a fractional damping has one number for all components or one for each, as a column vector or diagonal(); couplings "
                       "of components, as a matrix has them, are not among them");
-        return Eigen::Matrix<typename Rho::Scalar, Rho::RowsAtCompileTime, 1>(rho);
+        Eigen::Matrix<typename Rho::Scalar, Rho::RowsAtCompileTime, 1> column;
+        if constexpr (Rho::ColsAtCompileTime == 1) column = rho;
+        return column;
     } else {
         static_assert(
             not std::ranges::range<Rho> and not requires { rho.diagonal(); },

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// A formula that is known at run time only: read from text (text/read.hpp), or put together by a program in another language. It holds
-// names and numbers as they were written, 0.1 is one tenth in rationals and in 100 digits, and is evaluated in any of them
-// (text/evaluate.hpp). Parts may be shared, and never change.
+// A formula that is known at run time only: read from text, or put together by a program in another language. It holds names and numbers as
+// they were written, 0.1 is one tenth in rationals and in 100 digits, and is evaluated in any of them (text/stated.hpp). Parts may be
+// shared, and never change. This folder declares what the library hilger::text defines (src/text).
 #pragma once
 
-#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
-
-#include "hilger/error.hpp"
 
 namespace hilger::text {
 
@@ -50,26 +49,11 @@ struct node {
     place at;
     int depth = 1; ///< of nested parts; (a + b) + c is no deeper than a + b, and evaluated without recursion
 
-    node(kind k, std::string of_name, std::vector<pointer> of_parts, place where = {})
-        : what(k), name(std::move(of_name)), parts(std::move(of_parts)), at(where) {
-        for (std::size_t j = 0; j < parts.size(); ++j)
-            depth = std::max(depth, parts[j]->depth + (j == 0 and is_arithmetic(what) and is_arithmetic(parts[j]->what) ? 0 : 1));
-    }
+    node(kind k, std::string of_name, std::vector<pointer> of_parts, place where = {});
     node(node const&) = delete;
     node& operator=(node const&) = delete;
     /// Long chains are let go one by one.
-    ~node() {
-        std::vector<pointer> open = std::move(parts);
-        while (not open.empty()) {
-            pointer const last = std::move(open.back());
-            open.pop_back();
-            if (last.use_count() == 1) {
-                auto& below = const_cast<std::vector<pointer>&>(last->parts); // nobody else has it, and no node is made as a constant
-                std::move(below.begin(), below.end(), std::back_inserter(open));
-                below.clear();
-            }
-        }
-    }
+    ~node();
 };
 
 /// More levels than a stack has room for are refused.
@@ -80,14 +64,7 @@ public:
     /// The number 0.
     expression() : expression(kind::number, "0", {}) {}
     /// A node of any kind. @throws error::invalid_parameter when it is nested too deeply
-    expression(kind what, std::string name, std::vector<expression> const& parts, place at = {}) {
-        std::vector<node::pointer> nodes;
-        for (expression const& e : parts) nodes.push_back(e.root_);
-        auto made = std::make_shared<node>(what, std::move(name), std::move(nodes), at);
-        if (made->depth > deepest)
-            error::raise<error::invalid_parameter>("a formula has at most ", deepest, " levels of parts in parts, and this one has more");
-        root_ = std::move(made);
-    }
+    expression(kind what, std::string name, std::vector<expression> const& parts, place at = {});
     /// What begins at a node.
     explicit expression(node::pointer root) : root_(std::move(root)) {}
     static expression number(std::string digits) { return {kind::number, std::move(digits), {}}; }
@@ -110,5 +87,16 @@ public:
 private:
     node::pointer root_;
 };
+
+/// The formula in a text. `source` and `from` say in errors where the text stands.
+///   m*v^2/2 - m*g*l*(1 - cos(q))
+///   sum(i, 0, n - 1, v[i]^2)/2 - sum(i, 0, n - 2, (q[i + 1] - q[i])^2)/2
+///   sum(i, 1, n, sum(j, 0, i - 1, ...)), dot(q, q), norm(v), if(t < 1, a, b), pi
+/// With `brackets_apply` operators act on functions, too: (A + B)[q] is a call without a name, of A + B and q.
+/// + - * / as everywhere, x^y and x**y from the right and before the sign: -x^2 is -(x^2). A # ends a line.
+/// @throws error::unreadable with line and column, what is there, and what was expected
+expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1}, bool brackets_apply = false);
+/// The text that read() makes the same formula of, v^2/2 - (1 - cos(q)), if it has at most `longest` characters.
+std::optional<std::string> written(expression const& e, std::size_t longest);
 
 } // namespace hilger::text

@@ -5,13 +5,32 @@
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
 #pragma once
 
+#include <algorithm>
+
 #include "hilger/differentiation/traced/trace.hpp"
-#include "hilger/text/read.hpp"
-#include "hilger/text/switching.hpp"
+#include "hilger/error.hpp"
+#include "hilger/text/stated.hpp"
 
 namespace hilger::text {
 
-/// L(t, q, v) = a formula.
+namespace detail {
+
+/// f in the numbers of a state, which are traced, or jets that stand for numbers: in states of dynamic size no jets have variables
+/// (differentiation/derivatives.hpp).
+template <class T, class Q, class V>
+auto value_at_state(stated const& f, T const& t, Q const& q, V const& v) {
+    using X = plain_t<decltype(q(0) * v(0))>;
+    if constexpr (is_jet<X>) {
+        static_assert(X::count == 1 and Q::SizeAtCompileTime == Eigen::Dynamic, "states of formulas in text are vectors of dynamic size");
+        return X(f.value(
+            X(t).value, [&](int k) { return X(q(k)).value; }, [&](int k) { return X(v(k)).value; }));
+    } else
+        return f.value(X(t), q, v);
+}
+
+} // namespace detail
+
+/// L(t, q, v) = a formula. @throws error::mismatch where a state has another dimension
 class stated_lagrangian {
 public:
     static constexpr bool is_generic_in_time = true;
@@ -19,26 +38,21 @@ public:
     template <class T, class Q, class V>
         requires requires(Q const& q) { q(0); }
     auto operator()(T const& t, Q const& q, V const& v) const {
-        using value = plain_t<decltype(q(0) * v(0))>;
-        require_size(q.size());
-        return of_.value(value(t), q, v);
+        if (int const d = of_.words().dimension(); d != q.size())
+            error::raise<error::mismatch>(of_.source(), " has ", d, " coordinates, and the state has ", q.size());
+        return detail::value_at_state(of_, t, q, v);
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
-    /// Where it switches in ]a, b[ (text/switching.hpp): an accurate solution has points there.
+    /// Where it switches in ]a, b[ (text/stated.hpp): an accurate solution has points there.
     template <class S>
     [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
-        return text::switching_times<S>({&of_}, a, b);
+        return text::switching_times<S>({of_}, a, b);
     }
     /// What is traced of it.
     [[nodiscard]] hilger::detail::kept_formulas& kept() const { return *kept_; }
 
 private:
-    /// @throws error::mismatch
-    void require_size(index_type d) const {
-        if (d != of_.words().dimension())
-            error::raise<error::mismatch>(of_.source(), " has ", of_.words().dimension(), " coordinates, and the state has ", d);
-    }
     stated of_;
     std::shared_ptr<hilger::detail::kept_formulas> kept_ = std::make_shared<hilger::detail::kept_formulas>();
 };
@@ -56,9 +70,8 @@ public:
     template <class T, class Q, class V>
         requires requires(Q const& q) { q(0); }
     auto operator()(T const& t, Q const& q, V const& v) const {
-        using value = plain_t<decltype(q(0) * v(0))>;
-        Eigen::Matrix<value, Eigen::Dynamic, 1> f(static_cast<index_type>(of_.size()));
-        for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = of_[k].value(value(t), q, v);
+        Eigen::Matrix<plain_t<decltype(q(0) * v(0))>, Eigen::Dynamic, 1> f(static_cast<index_type>(of_.size()));
+        for (std::size_t k = 0; k < of_.size(); ++k) f(static_cast<index_type>(k)) = detail::value_at_state(of_[k], t, q, v);
         return f;
     }
     [[nodiscard]] bool reads_time() const {
@@ -67,9 +80,7 @@ public:
     /// Where a component of it switches in ]a, b[.
     template <class S>
     [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
-        std::vector<stated const*> all;
-        for (stated const& f : of_) all.push_back(&f);
-        return text::switching_times<S>(all, a, b);
+        return text::switching_times<S>(of_, a, b);
     }
     [[nodiscard]] std::vector<stated> const& formulas() const { return of_; }
 

@@ -7,10 +7,14 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "hilger/function_view.hpp"
 #include "hilger/operator/local.hpp"
+#include "hilger/printing/expression.hpp"
 #include "hilger/text/stated.hpp"
 
 namespace hilger::text {
@@ -52,28 +56,10 @@ public:
         return from == to ? operator_formula() : operator_formula(node{kind::reweight, side::plus, from, to});
     }
     /// c A. @throws error::unreadable when c is no formula of numbers alone
-    static operator_formula multiple(stated const& c, operator_formula const& a) {
-        if (c.reads_state())
-            error::raise<error::unreadable>(c.source(), ": the factor of an operator is a number, and this one depends on the state");
-        node n{kind::multiple};
-        n.factor = std::make_shared<stated const>(c);
-        n.parts = {a};
-        return n;
-    }
-    friend operator_formula operator+(operator_formula const& a, operator_formula const& b) {
-        node n{kind::sum};
-        n.parts = {a, b};
-        return n;
-    }
+    static operator_formula multiple(stated const& c, operator_formula const& a);
+    friend operator_formula operator+(operator_formula const& a, operator_formula const& b);
     /// A B: first B, then A.
-    friend operator_formula operator*(operator_formula const& a, operator_formula const& b) {
-        if (a.is(kind::identity)) return b;
-        if (b.is(kind::identity)) return a;
-        if (a.is(kind::reweight) and b.is(kind::reweight) and a.root().from == b.root().to) return {};
-        node n{kind::product};
-        n.parts = {a, b};
-        return n;
-    }
+    friend operator_formula operator*(operator_formula const& a, operator_formula const& b);
     friend operator_formula operator-(operator_formula const& a) { return multiple(stated_number("-1"), a); }
     friend operator_formula operator-(operator_formula const& a, operator_formula const& b) { return a + -b; }
 
@@ -90,103 +76,126 @@ public:
     [[nodiscard]] operator_formula on_equal_steps() const;
     /// Whether ratios of the weights mu and nu stand in it, as in adjoints between sums of other weights: its values then depend on the
     /// lengths of both steps beside a point.
-    [[nodiscard]] bool has_weights() const {
-        return is(kind::reweight) or std::any_of(root_->parts.begin(), root_->parts.end(), [](auto const& a) { return a.has_weights(); });
-    }
+    [[nodiscard]] bool has_weights() const;
     /// What A[f] has lost where f has lost some.
     [[nodiscard]] lost_points lost(lost_points f = {}) const;
 
     /// A formula of numbers, as 1/3.
-    static stated stated_number(std::string const& digits) {
-        bool const minus = digits.starts_with('-');
-        auto const size = expression::number(minus ? digits.substr(1) : digits);
-        return stated(minus ? -size : size, no_words(), "the number");
-    }
+    static stated stated_number(std::string const& digits);
 
 private:
-    operator_formula(node n) {
-        for (auto const& part : n.parts) n.depth = std::max(n.depth, part.root().depth + 1);
-        if (n.depth > deepest)
-            error::raise<error::invalid_parameter>("an operator has at most ", deepest, " levels of parts in parts, and this one has more");
-        root_ = std::make_shared<node const>(std::move(n));
-    }
-    [[nodiscard]] sum_weight weight(bool from) const {
-        switch (root_->what) {
-        case kind::shift:
-        case kind::derivative:
-            return (root_->which == side::plus) == from ? sum_weight::nabla : sum_weight::delta;
-        case kind::multiple:
-        case kind::sum:
-            return from ? root_->parts[0].from_weight() : root_->parts[0].to_weight();
-        case kind::product:
-            return from ? root_->parts[1].from_weight() : root_->parts[0].to_weight();
-        default:
-            return sum_weight::delta;
-        }
-    }
+    operator_formula(node n);
+    [[nodiscard]] sum_weight weight(bool from) const;
     std::shared_ptr<node const> root_;
 };
 
-inline operator_formula operator_formula::adjoint(sum_weight from, sum_weight to) const {
-    node const& n = *root_;
-    auto const between = [&](operator_formula const& own) { // an adjoint between the sums with the weights of n
-        return reweight(from_weight(), from) * (own * reweight(to, to_weight()));
+/// How a Lagrangian is read on T: L(A q, B q) under a sum (embedding/embedding.hpp).
+struct embedding_formula {
+    operator_formula position, velocity;
+    sum_weight weight = sum_weight::delta;
+    std::string text; ///< as it was written
+    /// The points that either of the two loses.
+    [[nodiscard]] lost_points lost() const { return most(position.lost(), velocity.lost()); }
+};
+
+/// The operator in a text, "(identity + sigma)/2", written as in C++ (operator/local.hpp); products of operators are compositions.
+/// Parameters in its factors are those of `words`. @throws error::unreadable with line and column
+operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
+                             std::string const& source = "the operator");
+/// The embedding in a text, what L is read with, applied to the unknown q, or ((1 + sigma)/2)[q]; `source` and `from` say in errors where
+/// it stands:
+///   integral(L((q + sigma[q])/2, Delta_plus[q]))
+///   nabla_integral(L(q, Delta_minus[q]))           the sum with weights nu
+/// @throws error::unreadable
+embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
+                               std::string const& source = "the embedding", place from = {1, 1});
+
+/// A and B make the same of every function on every scale, or on every uniform one, and lose the same points at the ends.
+bool equal(operator_formula const& a, operator_formula const& b, bool uniform = false);
+inline bool operator==(operator_formula const& a, operator_formula const& b) { return equal(a, b); }
+
+/// What the operator makes of a function f, written for a terminal or in LaTeX; `uniform`: on a scale of equal steps.
+std::string written(operator_formula const& a, print_style style, bool uniform = false);
+/// The text that operator_in reads the same operator from, applied to what is called `on`, or as an operator where that is "".
+/// @throws error::invalid_parameter when it is too long for anybody
+std::string text_of(operator_formula const& a, std::string const& on = "q");
+
+namespace detail {
+/// The lengths of the steps of a scale, and how many there are.
+template <class S>
+struct steps_view {
+    hilger::detail::function_view<S(index_type)> step;
+    index_type count;
+    [[nodiscard]] index_type steps() const { return count; }
+};
+} // namespace detail
+
+/// An operator with its factors in numbers S, to be applied: double, float, long double, float50, float100 or Q.
+template <class S>
+class operator_in_numbers {
+    using kind = operator_formula::kind;
+
+public:
+    /// @throws error::unreadable where a factor is no number of type S, as a root in rationals; error::not_finite where it is NaN or
+    /// infinite
+    explicit operator_in_numbers(operator_formula const& a);
+
+    /// A[f] at point i of T, of a function with values get(i) on the scale root().
+    template <class F>
+    [[nodiscard]] auto value(F const& f, index_type i) const {
+        using V = plain_t<decltype(f.get(0))>;
+        auto const step = [&T = f.root()](index_type j) { return S(T.step(j)); };
+        return part_value<V>(
+            items_.size() - 1, [&f](index_type j) { return V(f.get(j)); }, {step, f.root().steps()}, i);
+    }
+    /// Numbers by points.
+    using row_type = std::map<index_type, S>;
+    /// The numbers c_j of A[f](t_i) = sum_j c_j f(t_j) on the scale T. As `sizes` those of all terms that they are sums of, without signs:
+    /// what they round by. In a time that grows with the number of parts, where a value of a product asks its parts again and again.
+    template <class T>
+    [[nodiscard]] row_type row(T const& scale, index_type i, bool sizes = false) const {
+        auto const step = [&scale](index_type j) { return S(scale.step(j)); };
+        return before(items_.size() - 1, {step, scale.steps()}, {{i, S(1)}}, sizes);
+    }
+
+private:
+    struct item {
+        kind what;
+        side which;
+        sum_weight from, to;
+        S factor;
+        std::size_t first, second;
     };
-    switch (n.what) {
-    case kind::identity:
-        return reweight(to, from);
-    case kind::reweight:
-        return reweight(n.from, n.to) * reweight(to, from);
-    case kind::shift:
-        return between(shift(opposite_of(n.which)));
-    case kind::derivative:
-        return between(-derivative(opposite_of(n.which)));
-    case kind::multiple:
-        return multiple(*n.factor, n.parts[0].adjoint(from, to));
-    case kind::sum:
-        return n.parts[0].adjoint(from, to) + n.parts[1].adjoint(from, to);
-    case kind::product: { // the sum in the middle may have any weights
-        sum_weight const middle = n.parts[0].from_weight();
-        return n.parts[1].adjoint(from, middle) * n.parts[0].adjoint(middle, to);
+    std::size_t add(operator_formula const& a);
+    /// The part, applied to the function f of a point.
+    template <class V>
+    [[nodiscard]] V part_value(std::size_t k, hilger::detail::function_view<V(index_type)> f, detail::steps_view<S> const& T,
+                               index_type i) const {
+        item const& n = items_[k];
+        switch (n.what) {
+        case kind::shift:
+            return f(n.which == side::plus ? i + 1 : i - 1);
+        case kind::derivative: {
+            index_type const left = n.which == side::plus ? i : i - 1;
+            return V((f(left + 1) - f(left)) / T.step(left));
+        }
+        case kind::reweight:
+            return V(f(i) * ratio_of_weights(n, T, i));
+        case kind::multiple:
+            return V(part_value(n.first, f, T, i) * n.factor);
+        case kind::sum:
+            return V(part_value(n.first, f, T, i) + part_value(n.second, f, T, i));
+        case kind::product:
+            return part_value<V>(
+                n.first, [&](index_type j) { return part_value(n.second, f, T, j); }, T, i);
+        default:
+            return f(i);
+        }
     }
-    }
-    return *this;
-}
-inline operator_formula operator_formula::on_equal_steps() const {
-    node const& n = *root_;
-    switch (n.what) {
-    case kind::reweight:
-        return {};
-    case kind::multiple:
-        return multiple(*n.factor, n.parts[0].on_equal_steps());
-    case kind::sum:
-        return n.parts[0].on_equal_steps() + n.parts[1].on_equal_steps();
-    case kind::product:
-        return n.parts[0].on_equal_steps() * n.parts[1].on_equal_steps();
-    default:
-        return *this;
-    }
-}
-inline lost_points operator_formula::lost(lost_points f) const {
-    node const& n = *root_;
-    bool const plus = n.which == side::plus;
-    switch (n.what) {
-    case kind::identity:
-        return f;
-    case kind::shift:
-        return plus ? lost_points{std::max(f.front - 1, 0), f.back + 1} : lost_points{f.front + 1, std::max(f.back - 1, 0)};
-    case kind::derivative:
-        return {f.front + (plus ? 0 : 1), f.back + (plus ? 1 : 0)};
-    case kind::reweight: // where w_to vanishes there is no ratio
-        return most(f, n.to == sum_weight::nabla ? lost_points{1, 0} : lost_points{0, 1});
-    case kind::multiple:
-        return n.parts[0].lost(f);
-    case kind::sum:
-        return most(n.parts[0].lost(f), n.parts[1].lost(f));
-    case kind::product:
-        return n.parts[0].lost(n.parts[1].lost(f));
-    }
-    return f;
-}
+    /// The row of `after` behind the part.
+    [[nodiscard]] row_type before(std::size_t k, detail::steps_view<S> const& T, row_type after, bool sizes) const;
+    static S ratio_of_weights(item const& n, detail::steps_view<S> const& T, index_type i);
+    std::vector<item> items_;
+};
 
 } // namespace hilger::text

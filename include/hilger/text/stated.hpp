@@ -2,13 +2,21 @@
 // A formula in text with what its names stand for.
 #pragma once
 
-#include <unordered_set>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include "hilger/text/evaluate.hpp"
+#include "hilger/function_view.hpp"
+#include "hilger/text/vocabulary.hpp"
 
 namespace hilger::text {
 
-/// A formula and what its names stand for. Copies share both.
+/// The components of a position or a velocity: q(k) is component k.
+template <class T>
+using components_view = hilger::detail::function_view<T(int)>;
+
+/// A formula and what its names stand for. Copies share both. It has values in float, double, long double, float50, float100 and Q, in
+/// traced numbers of these, and as a symbol: these are compiled in hilger::text.
 class stated {
 public:
     /// @throws error::unreadable with the place of a name that nothing is known of, of a vector without an index, an index outside of its
@@ -17,7 +25,10 @@ public:
 
     /// The value at (t, q, v), states given by component: q(k) is component k. With `everywhere` both parts of choices are evaluated.
     template <class T, class Q, class V>
-    T value(T const& t, Q const& q, V const& v, bool everywhere = false) const;
+    T value(T const& t, Q const& q, V const& v, bool everywhere = false) const {
+        return evaluate<T>(
+            t, [&](int k) { return T(q(k)); }, [&](int k) { return T(v(k)); }, everywhere);
+    }
     [[nodiscard]] vocabulary const& words() const { return *words_; }
     [[nodiscard]] expression const& formula() const { return what_; }
     /// Whether one of the names in it stands for the time, or for velocities.
@@ -28,50 +39,27 @@ public:
     }
     /// The value of one that does not. @throws error::unreadable where S has no such number, as a root in rationals or 1/0
     template <class S>
-    [[nodiscard]] S number() const {
-        auto const none = [](int) { return S(0); };
-        try {
-            return value(S(0), none, none);
-        } catch (std::overflow_error const&) { // of rationals
-            error::raise<error::unreadable>(source_, ": a division by zero");
-        }
-    }
+    [[nodiscard]] S number() const;
     [[nodiscard]] std::string const& source() const { return source_; }
     /// How many operations a value takes, and numbers and names it reads: to know what is too long to be shown.
     [[nodiscard]] long long operations() const { return operations_; }
 
 private:
+    template <class T>
+    T evaluate(T const& t, components_view<T> q, components_view<T> v, bool everywhere) const;
     expression what_;
     std::shared_ptr<vocabulary const> words_;
     std::string source_;
     long long operations_ = 0;
 };
 
-template <class T, class Q, class V>
-T stated::value(T const& t, Q const& q, V const& v, bool everywhere) const {
-    return detail::evaluator<T, Q, V>(*words_, source_, t, q, v, everywhere).value(what_.root());
-}
-
-inline stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)
-    : what_(std::move(what)), words_(std::move(words)), source_(std::move(source)) {
-    double const time = 1;
-    auto const one = [](int) { return 1.0; };
-    detail::evaluator everywhere(*words_, source_, time, one, one, true);
-    everywhere.value(what_.root());
-    operations_ = everywhere.operations();
-}
-inline bool stated::reads(meaning::role role) const {
-    std::vector<node const*> open{&what_.root()};
-    std::unordered_set<node const*> seen;
-    while (not open.empty()) {
-        node const& n = *open.back();
-        open.pop_back();
-        if (not seen.insert(&n).second) continue;
-        if (n.what == kind::name or n.what == kind::element)
-            if (meaning const* m = words_->find(n.name); m != nullptr and m->is == role) return true;
-        for (auto const& part : n.parts) open.push_back(part.get());
-    }
-    return false;
-}
+/// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first: where
+/// a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, comes out another way, or an abs, a min or a max of it has a kink. An
+/// affine a + b t is followed exactly; of anything else, as sin(t) < 0, changes are looked for at 4096 equal distances of the interval and
+/// halved down to rounding, so that what changes and changes back between two of them is not seen. Comparisons in both parts of a choice
+/// count, whether the state leads there or not.
+/// @throws error::invalid_parameter where one that is not affine changes more often than it is looked at
+template <class S>
+std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b);
 
 } // namespace hilger::text

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
-#include "hilger/text/operator_reading.hpp"
+#include "hilger/text/embedding.hpp"
 
 namespace engine {
 
@@ -15,16 +15,21 @@ inline hilger::text::embedding_formula own_embedding(problem const& what, std::s
     return hilger::text::embedding_in(method, std::move(words), "the method");
 }
 /// Whether it is an embedding whose lambda is another one for each length of step.
-bool has_lambda_of_step(problem const& what, std::string const& method);
+inline bool has_lambda_of_step(problem const& what, std::string const& method) {
+    return is_embedding_in_text(method) and hilger::text::depends_on_step(own_embedding(what, method));
+}
 /// The lambda of a method whose steps of length h are those of theta_at(lambda): theta:0.3, and embeddings in text; without h that of all
-/// lengths. Nothing for others. In double, float, float50, float100 and Q, compiled once: an embedding is examined exactly.
+/// lengths. Nothing for others.
 /// @throws hilger::error::unreadable, hilger::error::invalid_parameter
 template <class S>
-std::optional<S> lambda_of(problem const& what, std::string const& method, std::optional<S> const& h = {});
-extern template std::optional<double> lambda_of(problem const&, std::string const&, std::optional<double> const&);
-extern template std::optional<float> lambda_of(problem const&, std::string const&, std::optional<float> const&);
-extern template std::optional<hilger::float50> lambda_of(problem const&, std::string const&, std::optional<hilger::float50> const&);
-extern template std::optional<hilger::float100> lambda_of(problem const&, std::string const&, std::optional<hilger::float100> const&);
-extern template std::optional<hilger::Q> lambda_of(problem const&, std::string const&, std::optional<hilger::Q> const&);
+std::optional<S> lambda_of(problem const& what, std::string const& method, std::optional<S> const& h = {}) {
+    if (is_embedding_in_text(method)) return hilger::text::lambda_of_step<S>(own_embedding(what, method), h);
+    if (not method.starts_with("theta:")) return {};
+    auto const lambda = hilger::text::number_in<S>(method.substr(6));
+    if (not lambda) hilger::error::raise<hilger::error::invalid_parameter>("theta takes a number, as theta:0.3, and not '", method, "'");
+    if (not(S(0) < *lambda and *lambda < S(1)))
+        hilger::error::raise<hilger::error::invalid_parameter>("theta takes a number between 0 and 1, and here is ", method.substr(6));
+    return lambda;
+}
 
 } // namespace engine

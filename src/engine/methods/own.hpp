@@ -4,7 +4,7 @@
 
 #include "engine/methods/lambda.hpp"
 #include "engine/motions.hpp"
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 
 namespace engine {
 

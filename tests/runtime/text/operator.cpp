@@ -7,7 +7,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/text/stated_embedding.hpp"
+#include "hilger/text/embedding.hpp"
 
 namespace text_operator_tests {
 

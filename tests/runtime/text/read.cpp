@@ -65,6 +65,11 @@ TEST_CASE("numbers are what was written") {
     CHECK(text::number_in<double>("0.1") == 0.1);
     CHECK(text::number_in<double>("-1e-320") == -1e-320);
     CHECK(text::number_in<float50>("0.1") == float50("0.1"));
+    CHECK(text::number_in<float100>("0.1") == float100("0.1"));
+    CHECK(text::number_in<long double>("0.1") == 0.1L);
+    CHECK(value_of<float>("x/3") == 2.0F / 3);
+    CHECK(value_of<long double>("x/3") == 2.0L / 3);
+    CHECK(value_of<float100>("x/3") == float100(2) / 3);
     for (char const* none : {"", "-", "1e", "e5", "1/0", "1/2/3", "0x10", "1 ", "nan", "inf", "1.2.3", "1e99999999", "--1"}) {
         CAPTURE(none);
         CHECK_FALSE(text::number_in<Q>(none));

@@ -7,8 +7,8 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "hilger/text/embedding.hpp"
 #include "hilger/text/lagrangian.hpp"
-#include "hilger/text/stated_embedding.hpp"
 #include "support/orders.hpp"
 
 namespace stated_embedding_tests {

@@ -6,8 +6,8 @@
 #include "hilger/formula/print.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
+#include "hilger/text/embedding.hpp"
 #include "hilger/text/lagrangian.hpp"
-#include "hilger/text/stated_embedding.hpp"
 #include "support/random_lagrangian.hpp"
 
 namespace text_steps_tests {
@@ -121,6 +121,31 @@ TEST_CASE("forces, the time, and what is printed") {
     auto const longer = embed(lagrangian{L}, order_one).along(uniform(Q(0), Q(1), 2), vector<Q>{{1, 2, 3}}, vector<Q>{{0, 1, 2}});
     CHECK_THROWS_WITH_AS((void)record(longer), "L has 2 coordinates, and the state has 3", error::mismatch);
     CHECK_THROWS_AS(text::stated_force({text::stated(text::read("1"), words, "f")}), error::mismatch);
+}
+TEST_CASE("numbers write down how a formula compares them, as jets do") {
+    auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 1}});
+    auto const in_text = text::lagrangian_in("if(q[0] < 1, max(q[0], 0), abs(q[0] - 3)) + min(v[0], 2)", words);
+    auto const by_hand = [](auto const& q, auto const& v) {
+        using std::abs;
+        using T = plain_t<decltype(q(0))>;
+        auto const least = [](T const& x, T const& y) { return x <= y ? x : y < x ? y : x; };
+        auto const most = [](T const& x, T const& y) { return y <= x ? x : x < y ? y : x; };
+        T const of_position = q(0) < T(1) ? most(q(0), T(0)) : abs(T(q(0) - 3)); // compared first, as in the text
+        return T(of_position + least(v(0), T(2)));
+    };
+    for (double const x : {-1.0, 0.5, 2.0, 5.0})
+        for (double const y : {1.0, 4.0}) {
+            CAPTURE(x);
+            CAPTURE(y);
+            auto const q = detail::in_constants(Eigen::VectorXd{{x}}), v = detail::in_constants(Eigen::VectorXd{{y}});
+            detail::branch_watch const here;
+            auto const value = in_text(0.0, q, v);
+            auto const path = here.path();
+            detail::branch_watch const there;
+            CHECK(value.value == by_hand(q, v).value);
+            CHECK(path == there.path());
+            CHECK(path.made >= 2);
+        }
 }
 
 } // namespace text_steps_tests

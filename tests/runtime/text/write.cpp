@@ -4,8 +4,7 @@
 
 #include <random>
 
-#include "hilger/text/read.hpp"
-#include "hilger/text/write.hpp"
+#include "hilger/text/expression.hpp"
 
 namespace text_write_tests {
 

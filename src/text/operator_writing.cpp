@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSL-1.0
-// Operators that are known at run time only, as mathematics writes them and as text that reads back. What equals sigma, Delta_plus, ... up
-// to a rational factor is written as that one, however it was composed (printing/notation.hpp).
-#pragma once
-
+// Operators as mathematics writes them and as text that reads back. What equals sigma, Delta_plus, ... up to a rational factor is written
+// as that one, however it was composed (printing/notation.hpp).
+#include "hilger/error.hpp"
 #include "hilger/printing/words.hpp"
-#include "hilger/text/operator_row.hpp"
-#include "hilger/text/write.hpp"
+#include "hilger/text/embedding.hpp"
+#include "text/operator_in_numbers.hpp"
 
 namespace hilger::text {
 
-namespace detail {
-
 namespace printed = hilger::detail;
 
+namespace {
+
 /// c with a = c b, where both are rational and lose the same points.
-inline std::optional<Q> ratio(operator_formula const& a, operator_formula const& b, bool uniform) {
+std::optional<Q> ratio(operator_formula const& a, operator_formula const& b, bool uniform) {
     if (not(a.lost() == b.lost())) return {};
-    auto const x = exact_row_of<Q>(a, uniform, a.lost()), y = exact_row_of<Q>(b, uniform, a.lost());
+    auto const x = detail::exact_row_of(a, uniform, a.lost()), y = detail::exact_row_of(b, uniform, a.lost());
     if (not x or not y) return {};
     std::size_t k = 0;
     while (k < y->size() and (*y)[k] == 0) ++k;
@@ -27,21 +26,19 @@ inline std::optional<Q> ratio(operator_formula const& a, operator_formula const&
     return c == 0 ? std::nullopt : std::optional(c);
 }
 /// c f, where c is a quotient of numbers that are no longer than people write them.
-inline std::optional<printed::expression> times(printed::expression const& f, Q const& c) {
+std::optional<printed::expression> times(printed::expression const& f, Q const& c) {
     Q const longest = 100'000;
     if (abs(numerator(c)) > longest or denominator(c) > longest) return {};
     return f.times(static_cast<long long>(numerator(c)), static_cast<long long>(denominator(c)));
 }
-inline printed::linear_weight letter_of(sum_weight w) {
+printed::linear_weight letter_of(sum_weight w) {
     return w == sum_weight::delta ? printed::linear_weight{1, 0, 1} : printed::linear_weight{0, 1, 1};
 }
 
-inline printed::expression written_on(operator_formula const& a, printed::expression const& f, bool uniform);
-
-inline printed::expression written_parts(operator_formula const& a, printed::expression const& f, bool uniform) {
+printed::expression written_parts(operator_formula const& a, printed::expression const& f, bool uniform) {
     using kind = operator_formula::kind;
     auto const& n = a.root();
-    auto const part = [&](std::size_t k, printed::expression const& g) { return written_on(n.parts[k], g, uniform); };
+    auto const part = [&](std::size_t k, printed::expression const& g) { return detail::written_on(n.parts[k], g, uniform); };
     switch (n.what) {
     case kind::identity:
         return f;
@@ -54,7 +51,7 @@ inline printed::expression written_parts(operator_formula const& a, printed::exp
     case kind::multiple: {
         auto const inner = part(0, f);
         try {
-            if (auto const e = times(inner, n.factor->template number<Q>())) return *e;
+            if (auto const e = times(inner, n.factor->number<Q>())) return *e;
         } catch (error::unreadable const&) { // no rational number
         }
         std::string const c = written(n.factor->formula(), 80).value_or("c");
@@ -67,19 +64,9 @@ inline printed::expression written_parts(operator_formula const& a, printed::exp
     }
     return f;
 }
-/// The operator on f.
-inline printed::expression written_on(operator_formula const& a, printed::expression const& f, bool uniform) {
-    for (side const s : {side::plus, side::minus})
-        for (auto const& known : {operator_formula::shift(s), operator_formula::derivative(s)})
-            if (auto const c = ratio(a, known, uniform))
-                if (auto const e = times(written_parts(known, f, uniform), *c)) return *e;
-    if (auto const c = ratio(a, {}, uniform))
-        if (auto const e = times(f, *c)) return *e;
-    return written_parts(a, f, uniform);
-}
 
 /// As the formula that operator_in and embedding_in read: (q + sigma[q])/2.
-inline expression formula_of(operator_formula const& a, expression const& on) {
+expression formula_of(operator_formula const& a, expression const& on) {
     using kind = operator_formula::kind;
     auto const& n = a.root();
     bool const plus = n.which == side::plus, bare = on.root().what == text::kind::name and on.root().name.empty();
@@ -109,10 +96,19 @@ inline expression formula_of(operator_formula const& a, expression const& on) {
     return on;
 }
 
-} // namespace detail
+} // namespace
 
-/// What the operator makes of a function f, written for a terminal or in LaTeX; `uniform`: on a scale of equal steps.
-inline std::string written(operator_formula const& a, hilger::print_style style, bool uniform = false) {
+printed::expression detail::written_on(operator_formula const& a, printed::expression const& f, bool uniform) {
+    for (side const s : {side::plus, side::minus})
+        for (auto const& known : {operator_formula::shift(s), operator_formula::derivative(s)})
+            if (auto const c = ratio(a, known, uniform))
+                if (auto const e = times(written_parts(known, f, uniform), *c)) return *e;
+    if (auto const c = ratio(a, {}, uniform))
+        if (auto const e = times(f, *c)) return *e;
+    return written_parts(a, f, uniform);
+}
+
+std::string written(operator_formula const& a, print_style style, bool uniform) {
     auto const e = detail::written_on(a, hilger::detail::expression::name({"f", "f"}), uniform);
     std::vector<std::string> notes;
     e.collect_notes(style, notes);
@@ -120,11 +116,9 @@ inline std::string written(operator_formula const& a, hilger::print_style style,
     for (auto const& note : notes) text += (style == print_style::latex ? ", \\quad " : ",   ") + note;
     return text;
 }
-/// The text that operator_in reads the same operator from, applied to what is called `on`, or as an operator where that is "".
-/// @throws error::invalid_parameter when it is too long for anybody
-inline std::string text_of(operator_formula const& a, std::string const& on = "q") {
+std::string text_of(operator_formula const& a, std::string const& on) {
     constexpr std::size_t longest = 10'000;
-    if (auto text = written(detail::formula_of(a, expression::variable(on)), longest)) return *std::move(text);
+    if (auto text = written(formula_of(a, expression::variable(on)), longest)) return *std::move(text);
     error::raise<error::invalid_parameter>("an operator in text has at most ", longest, " characters, and this one has more");
 }
 

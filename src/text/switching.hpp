@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// The times at which formulas switch: where a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, comes out another way, or an
-// abs, a min or a max of it has a kink. The formulas are written down behind each switch (differentiation/traced), and what they compare
-// there is followed to its next zero. An affine a + b t is followed exactly; of anything else, as sin(t) < 0, changes are looked for at
-// 4096 equal distances of the interval and halved down to rounding, so that what changes and changes back between two of them is not seen.
-// Comparisons in both parts of a choice count, whether the state leads there or not.
+// The times at which formulas switch (hilger/text/stated.hpp). The formulas are written down behind each switch (differentiation/traced),
+// and what they compare there is followed to its next zero.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "hilger/differentiation/traced/arithmetic.hpp"
+#include "hilger/error.hpp"
+#include "hilger/scalar.hpp"
 #include "hilger/text/stated.hpp"
 
 namespace hilger::text {
@@ -22,18 +22,15 @@ struct time_comparisons {
     std::vector<S> zeros; ///< of differences that are affine as the formulas are written there
     bool all_affine = true;
 
-    time_comparisons(std::vector<stated const*> const& formulas, S const& t) {
+    time_comparisons(std::vector<stated> const& formulas, S const& t) {
         using T = traced<S>;
-        int const d = formulas.front()->words().dimension();
+        int const d = formulas.front().words().dimension();
         hilger::detail::formula_graph<S> g(d);
         hilger::detail::unwatched const while_tracing;
         hilger::detail::tracing<S> const here(g);
-        Eigen::Matrix<T, Eigen::Dynamic, 1> q(d), v(d);
-        for (int k = 0; k < d; ++k) {
-            q(k) = T::at(k, S(1));
-            v(k) = T::at(d + k, S(1));
-        }
-        for (stated const* f : formulas) f->value(T::at(2 * d, t), q, v, true);
+        auto const q = [](int k) { return T::at(k, S(1)); };
+        auto const v = [d](int k) { return T::at(d + k, S(1)); };
+        for (stated const& f : formulas) f.value(T::at(2 * d, t), q, v, true);
         if (g.guards().empty()) return;
         std::vector<S> value(static_cast<std::size_t>(g.size()), S(1));
         std::vector<std::optional<S>> slope(value.size());
@@ -82,7 +79,7 @@ private:
 /// From `low`, where they come out so, to the first of `steps` equal steps to `high` on which they do not, and there between two numbers
 /// that rounding hardly tells apart; `high` where they come out so everywhere.
 template <class S>
-S first_change(std::vector<stated const*> const& formulas, std::vector<bool> const& so, S low, S const& high, S const& step) {
+S first_change(std::vector<stated> const& formulas, std::vector<bool> const& so, S low, S const& high, S const& step) {
     auto const same = [&](S const& t) { return time_comparisons<S>(formulas, t).outcomes == so; };
     S next = low;
     do {
@@ -97,13 +94,11 @@ S first_change(std::vector<stated const*> const& formulas, std::vector<bool> con
 
 } // namespace detail
 
-/// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first.
-/// @throws error::invalid_parameter where one that is not affine changes more often than it is looked at
 template <class S>
-std::vector<S> switching_times(std::vector<stated const*> const& formulas, S const& a, S const& b) {
+std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b) {
     constexpr int looks = 4096;
     std::vector<S> found;
-    if (std::none_of(formulas.begin(), formulas.end(), [](stated const* f) { return f->reads(meaning::role::time); })) return found;
+    if (std::none_of(formulas.begin(), formulas.end(), [](stated const& f) { return f.reads(meaning::role::time); })) return found;
     S const unit = S(64) * epsilon<S>() * std::max(magnitude(a), magnitude(b)), step = S(b - a) / S(looks);
     int changes = 0;
     for (S now = a; S(now + S(2) * unit) < b;) {
@@ -116,7 +111,7 @@ std::vector<S> switching_times(std::vector<stated const*> const& formulas, S con
             if (S const end = next - unit, change = detail::first_change(formulas, there.outcomes, behind, end, step); change < end) {
                 next = change;
                 if (++changes > looks)
-                    error::raise<error::invalid_parameter>(formulas.front()->source(),
+                    error::raise<error::invalid_parameter>(formulas.front().source(),
                                                            " compares a function of the time that changes more than ", looks,
                                                            " times between ", a, " and ", b, ": a shorter interval has fewer of them");
             }

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-// Operators and embeddings in text, written as in C++ (operator/local.hpp, variational/action.hpp):
-//   operator_in("(identity + sigma)/2")                                 an operator; products of operators are compositions
-//   embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))")        what L is read with, applied to the unknown q; ((1 + sigma)/2)[q]
-//   embedding_in("nabla_integral(L(q, Delta_minus[q]))")                the sum with weights nu
-#pragma once
+// What formulas mean as operators: a number, an operator, or an operator applied to the unknown q.
+#include <utility>
 
+#include "hilger/error.hpp"
 #include "hilger/text/operator.hpp"
-#include "hilger/text/read.hpp"
 
 namespace hilger::text {
 
-/// How a Lagrangian is read on T: L(A q, B q) under a sum (embedding/embedding.hpp).
-struct embedding_formula {
-    operator_formula position, velocity;
-    sum_weight weight = sum_weight::delta;
-    std::string text; ///< as it was written
-    /// The points that either of the two loses.
-    [[nodiscard]] lost_points lost() const { return most(position.lost(), velocity.lost()); }
-};
-
-namespace detail {
+namespace {
 
 class operator_reader {
     /// A number, an operator, or an operator applied to the unknown.
@@ -162,20 +150,15 @@ private:
     std::string source_;
 };
 
-} // namespace detail
+} // namespace
 
-/// The operator in a text; parameters in its factors are those of `words`.
-/// @throws error::unreadable with line and column
-inline operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
-                                    std::string const& source = "the operator") {
-    auto const e = read_operators(text, source);
-    return detail::operator_reader(std::move(words), source).as_operator(e.shared());
+operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words, std::string const& source) {
+    auto const e = read(text, source, {1, 1}, true);
+    return operator_reader(std::move(words), source).as_operator(e.shared());
 }
-/// The embedding in a text; `source` and `from` say in errors where it stands. @throws error::unreadable
-inline embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
-                                      std::string const& source = "the embedding", place from = {1, 1}) {
-    auto const e = read_operators(text, source, from);
-    embedding_formula made = detail::operator_reader(std::move(words), source).as_embedding(e.shared());
+embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words, std::string const& source, place from) {
+    auto const e = read(text, source, from, true);
+    embedding_formula made = operator_reader(std::move(words), source).as_embedding(e.shared());
     made.text = text;
     return made;
 }

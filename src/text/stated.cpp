@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: BSL-1.0
-// Whole numbers in formulas: indices of components, limits of sums, exponents. They do not depend on the state.
-#pragma once
+// What formulas refer to, and whole numbers in them: indices of components, limits of sums, exponents.
+#include <unordered_set>
 
-#include <cmath>
-#include <map>
-#include <optional>
+#include "text/evaluate.hpp"
 
-#include "hilger/text/vocabulary.hpp"
+namespace hilger::text {
 
-namespace hilger::text::detail {
+using detail::indices, detail::whole_constant;
 
-/// What the indices of the sums around a place are there.
-using indices = std::map<std::string, long long>;
+namespace {
 
-inline std::optional<long long> in_range(long long x) {
+std::optional<long long> in_range(long long x) {
     constexpr long long most = 1'000'000'000; // products of two stay in range
     return x < -most or most < x ? std::nullopt : std::optional(x);
 }
-inline std::optional<long long> whole_in(std::string const& digits) {
+std::optional<long long> whole_in(std::string const& digits) {
     auto const x = number_in<double>(digits);
     return x and *x == std::floor(*x) and std::abs(*x) < 1e9 ? in_range(static_cast<long long>(*x)) : std::nullopt;
 }
 
-inline std::optional<long long> whole_constant(node const& n, vocabulary const& words, indices const& known);
-
 /// Of what is no arithmetic.
-inline std::optional<long long> whole_leaf(node const& n, vocabulary const& words, indices const& known) {
+std::optional<long long> whole_leaf(node const& n, vocabulary const& words, indices const& known) {
     if (n.what == kind::number) return whole_in(n.name);
     if (n.what == kind::negative) {
         auto const x = whole_constant(*n.parts[0], words, known);
@@ -46,8 +41,10 @@ inline std::optional<long long> whole_leaf(node const& n, vocabulary const& word
     if (not k or *k < 0 or (m->size > 0 and *k >= m->size)) return {};
     return whole_in(words.digits(m->first + static_cast<int>(*k)));
 }
-/// A whole number that does not depend on the state, where n is one: digits, indices, parameters and what is made of them.
-inline std::optional<long long> whole_constant(node const& n, vocabulary const& words, indices const& known) {
+
+} // namespace
+
+std::optional<long long> detail::whole_constant(node const& n, vocabulary const& words, indices const& known) {
     std::vector<node const*> above; // long chains are no deep ones
     node const* at = &n;
     for (; is_arithmetic(at->what); at = at->parts[0].get()) above.push_back(at);
@@ -72,4 +69,26 @@ inline std::optional<long long> whole_constant(node const& n, vocabulary const& 
     return x;
 }
 
-} // namespace hilger::text::detail
+stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)
+    : what_(std::move(what)), words_(std::move(words)), source_(std::move(source)) {
+    double const time = 1;
+    auto const one = [](int) { return 1.0; };
+    detail::evaluator<double> everywhere(*words_, source_, time, one, one, true);
+    everywhere.value(what_.root());
+    operations_ = everywhere.operations();
+}
+bool stated::reads(meaning::role role) const {
+    std::vector<node const*> open{&what_.root()};
+    std::unordered_set<node const*> seen;
+    while (not open.empty()) {
+        node const& n = *open.back();
+        open.pop_back();
+        if (not seen.insert(&n).second) continue;
+        if (n.what == kind::name or n.what == kind::element)
+            if (meaning const* m = words_->find(n.name); m != nullptr and m->is == role) return true;
+        for (auto const& part : n.parts) open.push_back(part.get());
+    }
+    return false;
+}
+
+} // namespace hilger::text

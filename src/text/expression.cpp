@@ -1,18 +1,44 @@
 // SPDX-License-Identifier: BSL-1.0
-// A formula as the text that read() makes the same formula of: v^2/2 - (1 - cos(q)).
-#pragma once
-
-#include <optional>
-#include <string>
-#include <vector>
-
+// Formulas, and how they are written.
 #include "hilger/text/expression.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "hilger/error.hpp"
 
 namespace hilger::text {
 
-namespace detail {
+node::node(kind k, std::string of_name, std::vector<pointer> of_parts, place where)
+    : what(k), name(std::move(of_name)), parts(std::move(of_parts)), at(where) {
+    for (std::size_t j = 0; j < parts.size(); ++j)
+        depth = std::max(depth, parts[j]->depth + (j == 0 and is_arithmetic(what) and is_arithmetic(parts[j]->what) ? 0 : 1));
+}
+node::~node() {
+    std::vector<pointer> open = std::move(parts);
+    while (not open.empty()) {
+        pointer const last = std::move(open.back());
+        open.pop_back();
+        if (last.use_count() == 1) {
+            auto& below = const_cast<std::vector<pointer>&>(last->parts); // nobody else has it, and no node is made as a constant
+            std::move(below.begin(), below.end(), std::back_inserter(open));
+            below.clear();
+        }
+    }
+}
 
-/// Says where the grammar of text/read.hpp needs brackets.
+expression::expression(kind what, std::string name, std::vector<expression> const& parts, place at) {
+    std::vector<node::pointer> nodes;
+    for (expression const& e : parts) nodes.push_back(e.root_);
+    auto made = std::make_shared<node>(what, std::move(name), std::move(nodes), at);
+    if (made->depth > deepest)
+        error::raise<error::invalid_parameter>("a formula has at most ", deepest, " levels of parts in parts, and this one has more");
+    root_ = std::move(made);
+}
+
+namespace {
+
+/// Says where the grammar of read.cpp needs brackets.
 class writer {
 public:
     explicit writer(std::size_t longest) : longest_(longest) {}
@@ -27,57 +53,41 @@ public:
 private:
     // What binds more tightly is larger.
     enum level { anything, conjunction, negation, comparison, terms, factors, sign, power, atom };
-
-    static level level_of(node const& n) {
+    struct spelling {
+        level binds;
+        char const* between = "";
+    };
+    static spelling spelling_of(node const& n) {
         switch (n.what) {
         case kind::either:
-            return anything;
+            return {anything, " or "};
         case kind::both:
-            return conjunction;
+            return {conjunction, " and "};
         case kind::not_so:
-            return n.parts[0]->what == kind::equal ? comparison : negation; // a != b
+            return {n.parts[0]->what == kind::equal ? comparison : negation}; // a != b
         case kind::less:
+            return {comparison, " < "};
         case kind::less_or_equal:
+            return {comparison, " <= "};
         case kind::equal:
-            return comparison;
+            return {comparison, " == "};
         case kind::plus:
+            return {terms, " + "};
         case kind::minus:
-            return terms;
+            return {terms, " - "};
         case kind::times:
+            return {factors, "*"};
         case kind::over:
-            return factors;
+            return {factors, "/"};
         case kind::negative:
-            return sign;
+            return {sign};
         case kind::power:
-            return power;
+            return {power, "^"};
         default:
-            return atom;
+            return {atom};
         }
     }
-    static char const* spelling(kind k) {
-        switch (k) {
-        case kind::either:
-            return " or ";
-        case kind::both:
-            return " and ";
-        case kind::less:
-            return " < ";
-        case kind::less_or_equal:
-            return " <= ";
-        case kind::equal:
-            return " == ";
-        case kind::plus:
-            return " + ";
-        case kind::minus:
-            return " - ";
-        case kind::times:
-            return "*";
-        case kind::over:
-            return "/";
-        default:
-            return "^";
-        }
-    }
+    static level level_of(node const& n) { return spelling_of(n).binds; }
     /// `wanted`: in brackets unless it binds as tightly as that.
     void write(node const& n, level wanted) {
         if (text_.size() > longest_) return; // parts may be shared, and written out be without end
@@ -92,7 +102,7 @@ private:
     void write_inside(node const& n) {
         auto const two = [&](level left, level right) {
             write(*n.parts[0], left);
-            text_ += spelling(n.what);
+            text_ += spelling_of(n).between;
             write(*n.parts[1], right);
         };
         switch (n.what) {
@@ -150,7 +160,7 @@ private:
         write(*above.back()->parts[0], level_of(*above.back()));
         for (std::size_t k = above.size(); k-- > 0;) {
             node const& here = *above[k];
-            text_ += spelling(here.what);
+            text_ += spelling_of(here).between;
             write(*here.parts[1], level_of(here) == terms ? factors : power);
             if (k > 0 and level_of(here) < level_of(*above[k - 1])) text_ += ')';
         }
@@ -159,9 +169,8 @@ private:
     std::string text_;
 };
 
-} // namespace detail
+} // namespace
 
-/// The text of a formula, if it has at most `longest` characters.
-inline std::optional<std::string> written(expression const& e, std::size_t longest) { return detail::writer(longest).text_of(e.root()); }
+std::optional<std::string> written(expression const& e, std::size_t longest) { return writer(longest).text_of(e.root()); }
 
 } // namespace hilger::text

@@ -1,38 +1,45 @@
 // SPDX-License-Identifier: BSL-1.0
 // How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced/traced.hpp), and symbols,
-// which print it and make C of it.
+// which print it and make C of it. Each type is compiled once (in_numbers.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <unordered_map>
 
-#include "hilger/scalar.hpp"
-#include "hilger/text/functions.hpp"
-#include "hilger/text/whole.hpp"
+#include "hilger/error.hpp"
+#include "hilger/text/stated.hpp"
+#include "text/functions.hpp"
 
 namespace hilger::text {
 
 namespace detail {
 
+/// What the indices of the sums around a place are there.
+using indices = std::map<std::string, long long>;
+/// A whole number that does not depend on the state, where n is one: digits, indices, parameters and what is made of them.
+std::optional<long long> whole_constant(node const& n, vocabulary const& words, indices const& known);
+
 /// No sum of a formula anybody means has more terms.
 inline constexpr long long most_terms = 2'000'000;
 
-template <class T, class Q, class V>
+template <class T>
 class evaluator {
-    using S = typename number_of<T>::type;
+    using S = decltype(number_of(std::declval<T>()));
 
 public:
     /// `everywhere`: both parts of choices that depend on the state are evaluated, to see whether they have a meaning.
-    evaluator(vocabulary const& words, std::string const& source, T const& t, Q const& q, V const& v, bool everywhere = false)
+    evaluator(vocabulary const& words, std::string const& source, T const& t, components_view<T> q, components_view<T> v, bool everywhere)
         : words_(words), source_(source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
 
     T value(node const& n) {
-        if (not is_arithmetic(n.what)) return value_of_other(n);
         // down the left side of a + b + c + ..., and up again
         std::vector<node const*> above;
         node const* at = &n;
         for (; is_arithmetic(at->what); at = at->parts[0].get()) {
-            if (at != &n and known(*at)) break;
+            if (at != &n and indices_.empty() and values_.contains(at)) break;
             above.push_back(at);
         }
         T x = value_of_other(*at);
@@ -50,7 +57,6 @@ public:
 
 private:
     /// What was computed outside of all sums holds everywhere: shared parts are computed once.
-    [[nodiscard]] bool known(node const& n) const { return indices_.empty() and values_.contains(&n); }
     void keep(node const& n, T const& x) {
         if (indices_.empty()) values_.emplace(&n, x);
     }
@@ -117,9 +123,9 @@ private:
         case meaning::role::time:
             return t_;
         case meaning::role::position:
-            return T(q_(at));
+            return q_(at);
         case meaning::role::velocity:
-            return T(v_(at));
+            return v_(at);
         default:
             return constant(n, words_.digits(at));
         }
@@ -134,13 +140,11 @@ private:
         if (words_.find(n.name) != nullptr or indices_.contains(n.name))
             refuse(n, "the index of a sum has a name of its own, and '" + n.name + "' is another thing already");
         T total(0);
-        bool begun = false;
         for (long long i = first; i <= last; ++i) {
             if (++terms_ > most_terms) refuse(n, "sums have at most " + std::to_string(most_terms) + " terms together");
             indices_[n.name] = i;
             T const x = value(*n.parts[2]);
-            total = begun ? T(total + x) : x;
-            begun = true;
+            total = i == first ? x : T(total + x);
         }
         indices_.erase(n.name);
         return total;
@@ -159,11 +163,11 @@ private:
     bool holds(node const& n) {
         switch (n.what) {
         case kind::less:
-            return value(*n.parts[0]) < value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) < value(*n.parts[1]));
         case kind::less_or_equal:
-            return value(*n.parts[0]) <= value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) <= value(*n.parts[1]));
         case kind::equal:
-            return value(*n.parts[0]) == value(*n.parts[1]);
+            return compared<T>(value(*n.parts[0]) == value(*n.parts[1]));
         case kind::both: {
             bool const first = holds(*n.parts[0]);
             return (first or everywhere_) and holds(*n.parts[1]) and first;
@@ -197,27 +201,22 @@ private:
             for (int k = 1; k < a.size; ++k) total = total + component(x, a, k) * component(y, b, k);
             return n.name == "dot" ? total : elementary(n, "sqrt", total);
         }
-        if (n.name == "abs" or n.name == "min" or n.name == "max") {
-            needs(n.name == "abs" ? 1 : 2);
-            T const x = value(*n.parts[0]);
-            if (n.name == "abs") return absolute(x);
-            T const y = value(*n.parts[1]);
-            return n.name == "min" ? least_of(x, y) : most_of(x, y);
-        }
         if (n.name == "pow") {
             needs(2);
             return power(n);
         }
-        if (n.name == "atan2" or n.name == "hypot") {
+        if (n.name == "min" or n.name == "max" or n.name == "atan2" or n.name == "hypot") {
             needs(2);
-            return elementary(n, n.name, value(*n.parts[0]), value(*n.parts[1]));
+            T const x = value(*n.parts[0]), y = value(*n.parts[1]);
+            return n.name == "min" ? least_of(x, y) : n.name == "max" ? most_of(x, y) : elementary(n, n.name, x, y);
         }
-        if (not is_function_of_one(n.name))
+        if (std::find(functions_of_one.begin(), functions_of_one.end(), n.name) == functions_of_one.end())
             refuse(n, words_.find(n.name) != nullptr or indices_.contains(n.name)
                           ? "'" + n.name + "' is no function: a product is written with *, as 2*q, and a component with q[0]"
                           : "there is no function '" + n.name + "': there are " + names_of_functions());
         needs(1);
-        return elementary(n, n.name, value(*n.parts[0]));
+        T const x = value(*n.parts[0]);
+        return n.name == "abs" ? absolute(x) : elementary(n, n.name, x);
     }
     T power(node const& n) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
@@ -229,8 +228,10 @@ private:
         }
         if constexpr (exact)
             refuse(n, "in rationals exponents are whole numbers");
-        else
-            return text::power(value(*n.parts[0]), value(*n.parts[1]));
+        else {
+            using std::pow;
+            return T(pow(value(*n.parts[0]), value(*n.parts[1])));
+        }
     }
     template <class... X>
     T elementary(node const& n, std::string const& name, X const&... x) {
@@ -256,14 +257,29 @@ private:
     vocabulary const& words_;
     std::string const& source_;
     T const& t_;
-    Q const& q_;
-    V const& v_;
+    components_view<T> q_, v_;
     std::unordered_map<node const*, T> values_;
     indices indices_;
     bool everywhere_;
     long long terms_ = 0, operations_ = 0;
 };
 
+extern template class evaluator<double>;
+
 } // namespace detail
+
+template <class T>
+T stated::evaluate(T const& t, components_view<T> q, components_view<T> v, bool everywhere) const {
+    return detail::evaluator<T>(*words_, source_, t, q, v, everywhere).value(what_.root());
+}
+template <class S>
+S stated::number() const {
+    auto const none = [](int) { return S(0); };
+    try {
+        return value(S(0), none, none);
+    } catch (std::overflow_error const&) { // of rationals
+        error::raise<error::unreadable>(source_, ": a division by zero");
+    }
+}
 
 } // namespace hilger::text

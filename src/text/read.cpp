@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// Formulas in text:
-//   m*v^2/2 - m*g*l*(1 - cos(q))
-//   sum(i, 0, n - 1, v[i]^2)/2 - sum(i, 0, n - 2, (q[i + 1] - q[i])^2)/2
-//   sum(i, 1, n, sum(j, 0, i - 1, ...)), dot(q, q), norm(v), if(t < 1, a, b), pi
-// + - * / as everywhere, x^y and x**y from the right and before the sign: -x^2 is -(x^2). A # ends a line.
-#pragma once
-
-#include <string_view>
-
+// The grammar of formulas (hilger/text/expression.hpp), read by recursive descent.
+#include "hilger/error.hpp"
 #include "hilger/text/expression.hpp"
 
 namespace hilger::text {
 
-namespace detail {
+namespace {
 
 class reader {
 public:
-    reader(std::string_view text, std::string source, place from, bool brackets_apply = false)
+    reader(std::string_view text, std::string source, place from, bool brackets_apply)
         : text_(text), source_(std::move(source)), here_(from), brackets_apply_(brackets_apply) {
         next();
     }
@@ -124,7 +117,10 @@ private:
     }
     expression called(std::string const& name, std::vector<expression> const& arguments, place at) {
         auto const needs = [&](std::size_t count, char const* how) {
-            if (arguments.size() != count) refuse("it is written " + std::string(how) + ", and here are " + number_of(arguments), at);
+            if (arguments.size() != count)
+                refuse("it is written " + std::string(how) + ", and here are " + std::to_string(arguments.size()) +
+                           (arguments.size() == 1 ? " argument" : " arguments"),
+                       at);
         };
         if (name == "if" or name == "where") {
             needs(3, "if(condition, where it holds, where not)");
@@ -134,9 +130,6 @@ private:
         needs(4, "sum(index, first, last, term)");
         if (arguments[0].root().what != kind::name) refuse("the index of a sum is a name, as in sum(i, 0, n - 1, q[i]^2)", at);
         return {kind::sum, arguments[0].root().name, {arguments[1], arguments[2], arguments[3]}, at};
-    }
-    static std::string number_of(std::vector<expression> const& arguments) {
-        return std::to_string(arguments.size()) + (arguments.size() == 1 ? " argument" : " arguments");
     }
 
     /// What stands in others, as far as the stack of this reader allows.
@@ -235,16 +228,10 @@ private:
     bool brackets_apply_;
 };
 
-} // namespace detail
+} // namespace
 
-/// The formula in a text. `source` and `from` say in errors where the text stands.
-/// @throws error::unreadable with line and column, what is there, and what was expected
-inline expression read(std::string_view formula, std::string source = "the formula", place from = {1, 1}) {
-    return detail::reader(formula, std::move(source), from).whole();
-}
-/// Of what acts on functions: (A + B)[q] is a call without a name, of A + B and q.
-inline expression read_operators(std::string_view formula, std::string source, place from = {1, 1}) {
-    return detail::reader(formula, std::move(source), from, true).whole();
+expression read(std::string_view formula, std::string source, place from, bool brackets_apply) {
+    return reader(formula, std::move(source), from, brackets_apply).whole();
 }
 
 } // namespace hilger::text

@@ -3,42 +3,38 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "hilger/differentiation/branches.hpp"
 #include "hilger/differentiation/traced/functions.hpp"
 #include "hilger/formula/functions.hpp"
+#include "hilger/text/vocabulary.hpp"
 
 namespace hilger::text {
 
 /// The numbers that constants of T are.
 template <class T>
-struct number_of {
-    using type = T;
-};
-template <class T>
-    requires requires { typename T::scalar_type; } // of jets, and of what writes operations down
-struct number_of<T> {
-    using type = typename T::scalar_type;
-};
-template <>
-struct number_of<symbol> {
-    using type = double;
-};
+T number_of(T const&);
+template <class S>
+S number_of(traced<S> const&);
+double number_of(symbol const&);
 
-inline constexpr std::array<std::string_view, 20> functions_of_one{"sin",   "cos",  "tan",   "exp",   "log",  "sqrt",  "sinh",
-                                                                   "cosh",  "tanh", "asin",  "acos",  "atan", "asinh", "acosh",
-                                                                   "atanh", "cbrt", "expm1", "log1p", "erf",  "abs"};
-inline bool is_function_of_one(std::string_view name) {
-    return std::find(functions_of_one.begin(), functions_of_one.end(), name) != functions_of_one.end();
-}
 /// All that may be called, for errors.
 inline std::string names_of_functions() {
     std::string list;
     for (auto const name : functions_of_one) list += std::string(name) + ", ";
     return list + "atan2, hypot, pow, min, max, dot, norm, sum and if";
+}
+
+/// The outcome of a comparison. Traced numbers write it down; numbers do here, as jets without variables, in whose place they are: who
+/// steps looks at the branches that were taken (differentiation/branches.hpp).
+template <class T>
+bool compared(bool outcome) {
+    return is_traced<T> ? outcome : hilger::detail::compared(outcome, false);
 }
 
 template <class T>
@@ -70,47 +66,35 @@ T elementary(std::string_view name, T const& x, T const& y) {
     using std::atan2, std::hypot;
     return name == "atan2" ? T(atan2(x, y)) : T(hypot(x, y));
 }
-template <class T>
-T power(T const& x, T const& y) {
-    using std::pow;
-    return T(pow(x, y));
-}
 /// Of a whole n, in which a scalar need have no power.
 template <class T>
 T whole_power(T const& x, long long n) {
-    if constexpr (std::same_as<T, symbol>)
-        return pow(x, symbol(static_cast<double>(n)));
-    else {
-        T y(1), square = x;
-        bool begun = false;
-        for (auto k = static_cast<unsigned long long>(n < 0 ? -n : n); k > 0; k /= 2) {
-            if (k % 2 == 1) y = std::exchange(begun, true) ? T(y * square) : square;
-            if (k > 1) square = T(square * square);
-        }
-        return n < 0 ? T(T(1) / y) : y;
+    T y(1), square = x;
+    bool begun = false;
+    for (auto k = static_cast<unsigned long long>(n < 0 ? -n : n); k > 0; k /= 2) {
+        if (k % 2 == 1) y = std::exchange(begun, true) ? T(y * square) : square;
+        if (k > 1) square = T(square * square);
     }
+    return n < 0 ? T(T(1) / y) : y;
 }
 template <class T>
 T absolute(T const& x) {
-    if constexpr (std::same_as<T, symbol>)
-        return abs(x);
-    else
-        return x < T(0) ? T(-x) : x;
+    return compared<T>(x < T(0)) ? T(-x) : x;
 }
 /// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
 T least_of(T const& x, T const& y) {
-    if constexpr (std::same_as<T, symbol>)
-        return min(x, y);
-    else
-        return x <= y ? x : y < x ? y : T(x + y);
+    return compared<T>(x <= y) ? x : compared<T>(y < x) ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
-    if constexpr (std::same_as<T, symbol>)
-        return max(x, y);
-    else
-        return y <= x ? x : x < y ? y : T(x + y);
+    return compared<T>(y <= x) ? x : compared<T>(x < y) ? y : T(x + y);
 }
+
+// Symbols have these as they are.
+inline symbol whole_power(symbol const& x, long long n) { return pow(x, symbol(static_cast<double>(n))); }
+inline symbol absolute(symbol const& x) { return abs(x); }
+inline symbol least_of(symbol const& x, symbol const& y) { return min(x, y); }
+inline symbol most_of(symbol const& x, symbol const& y) { return max(x, y); }
 
 } // namespace hilger::text
