@@ -204,22 +204,25 @@ bool continued(newton_equation<X> const& equation, X& x, X const& start, X& resi
     residual = rest;
     return true;
 }
-/// The root of the equation of a step: across branches from x, else by continuation in the share of the step from `last`, the velocity of
-/// the step before. Each takes the place of the other where it does not come to a root. x is of the size of a velocity for all shares.
+/// The root of the equation of a step by continuation in its share from `last`, the velocity of the step before: the one that all shorter
+/// steps lead to, or none. Across branches, and in exact scalars, from x, and by continuation only where there is none. x is of the size of
+/// a velocity for all shares.
 template <class X>
 newton_outcome root_of_step(bool has_branches, newton_equation<X> const& equation, X& x, X const& last, X& residual,
                             function_view<void(scalar_of<X> const&)> const& set_share) {
     using S = scalar_of<X>;
+    constexpr bool exact = std::numeric_limits<S>::is_exact;
     S const nearly_none = S(1) / S(1 << 24);
     auto const grows = [&] {
-        return not std::numeric_limits<S>::is_exact and
+        return not exact and
                continued(equation, x, last, residual, {nearly_none, S(1) / S(16), nearly_none}, corrections::followed, set_share);
     };
     if (not has_branches and grows()) return newton_outcome::found;
     if (not has_branches) x = last;
     set_share(S(1));
     newton_outcome const how = newton(equation, x, residual, corrections::followed);
-    return how != newton_outcome::found and has_branches and grows() ? newton_outcome::found : how;
+    if (how == newton_outcome::found) return has_branches or exact ? how : newton_outcome::lost;
+    return has_branches and grows() ? newton_outcome::found : how;
 }
 
 } // namespace hilger::detail

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "hilger/newton/newton.hpp"
@@ -255,6 +256,7 @@ private:
     /// For an L with branches, or where whole corrections do not contract: e_.moved and the derivatives there.
     [[gnu::noinline, gnu::cold]] void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches, long long made) {
         shortened_step<equation> step(e_);
+        std::optional<matrix> K;
         S largest(0);
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y * step.share();
@@ -268,11 +270,12 @@ private:
             tally<S>::add(work::newton_round);
             e_.put_matrix(true);
             largest = e_.full_matrix.largest();
-            return e_.full_matrix.factorize();
+            K.emplace(e_.full_matrix); // that of other branches may have another pattern
+            return K->factorize();
         };
         auto const correct = [&](unknown const& r, unknown& d) {
             for (int c = 0; c < e_.unknowns(); ++c) correction_(c) = u::component(r, c);
-            e_.full_matrix.solve(correction_);
+            K->solve(correction_);
             for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c) / step.share();
         };
         first_guess(made);
