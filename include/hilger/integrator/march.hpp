@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hilger/function/function.hpp"
-#include "hilger/newton/newton.hpp"
+#include "hilger/newton/system.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/given_state.hpp"
 #include "hilger/variational/relative_residual.hpp"
@@ -81,7 +81,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         for (int c = 0; c < detail::shape<V>::dimension(guess); ++c)
             detail::shape<V>::component(rounding, c) = S(detail::largest_entry(jacobian)) * reach;
         saying_where(state<S, V>{S(T.point(n - 1)), last, zero_like(last)}, S(T.step(n - 1)),
-                     [&] { unknown = newton_next_to(system, guess, rounding, "the equation for the next position"); });
+                     [&] { unknown = newton(system, guess, rounding, "the equation for the next position"); });
     }
     return function_on(T, std::move(x));
 }

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "hilger/integrator/march.hpp"
-#include "hilger/newton/near.hpp"
+#include "hilger/newton/system.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 #include "hilger/variational/relative_residual.hpp"
@@ -36,114 +37,204 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
     for (S const& t : T) points.push_back(S(a + (t - a) * part));
     return time_scale<S>(std::move(points));
 }
-/// By how much at most the unknown values of a system change, for changes of 1 of the values beside them that `from_ends` has the
-/// derivatives by, each value in units of its component's largest one: K^-1 is asked for these columns alone. That is 1 for a straight line
-/// and less than 2 / |sin T| for an oscillator on [0, T], in any units and steps, where the norm of K^-1 itself grows with the number of
-/// points.
-template <class S, class Vector>
-S response_to_ends(patterned_matrix<S>& K, std::vector<Vector> from_ends, Vector const& component_sizes) {
-    if (not K.is_factorized() and not K.factorize()) return S(1) / epsilon<S>();
-    auto const d = component_sizes.size();
-    Vector changes = Vector::Zero(K.size());
-    for (std::size_t c = 0; c < from_ends.size(); ++c) {
-        Vector& change = from_ends[c];
-        K.solve(change);
-        for (index_type m = 0; m < changes.size(); ++m)
-            changes(m) += magnitude(change(m)) * component_sizes(static_cast<index_type>(c) % d) / component_sizes(m % d);
+/// A row is a sum of some tens of terms and of what the formulas of L are made of: each rounds, and none does more often with more points.
+inline constexpr int most_roundings = 256;
+
+/// The rows with the numbers from `begin` to `end` - 1 as an equation (newton/newton.hpp) for the values with these numbers in x, which has
+/// the values at all points that the equation reads, in their order; a row reads values that are at most `reach` numbers from its own.
+template <class Action, class V, class Force>
+class rows_of_equation {
+    using Root = typename Action::root_type;
+    using s = shape<V>;
+    using S = scalar_of<V>;
+
+public:
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+    rows_of_equation(euler_lagrange<Action> const& equation, Root const& T, std::vector<V>& x, index_type begin, index_type end,
+                     index_type reach, Force const& force, char const* what, std::stop_token stop)
+        : equation_(equation), T_(T), on_(T), x_(x), force_(force), derivatives_(equation.derivatives(force)), what_(what),
+          stop_(std::move(stop)), begin_(begin), n_(static_cast<int>(end - begin)), d_(s::dimension(x[0])), near_(static_cast<int>(reach)) {
+        std::vector<std::pair<int, int>> entries;
+        for (int m = 0; m < n_ * d_; ++m)
+            for (int k = first_near(m / d_) * d_; k < end_near(m / d_) * d_; ++k) entries.emplace_back(m, k);
+        K_.prepare(n_ * d_, entries);
+        most_ = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
     }
-    return magnitude(changes);
-}
+    rows_of_equation(rows_of_equation const&) = delete;
+    rows_of_equation& operator=(rows_of_equation const&) = delete;
+
+    /// Those of the values with the numbers of the rows.
+    [[nodiscard]] vector unknown(std::vector<V> const& of) const {
+        vector y(n_ * d_);
+        for (int m = 0; m < n_; ++m)
+            for (int c = 0; c < d_; ++c) y(m * d_ + c) = s::component(of[static_cast<std::size_t>(begin_ + m)], c);
+        return y;
+    }
+    void put(vector const& y) {
+        for (int m = 0; m < n_; ++m)
+            for (int c = 0; c < d_; ++c) s::component(at(begin_ + m), c) = y(m * d_ + c);
+    }
+    /// A part of the time: the smaller it is, the nearer a straight line is to the root. 1 is the equation.
+    void set_share(S const& part) { on_ = part == S(1) ? T_ : shortened(T_, part); }
+    S evaluate(vector const& y, vector& r) {
+        put(y);
+        auto const residual = equation_.residual(now_, force_); // on the T that there is now
+        for (int m = 0; m < n_; ++m) {
+            V const row = residual.get(begin_ + m);
+            for (int c = 0; c < d_; ++c) r(m * d_ + c) = s::component(row, c);
+        }
+        return S(largest_ * std::max(most_, S(magnitude(y))));
+    }
+    bool linearize() {
+        for (work const each : {work::newton_round, work::solve}) tally<S>::add(each);
+        K_.set_zero();
+        for (int k = 0; k < n_; ++k) {
+            stop_on_request(stop_, what_);
+            for_each_slope(k, [&](int row, int column, S const& y) { K_[K_.place(row, k * d_ + column)] = y; });
+        }
+        largest_ = K_.largest();
+        return K_.factorize();
+    }
+    void correct(vector const& r, vector& d) const {
+        d = r;
+        K_.solve(d);
+        d = -d;
+    }
+    /// The relative residual at the last values (variational/relative_residual.hpp).
+    [[nodiscard]] S roundings_of(vector const& r) const {
+        auto const sizes_of_terms = sizes_of_rows(equation_, now_, begin_, begin_ + n_ - 1, derivatives_);
+        S worst(0);
+        for (int m = 0; m < n_ * d_; ++m)
+            worst = larger(worst, in_roundings<S>(r(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d_)], m % d_)));
+        return worst;
+    }
+    /// y after corrections as long as they halve its roundings, which are returned: where the derivative is nearly singular, as that of a
+    /// wall between two states that may be anywhere, a small correction does not prove that the equation is solved; and elimination is as
+    /// exact in each row after one more correction as in the largest (Skeel 1980).
+    S polish(vector& y) {
+        vector r = y, d = y, next = y;
+        evaluate(y, r);
+        S rest = roundings_of(r);
+        for (int k = 0; k < 6 and S(1) < rest and linearize(); ++k) {
+            correct(r, d);
+            next = y + d;
+            evaluate(next, r);
+            S const now = roundings_of(r);
+            if (not all_finite(r) or not(now < rest)) break;
+            bool const halved = S(2) * now < rest;
+            y = next;
+            rest = now;
+            if (not halved) break;
+        }
+        put(y);
+        return rest;
+    }
+    /// By how much at most the unknown values change, for changes of 1 of the values beside them, each value in units of its component's
+    /// largest one: K^-1 is asked for these columns alone. That is 1 for a straight line and less than 2 / |sin T| for an oscillator on
+    /// [0, T], in any units and steps, where the norm of K^-1 itself grows with the number of points.
+    S response_to_ends() {
+        if (not linearize()) return S(1) / epsilon<S>();
+        std::vector<vector> from_ends(static_cast<std::size_t>(2 * d_), vector::Zero(n_ * d_));
+        for (int const k : {-1, n_})
+            for_each_slope(
+                k, [&](int row, int column, S const& y) { from_ends[static_cast<std::size_t>(k < 0 ? column : d_ + column)](row) = y; });
+        vector const unit = component_sizes();
+        vector changes = vector::Zero(n_ * d_);
+        for (std::size_t c = 0; c < from_ends.size(); ++c) {
+            K_.solve(from_ends[c]);
+            for (index_type m = 0; m < changes.size(); ++m)
+                changes(m) += magnitude(from_ends[c](m)) * unit(static_cast<index_type>(c) % d_) / unit(m % d_);
+        }
+        return magnitude(changes);
+    }
+
+private:
+    [[nodiscard]] V& at(index_type j) const { return x_[static_cast<std::size_t>(j)]; }
+    [[nodiscard]] int first_near(int m) const { return std::max(0, m - near_); }
+    [[nodiscard]] int end_near(int m) const { return std::min(n_, m + near_ + 1); }
+    /// use(row, component, derivative of the row by this component of value k)
+    template <class Use>
+    void for_each_slope(int k, Use const& use) const {
+        auto const slope = equation_.residual_slope(now_, begin_ + k, derivatives_);
+        for (int m = first_near(k); m < end_near(k); ++m) {
+            auto const block = slope.get(begin_ + m);
+            for (int c = 0; c < d_; ++c)
+                for (int e = 0; e < d_; ++e) use(m * d_ + c, e, s::entry(block, c, e));
+        }
+    }
+    /// The largest value of each component, and of one that is zero the largest of all.
+    [[nodiscard]] vector component_sizes() const {
+        vector sizes = vector::Zero(d_);
+        for (V const& value : x_)
+            for (int c = 0; c < d_; ++c) sizes(c) = std::max(sizes(c), S(magnitude(s::component(value, c))));
+        S const largest = magnitude(sizes);
+        for (int c = 0; c < d_; ++c)
+            if (sizes(c) == S(0)) sizes(c) = largest == S(0) ? S(1) : largest;
+        return sizes;
+    }
+
+    euler_lagrange<Action> const& equation_;
+    Root const& T_;
+    Root on_; ///< shorter, on the way
+    std::vector<V>& x_;
+    Force const& force_;
+    decltype(equation_.derivatives(force_)) derivatives_;
+    values_so_far<V, Root, typename Action::position_type::from> const now_{{}, &on_, &x_};
+    char const* what_;
+    std::stop_token stop_;
+    index_type begin_;
+    int n_, d_, near_;
+    patterned_matrix<S> K_;
+    S most_{0}, largest_{0}; ///< of the values beside the unknown ones; of the entries of K
+};
+
 /// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: next to
-/// those that there are or, where `straight_line` has values on one, near them. `x` has the values at all points that the equation reads,
-/// in their order, and there are some before and behind the unknown ones; a row reads values that are at most `reach` numbers from its own.
-/// `what` names the rows in messages. Returns how strongly the values respond to those at both sides, where `straight_line` has values.
+/// those that there are or, where `straight_line` has values on one, near them: by corrections that become smaller; where these do not come
+/// to a root, the one that motions in less time lead to, if it is not far away. The other arguments are
+/// those of rows_of_equation, and `what` names the rows in messages. Nothing is a root that does not solve its rows to the rounding of
+/// their terms. Returns how strongly the values respond to those at both sides, where `straight_line` has values.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
                 index_type end, index_type reach, Force const& force, char const* what, std::vector<V> const* straight_line = nullptr,
                 solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
-    using s = shape<V>;
     using S = scalar_of<V>;
-    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-    auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
-    auto on = T; // shorter, on the way
-    S length(1);
-    values_so_far<V, typename Action::root_type, typename Action::position_type::from> const now{{}, &on, &x};
-    int const n = static_cast<int>(end - begin), d = s::dimension(x[0]), near = static_cast<int>(reach);
-    auto const first_near = [&](int m) { return std::max(0, m - near); };
-    auto const end_near = [&](int m) { return std::min(n, m + near + 1); };
-    std::vector<std::pair<int, int>> entries;
-    for (int m = 0; m < n * d; ++m)
-        for (int k = first_near(m / d) * d; k < end_near(m / d) * d; ++k) entries.emplace_back(m, k);
-    patterned_matrix<S> empty;
-    empty.prepare(n * d, entries);
-
-    auto const put = [&](vector const& y) {
-        for (int m = 0; m < n; ++m)
-            for (int c = 0; c < d; ++c) s::component(at(begin + m), c) = y(m * d + c);
-    };
-    auto const derivatives = equation.derivatives(force);
-    auto const system = [&](vector const& y, S const& part) {
-        put(y);
-        if (not(part == length)) on = part == S(1) ? T : shortened(T, part);
-        length = part;
-        newton_system<vector, patterned_matrix<S>> made{vector(n * d), empty};
-        made.jacobian.set_zero();
-        for (int k = 0; k < n; ++k) {
-            stop_on_request(stop, what);
-            auto const slope = equation.residual_slope(now, begin + k, derivatives);
-            for (int m = first_near(k); m < end_near(k); ++m) {
-                auto const block = slope.get(begin + m);
-                for (int c = 0; c < d; ++c)
-                    for (int e = 0; e < d; ++e) made.jacobian[made.jacobian.place(m * d + c, k * d + e)] = s::entry(block, c, e);
-            }
-        }
-        auto const residual = equation.residual(now, force); // of the T that there is now
-        for (int m = 0; m < n; ++m) {
-            V const row = residual.get(begin + m);
-            for (int c = 0; c < d; ++c) made.residual(m * d + c) = s::component(row, c);
-        }
-        return made;
-    };
-    auto const relative = [&](vector const& residual) { // at the last iterate
-        auto const sizes_of_terms = sizes_of_rows(equation, now, begin, end - 1, derivatives);
-        S worst(0);
-        for (int m = 0; m < n * d; ++m)
-            worst = larger(worst, in_roundings<S>(residual(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d)], m % d)));
-        return worst;
-    };
-    auto const unknown = [&](std::vector<V> const& of) {
-        vector y(n * d);
-        for (int m = 0; m < n; ++m)
-            for (int c = 0; c < d; ++c) y(m * d + c) = s::component(of[static_cast<std::size_t>(begin + m)], c);
-        return y;
-    };
-    vector const guess = unknown(x), line = straight_line ? unknown(*straight_line) : guess;
-    vector rounding(n * d);
-    S const most = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
-    // A row is a difference of terms of this size.
-    rounding.setConstant(S(system(guess, S(1)).jacobian.largest()) * most);
-    vector const root =
-        newton_near<vector, patterned_matrix<S>>(system, relative, guess, straight_line ? &line : nullptr, rounding, what, by, stop);
-    put(root);
-    if (straight_line == nullptr or std::numeric_limits<S>::is_exact) return S(0);
-    auto at_root = system(root, S(1));
-    std::vector<vector> from_ends(static_cast<std::size_t>(2 * d), vector::Zero(n * d));
-    for (int const k : {-1, n}) {
-        auto const slope = equation.residual_slope(now, begin + k, derivatives);
-        for (int m = first_near(k); m < end_near(k); ++m) {
-            auto const block = slope.get(begin + m);
-            for (int c = 0; c < d; ++c)
-                for (int e = 0; e < d; ++e) from_ends[static_cast<std::size_t>(k < 0 ? e : d + e)](m * d + c) = s::entry(block, c, e);
-        }
+    using rows_type = rows_of_equation<Action, V, Force>;
+    using vector = typename rows_type::vector;
+    rows_type rows(equation, T, x, begin, end, reach, force, what, stop);
+    auto const evaluate = [&](vector const& y, vector& r) { return rows.evaluate(y, r); };
+    auto const linearize = [&] { return rows.linearize(); };
+    auto const correct = [&](vector const& r, vector& d) { rows.correct(r, d); };
+    newton_equation<vector> const f{evaluate, linearize, correct, true};
+    unwatched const inside;
+    vector const guess = rows.unknown(x);
+    vector y = guess, r = guess;
+    newton_outcome const how = newton<vector>(f, y, r, corrections::smaller);
+    if (straight_line == nullptr or std::numeric_limits<S>::is_exact) {
+        if (how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
+        rows.put(y);
+        return S(0);
     }
-    vector component_sizes = vector::Zero(d);
-    for (V const& value : x)
-        for (int c = 0; c < d; ++c) component_sizes(c) = std::max(component_sizes(c), S(magnitude(s::component(value, c))));
-    S const largest = magnitude(component_sizes);
-    for (int c = 0; c < d; ++c)
-        if (component_sizes(c) == S(0)) component_sizes(c) = largest == S(0) ? S(1) : largest;
-    return response_to_ends<S, vector>(at_root.jacobian, from_ends, component_sizes);
+    vector const first = y, first_rest = r;
+    S rest = how == newton_outcome::found ? rows.polish(y) : S(2 * most_roundings);
+    bool found = how == newton_outcome::found;
+    if (not(rest <= S(most_roundings))) {
+        S const quarter = S(1) / S(4);
+        bool const arrives = continued<vector>(f, y, rows.unknown(*straight_line), r, {S(0), quarter, quarter / S(8)}, corrections::smaller,
+                                               [&](S const& part) { rows.set_share(part); }) and
+                             magnitude(vector(y - guess)) <= S(4) * magnitude(guess);
+        found = found or arrives;
+        if (arrives) rest = rows.polish(y);
+    }
+    if (not found) throw_newton_failure(what, how, first, first_rest, by);
+    if (not(rest <= S(most_roundings))) {
+        std::ostringstream message;
+        message << what << " did not converge: what is nearest to a solution leaves " << rest
+                << " times the rounding of the terms of a row, and a solution less than " << most_roundings << ". " << by.advice;
+        throw newton_failure<vector>(message.str(), y, r);
+    }
+    return rows.response_to_ends();
 }
 
 } // namespace hilger::detail

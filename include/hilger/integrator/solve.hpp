@@ -94,8 +94,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
 /// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
 /// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions one near the guess is looked for
-/// (hilger/newton/near.hpp), and mostly found: who wants a certain one looks at the result, and guesses a solution of a problem that
-/// differs little. Who asks `stop` to stop gets an error::no_convergence. A `report` gets how strongly the solution responds to its ends
+/// (hilger/newton/newton.hpp), and mostly found; a certain one is found from the solution of a problem that differs little. Throws
+/// no_convergence when `stop` is requested. A `report` gets how strongly the solution responds to its ends
 /// and how far the solutions on every second and fourth point are, which costs half as much again, and a warning where either says that it
 /// may be near no motion (integrator/two_ends.hpp).
 /// @throws newton_failure, an error::no_convergence, where nothing solves the equation to the rounding of its terms; error::singular and

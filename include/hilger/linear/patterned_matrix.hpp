@@ -19,7 +19,9 @@ template <class Factors>
 struct own : std::unique_ptr<Factors> {
     own() = default;
     own(own const&) : own() {}
+    own(own&&) = default;
     own& operator=(own const&) { return *this; }
+    own& operator=(own&&) = default;
 };
 
 template <class S>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <sstream>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -37,7 +36,7 @@ inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30
 
 /// Whether the root that Newton's method came to is the one near what the step before was solved for: after more than two rounds, if it is
 /// no further from that than twice what one of the last two steps has changed; of a first step, if there were less than five rounds. Any
-/// other is looked for again along Newton's path (newton/on_branches.hpp), which may lead to the same one: an extrapolated guess may lie in
+/// other is looked for again from the last velocity (newton/newton.hpp), which may lead to the same one: an extrapolated guess may lie in
 /// the reach of a root far away.
 template <class S>
 HILGER_ALWAYS_INLINE inline bool is_near(int iteration, long long known, S const& change, S const& last_change, S const& change_before) {
@@ -81,19 +80,28 @@ inline constexpr solvability by_the_ends{
     error::raise<error::singular>(what, " has a singular derivative here: ", by.regular);
 }
 
-/// Why an iteration of `most` rounds came to nothing, as the error that fits.
+/// How a search for a root ends: lost_between the branches of L, or between two on which there is no root.
+enum class newton_outcome { found, singular, not_finite, between, lost, lost_between };
+
+/// Says why there is no root. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>; error::singular,
+/// error::not_finite
 template <class V>
-[[noreturn]] void give_up(std::string const& what, bool singular, V const& iterate, V const& residual, scalar_of<V> const& correction,
-                          int most = most_iterations<scalar_of<V>>, solvability const& by = by_the_velocity) {
-    if (not all_finite(residual)) error::raise<error::not_finite>(what, " meets NaN or infinity", by.around);
-    if (singular) refuse_singular(what, by);
-    std::ostringstream message;
-    message << what << " did not converge in " << most << " Newton iterations";
-    if constexpr (std::numeric_limits<scalar_of<V>>::is_exact) // whose corrections have thousands of digits
-        message << ". An exact scalar needs an equation that is linear in the unknown";
-    else
-        message << "; the last correction was " << correction << ". " << by.advice;
-    throw newton_failure<V>(message.str(), iterate, residual);
+[[noreturn, gnu::noinline, gnu::cold]] void throw_newton_failure(std::string const& what, newton_outcome how, V const& iterate,
+                                                                 V const& residual, solvability const& by = by_the_velocity) {
+    if (how == newton_outcome::singular) refuse_singular(what, by);
+    if (how == newton_outcome::not_finite or not all_finite(residual))
+        error::raise<error::not_finite>(what, " meets NaN or infinity", by.around);
+    if (how == newton_outcome::between)
+        throw newton_failure<V, error::no_branch>(
+            what +
+                " has no solution on any branch of L that was met: where L compares its arguments its derivatives jump, and the branches "
+                "on both sides of the jump lead across it. A step that does not meet the jump has one, and so has an L whose "
+                "derivatives do not jump",
+            iterate, residual);
+    std::string const where = how == newton_outcome::lost_between ? " between the branches of L. " : ". ";
+    std::string const advice =
+        std::numeric_limits<scalar_of<V>>::is_exact ? "An exact scalar needs an equation that is linear in the unknown" : by.advice;
+    throw newton_failure<V>(what + " did not converge" + where + advice, iterate, residual);
 }
 
 /// Where somebody asked for it, what is looked for is given up.

@@ -8,9 +8,10 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 
-#include "hilger/newton/growth.hpp"
+#include "hilger/newton/newton.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/newton/weighed_corrections.hpp"
@@ -128,7 +129,7 @@ private:
             stiff_ = e_.has_constant_mass;
             first_guess(made);
         }
-        return newton(problem, x, watch, made);
+        return whole_newton(problem, x, watch, made);
     }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
@@ -139,11 +140,11 @@ private:
             if (watch.saw_any()) return false;
             e_.put_residual(x);
             if (not is_finite(e_.residual)) {
-                if (e_.is_constant) refuse_nan(x, previous);
+                if (e_.is_constant) refuse_nan(x);
                 return false;
             }
             if (not e_.factorize_constant_part()) {
-                if (e_.is_constant) refuse(x, true, S(0));
+                if (e_.is_constant) refuse(x, newton_outcome::singular);
                 return false;
             }
             correct(e_.constant_part);
@@ -187,7 +188,7 @@ private:
         rate_holds_for_ = helps ? 8 : 64;
         if (not helps) rate_ = S(-1);
     }
-    bool newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
+    bool whole_newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
         bool singular = false;
         S size(0), previous(-1);
@@ -210,7 +211,7 @@ private:
                 return exact or is_near_the_last(iteration, made);
             previous = size;
         }
-        if (exact) refuse(x, singular, magnitude(correction_));
+        if (exact) refuse(x, singular ? newton_outcome::singular : newton_outcome::lost);
         return false;
     }
     [[nodiscard]] bool is_near_the_last(int iteration, long long made) const {
@@ -243,48 +244,51 @@ private:
         corrected_ = corrected::in_all;
         for (int c = 0; c < e_.unknowns(); ++c) u::component(e_.moved, c) = u::component(e_.moved, c) - correction_(c);
     }
-    void refuse_nan(state<S, V> const& x, S const& size) {
+    void refuse_nan(state<S, V> const& x) {
         for (int k = 0; k < e_.unknowns(); ++k)
-            if (not is_finite(e_.residual(k))) give_up(name, false, x.q, with_first(x.q, e_.residual(k)), size);
+            if (not is_finite(e_.residual(k))) throw_newton_failure(name, newton_outcome::not_finite, x.q, with_first(x.q, e_.residual(k)));
     }
-    [[noreturn]] void refuse(state<S, V> const& x, bool singular, S const& size) {
+    [[noreturn]] void refuse(state<S, V> const& x, newton_outcome how) {
         V rest = s::zero(dimension());
         for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c * (Controls - 1));
-        give_up(name, singular, V(x.q + e_.end()), rest, size);
+        throw_newton_failure(name, how, V(x.q + e_.end()), rest);
     }
-    /// For an L with branches, or without them where whole corrections do not do: e_.moved and the derivatives there.
+    /// For an L with branches, or where whole corrections do not contract: e_.moved and the derivatives there.
     [[gnu::noinline, gnu::cold]] void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches, long long made) {
         shortened_step<equation> step(e_);
+        std::optional<matrix> K;
+        S largest(0);
         auto const evaluate_at = [&](unknown const& y, unknown& r) {
             e_.moved = y * step.share();
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             e_.put_residual(x);
-            e_.put_matrix(true);
             for (int c = 0; c < e_.unknowns(); ++c) u::component(r, c) = e_.residual(c);
             S const reach = magnitude(x.q) + magnitude(e_.moved);
-            return S(magnitude(x.p) + e_.forces() +
-                     S(e_.unknowns()) * (e_.bends() * reach + e_.full_matrix.largest() * magnitude(e_.moved)));
+            return S(magnitude(x.p) + e_.forces() + S(e_.unknowns()) * (e_.bends() * reach + largest * magnitude(e_.moved)));
+        };
+        auto const linearize = [&] {
+            tally<S>::add(work::newton_round);
+            e_.put_matrix(true);
+            largest = e_.full_matrix.largest();
+            K.emplace(e_.full_matrix); // that of other branches may have another pattern
+            return K->factorize();
         };
         auto const correct = [&](unknown const& r, unknown& d) {
-            tally<S>::add(work::newton_round);
-            if (not e_.full_matrix.factorize()) return false;
             for (int c = 0; c < e_.unknowns(); ++c) correction_(c) = u::component(r, c);
-            e_.full_matrix.solve(correction_);
+            K->solve(correction_);
             for (int c = 0; c < e_.unknowns(); ++c) u::component(d, c) = -correction_(c) / step.share();
-            return true;
         };
         first_guess(made);
         unknown y = e_.moved, rest = y;
         first_guess(made > 0 ? 1 : 0);
         unknown const last = e_.moved;
-        S const small = has_branches ? small_correction() : S(small_correction() / S(16)); // what leads there may turn fast
-        branch_search const how =
-            search_or_grow(has_branches, y, last, rest, evaluate_at, correct, small, [&](S const& share) { step.shorten_to(share); });
-        if (how != branch_search::found) {
+        newton_outcome const how = root_of_step<unknown>(has_branches, {evaluate_at, linearize, correct}, y, last, rest,
+                                                         [&](S const& share) { step.shorten_to(share); });
+        if (how != newton_outcome::found) {
             e_.moved = y;
             V first = s::zero(dimension());
             for (int c = 0; c < dimension(); ++c) s::component(first, c) = u::component(rest, c * (Controls - 1));
-            give_up_on_branches(name, how, V(x.q + e_.end()), first);
+            throw_newton_failure(name, how, V(x.q + e_.end()), first);
         }
         correction_.setZero();
         corrected_ = corrected::in_nothing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation of a step, of a share of its length for a while: what a step that no guess leads to grows from (newton/growth.hpp).
+// The equation of a step, of a share of its length for a while: what a step that no guess leads to grows from (newton/newton.hpp).
 #pragma once
 
 #include <optional>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "hilger/linear/symmetric_matrix.hpp"
-#include "hilger/newton/growth.hpp"
+#include "hilger/newton/newton.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
@@ -42,8 +42,8 @@ class structured {
 
 public:
     structured(tableau<S> const& t, S const& h, L const& l, V const& like, Extra extra = {})
-        : extra_(std::move(extra)), mass_(inertia(l, t, h, extra_), like.size()), v_(like), r_(like), g_(like), A_(like), next_(like),
-          room_(like.size() + 1), past_(like), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
+        : extra_(std::move(extra)), mass_(inertia(l, t, h, extra_), like.size()), v_(like), r_(like), g_(like), A_(like), at_(like),
+          next_(like), room_(like.size() + 1), past_(like), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {
         l.potential().check(like.size());
         prepare(t, h);
     }
@@ -122,7 +122,7 @@ private:
         r_ = next_ - next_;
         r_ += (x.q + w_ * v_) - (x.q + w_ * v_);
         r_ += (x.p - w_ * g_) - (x.p - w_ * g_);
-        if (not all_finite(r_)) give_up(name, false, v_, r_, S(0));
+        if (not all_finite(r_)) throw_newton_failure(name, newton_outcome::not_finite, v_, r_);
     }
     /// The momentum at the start, with what of the extra force does not depend on v.
     [[nodiscard]] V const& start(state<S, V> const& x) const {
@@ -213,10 +213,10 @@ private:
             next_ = r_;
             bool const regular = kernel_.solve(next_), is_number = is_finite(S(next_.sum()));
             if ((follows or has_branches()) and not(regular and is_number)) break;
-            if (not regular) give_up(name, true, v_, r_, size);
+            if (not regular) throw_newton_failure(name, newton_outcome::singular, v_, r_);
             v_ += next_;
             size = largest_of(next_);
-            if (not is_number) give_up(name, false, v_, next_, size);
+            if (not is_number) throw_newton_failure(name, newton_outcome::not_finite, v_, next_);
             if (size <= square_root_of_epsilon<S>() * S(Compensated ? 1 : 64) / S(1024) * largest_of(v_) or
                 (round > 1 and largest_of(r_) <= S(8) * epsilon<S>() * (largest_of(start(x)) + magnitude(f_) * largest_of(g_)))) {
                 A_ = x.q + c_ * v_;
@@ -226,42 +226,50 @@ private:
                 break;
             }
         }
-        if (not follows and not has_branches()) give_up(name, false, v_, r_, size);
+        if (not follows and not has_branches()) throw_newton_failure(name, newton_outcome::lost, v_, r_);
         first_guess(x);
         search(l, x);
     }
     /// For a U with branches, where full steps of Newton's method go round between them, and where an extrapolated guess leads nowhere.
     [[gnu::noinline, gnu::cold]] void search(L const& l, state<S, V> const& x) {
         auto const& U = l.potential();
-        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
         S share(1);
+        S bends(0);
         auto const evaluate_at = [&](V const& y, V& r) {
             S const c = share * c_, f = share * f_;
             v_ = y;
             A_ = x.q + c * v_;
-            kernel_.set_zero();
-            mass_.put(put);
-            S bends(0);
-            U.hessian(A_, [&](index_type j, index_type k, S const& b) {
-                bends = std::max(bends, S(magnitude(b)));
-                kernel_.add(j, k, S(f * c * tally<S>::second(b)));
-            });
             force(U, A_);
             residual(l, x, f);
             r = r_;
             return S(largest_of(x.p) * S(2) + magnitude(f) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
         };
-        auto const correct = [&](V const& r, V& d) {
+        auto const linearize = [&] {
             tally<S>::add(work::newton_round);
+            bends = S(0);
+            U.hessian(A_, [&](index_type, index_type, S const& b) { bends = std::max(bends, S(magnitude(b))); });
+            at_ = A_;
+            V none = zero_like(v_);
+            return solved(l, share, none);
+        };
+        auto const correct = [&](V const& r, V& d) {
             d = r;
-            return kernel_.solve(d);
+            (void)solved(l, share, d);
         };
         V const last = known_ > 0 ? past_[0] : v_;
         V y = v_, rest = v_;
         auto const set_share = [&](S const& of_step) { share = of_step; };
-        S const last_correction = square_root_of_epsilon<S>() * small() / S(has_branches() ? 1 : 64); // what leads there may turn fast
-        branch_search const how = search_or_grow(has_branches(), y, last, rest, evaluate_at, correct, last_correction, set_share);
-        if (how != branch_search::found) give_up_on_branches(name, how, y, rest);
+        newton_outcome const how = root_of_step<V>(has_branches(), {evaluate_at, linearize, correct}, y, last, rest, set_share);
+        if (how != newton_outcome::found) throw_newton_failure(name, how, y, rest);
+    }
+    /// d = K^-1 d with the derivative at the position at_, whose factors are used up.
+    bool solved(L const& l, S const& share, V& d) {
+        kernel_.set_zero();
+        auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
+        mass_.put(put);
+        S const scale = share * f_ * (share * c_);
+        l.potential().hessian(at_, [&](index_type j, index_type k, S const& b) { kernel_.add(j, k, S(scale * tally<S>::second(b))); });
+        return kernel_.solve(d);
     }
     [[nodiscard]] bool is_near_the_last(int round) const {
         if (known_ < 2) return is_near(round, known_, S(0), S(0), S(0));
@@ -296,7 +304,7 @@ private:
     mass_solver<Mass, V> mass_;
     symmetric_matrix<S> kernel_;
     bool prepared_ = false, stiff_ = false;
-    V v_, r_, g_, A_, next_;
+    V v_, r_, g_, A_, at_, next_;
     Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
     branch_path path_, path_before_; ///< of the last force and of the one before
     past_steps<V, S, history> past_;

@@ -130,7 +130,8 @@ private:
     [[gnu::noinline, gnu::cold]] static void refuse_overflow(Equation const& e, state<S, V> const& x, char const* name) {
         for (int c = 0; c < e.dimension(); ++c) {
             S const q = s::component(x.q, c) + e.end(c), p = e.adds_up ? S(s::component(x.p, c) + e.increment(c)) : S(e.whole(c));
-            if (not is_finite(q) or not is_finite(p)) give_up(name, false, x.q, with_first(x.q, S((q - q) + (p - p))), S(0));
+            if (not is_finite(q) or not is_finite(p))
+                throw_newton_failure(name, newton_outcome::not_finite, x.q, with_first(x.q, S((q - q) + (p - p))));
         }
     }
     template <class X>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hilger/differentiation/derivatives.hpp"
-#include "hilger/newton/newton.hpp"
+#include "hilger/newton/system.hpp"
 #include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace hilger {
@@ -29,43 +29,47 @@ newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, E
     each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
+/// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else what `find` makes of the equation.
+template <class L, class V, class Find>
+V velocity_found(L const& lagrangian, V const& q, V const& p, Find const& find) {
+    if constexpr (requires { lagrangian.velocity(q, p); })
+        return lagrangian.velocity(q, p);
+    else if constexpr (is_traced_state<V> and not requires { lagrangian.expand(q, q); })
+        return find([&](V const& v) {
+            auto const there = trace_there(lagrangian, q, v, on_velocity);
+            return momentum_equation(V(there.by_v - p), [&](auto const& use) { there.for_each_in(block_vv, use); });
+        });
+    else
+        return find([&](V const& v) {
+            auto d = expand_second(lagrangian, q, v);
+            return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
+        });
+}
 } // namespace detail
 
 /// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else by Newton from `guess`.
 /// @throws error::singular when d2L/dv2 is singular, error::no_convergence.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
-    if constexpr (requires { lagrangian.velocity(q, p); })
-        return lagrangian.velocity(q, p);
-    else if constexpr (detail::is_traced_state<V> and not requires { lagrangian.expand(q, q); }) {
-        auto const equation = [&](V const& v) {
-            auto const there = detail::trace_there(lagrangian, q, v, detail::on_velocity);
-            return detail::momentum_equation(V(there.by_v - p), [&](auto const& use) { there.for_each_in(detail::block_vv, use); });
-        };
-        return newton(equation, guess, p, detail::legendre_map);
-    } else {
-        auto const equation = [&](V const& v) {
-            auto d = expand_second(lagrangian, q, v);
-            return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
-        };
-        return newton(equation, guess, p, detail::legendre_map);
-    }
+    return detail::velocity_found(lagrangian, q, p, [&](auto const& equation) { return newton(equation, guess, p, detail::legendre_map); });
 }
 /// From v = 0, and if there is none from there from v = p. Where several velocities have the momentum p, as with L = v^4 - v^2, it is one
 /// of them.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
-    return detail::root_near(zero_like(p), p, [&](V const& guess) { return velocity_of(lagrangian, q, p, guess); });
+    return detail::velocity_found(lagrangian, q, p,
+                                  [&](auto const& equation) { return newton_near(equation, zero_like(p), p, detail::legendre_map); });
 }
 namespace detail {
 /// The same at time t by derivatives that are kept, from the velocity `near`: at rest where nothing is known of it.
 template <class Problem, class S, class V>
 V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, V const& near) {
     at_time const lagrangian{kept.what().lagrangian, t};
+    auto const find = [&](auto const& equation) { return newton_near(equation, near, p, legendre_map); };
     if constexpr (not is_traced_at<Problem, V> or requires { lagrangian.velocity(q, p); })
-        return root_near(near, p, [&](V const& guess) { return hilger::velocity_of(lagrangian, q, p, guess); });
-    else {
-        auto const equation = [&](V const& v) {
+        return velocity_found(lagrangian, q, p, find);
+    else
+        return find([&](V const& v) {
             return kept.at(t, q, v, wanted::with_seconds, [&](auto const& node) {
                 V residual = p;
                 for (int k = 0; k < shape<V>::dimension(p); ++k)
@@ -74,9 +78,7 @@ V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V c
                     for (auto const& e : node.places().entries[block_vv]) use(e.row, e.column, node.value(e.place));
                 });
             });
-        };
-        return root_near(near, p, [&](V const& guess) { return newton(equation, guess, p, legendre_map); });
-    }
+        });
 }
 /// p.v - L(q, v)
 template <class L, class V>

