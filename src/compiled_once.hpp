@@ -8,6 +8,7 @@
 
 // What depends on the kind of numbers alone; the second is of numbers that have roots.
 #define HILGER_ENGINES(how, S)                                                                                                             \
+    how template class large_matrix<S>;                                                                                                    \
     how template class patterned_matrix<S>;                                                                                                \
     how template bool solve_positive_definite(Eigen::Matrix<S, -1, -1> const&, Eigen::Matrix<S, -1, 1>&);                                  \
     how template class evaluation<S>;                                                                                                      \

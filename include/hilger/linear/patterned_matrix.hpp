@@ -1,48 +1,51 @@
 // SPDX-License-Identifier: BSL-1.0
 // A square matrix of which it is known before any number is what of it is not zero. That decides how it is solved with: by its inverse
-// where it is diagonal, by elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen, dense or sparse.
+// where it is diagonal, by elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen.
 #pragma once
 
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
-
 #include "hilger/linear/elimination.hpp"
+#include "hilger/linear/large_matrix.hpp"
 
 namespace hilger::detail {
 
-/// A factorization of one's own: Eigen's cannot be copied, or not before they are used, and a copy makes its own.
-template <class Factors>
-struct own : std::unique_ptr<Factors> {
-    own() = default;
-    own(own const&) : own() {}
-    own(own&&) = default;
-    own& operator=(own const&) { return *this; }
-    own& operator=(own&&) = default;
-};
-
-template <class S>
+/// `Most`: what its size does not exceed, where that is known.
+template <class S, int Most = Eigen::Dynamic>
 class patterned_matrix {
-    enum class solver { diagonal, elimination, dense, sparse };
+    enum class solver { diagonal, elimination, large };
     static constexpr int small = 16; // up to here a library's blocks are not worth their setting up
+    static constexpr bool may_be_large = Most == Eigen::Dynamic or Most > small;
 
 public:
-    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-
     /// Entries that may be different from zero, and the diagonal.
-    void prepare(int d, std::vector<std::pair<int, int>> const& entries);
+    void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
+        d_ = d;
+        int below = 0, above = 0;
+        for (auto const& [j, k] : entries) {
+            below = std::max(below, j - k);
+            above = std::max(above, k - j);
+        }
+        how_ = solver::elimination;
+        if (below == 0 and above == 0) {
+            how_ = solver::diagonal;
+            diagonal_.assign(static_cast<std::size_t>(d), S(0));
+        } else if (2 * (2 * below + above + 1) < d)
+            few_ = elimination<S>(d, below, above);
+        else if (d <= small)
+            few_ = elimination<S>(d);
+        else if constexpr (may_be_large) {
+            how_ = solver::large;
+            large_.prepare(d, entries);
+        }
+    }
     [[nodiscard]] int size() const { return d_; }
     /// Where an entry is kept.
     [[nodiscard]] int place(int j, int k) const {
-        if (how_ == solver::diagonal) return j;
-        if (how_ == solver::elimination) return few_.place(j, k);
-        if (how_ == solver::dense) return k * d_ + j;
-        int const *first = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k],
-                  *last = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k + 1];
-        return static_cast<int>(std::lower_bound(first, last, j) - sparse_.innerIndexPtr());
+        if constexpr (may_be_large)
+            if (how_ == solver::large) return large_.place(j, k);
+        return how_ == solver::diagonal ? j : few_.place(j, k);
     }
     void set_zero() {
         factorized_ = false;
@@ -60,134 +63,62 @@ public:
     /// False where it is singular to rounding.
     bool factorize() {
         tally<S>::add(work::factorization);
-        return factorized_ = makes_factors();
+        if constexpr (may_be_large)
+            if (how_ == solver::large) return factorized_ = large_.factorize();
+        return factorized_ = how_ == solver::diagonal ? inverted() : few_.factorize();
     }
     /// Since the entries were set.
-    [[nodiscard]] bool is_factorized() const { return factorized_ and (how_ != solver::sparse or sparse_factors_); }
+    [[nodiscard]] bool is_factorized() const {
+        if constexpr (may_be_large)
+            if (how_ == solver::large) return factorized_ and large_.has_factors();
+        return factorized_;
+    }
     /// x in K x = r, with the factors.
     template <class X>
     void solve(X& x) const {
-        if (how_ == solver::diagonal) return solve(x, x);
         tally<S>::add(work::solve);
-        if (how_ == solver::elimination)
-            few_.solve(x);
-        else
-            x = solution(weight_.cwiseProduct(x));
+        if constexpr (may_be_large)
+            if (how_ == solver::large) {
+                x = large_.solution(x);
+                return;
+            }
+        if (how_ == solver::elimination) return few_.solve(x);
+        for (int k = 0; k < d_; ++k) x(k) = x(k) * inverse_[static_cast<std::size_t>(k)];
     }
-
     /// x = K^-1 r
     template <class R, class X>
     void solve(R const& r, X& x) const {
-        if (how_ == solver::diagonal) {
-            tally<S>::add(work::solve);
-            for (int k = 0; k < d_; ++k) x(k) = r(k) * weight_(k);
-        } else {
-            x = r;
-            solve(x);
-        }
+        x = r;
+        solve(x);
     }
 
 private:
-    S* data() { return how_ == solver::sparse ? sparse_.valuePtr() : how_ == solver::elimination ? few_.data().data() : data_.data(); }
-    std::ptrdiff_t length() {
-        return how_ == solver::sparse ? sparse_.nonZeros()
-                                      : static_cast<std::ptrdiff_t>(how_ == solver::elimination ? few_.data().size() : data_.size());
+    bool inverted() {
+        inverse_ = diagonal_;
+        for (S& x : inverse_) {
+            if (not is_divisor(x)) return false;
+            x = S(1) / x;
+        }
+        return true;
     }
-    bool makes_factors();
-    vector solution(vector const& weighed) const;
+    S* data() {
+        if constexpr (may_be_large)
+            if (how_ == solver::large) return large_.data();
+        return how_ == solver::elimination ? few_.data().data() : diagonal_.data();
+    }
+    std::ptrdiff_t length() {
+        if constexpr (may_be_large)
+            if (how_ == solver::large) return large_.length();
+        return static_cast<std::ptrdiff_t>(how_ == solver::elimination ? few_.data().size() : diagonal_.size());
+    }
+
+    struct never {};
     solver how_ = solver::elimination;
     bool factorized_ = false;
     int d_ = 0;
     elimination<S> few_;
-    std::vector<S> data_;
-    vector weight_; ///< of each row, 1 / its largest entry
-    Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
-    Eigen::SparseMatrix<S> sparse_;
-    own<Eigen::SparseLU<Eigen::SparseMatrix<S>>> sparse_factors_;
+    std::vector<S> diagonal_, inverse_;
+    [[no_unique_address]] std::conditional_t<may_be_large, large_matrix<S>, never> large_;
 };
-
-template <class S>
-void patterned_matrix<S>::prepare(int d, std::vector<std::pair<int, int>> const& entries) {
-    d_ = d;
-    int below = 0, above = 0;
-    for (auto const& [j, k] : entries) {
-        below = std::max(below, j - k);
-        above = std::max(above, k - j);
-    }
-    int const width = 2 * below + above + 1;
-    if (below == 0 and above == 0) {
-        how_ = solver::diagonal;
-        data_.assign(static_cast<std::size_t>(d), S(0));
-    } else if (2 * width < d) {
-        how_ = solver::elimination;
-        few_ = elimination<S>(d, below, above);
-    } else if (d <= small) {
-        how_ = solver::elimination;
-        few_ = elimination<S>(d);
-    } else
-        how_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d) ? solver::sparse : solver::dense;
-    if (how_ == solver::dense)
-        data_.assign(static_cast<std::size_t>(d) * static_cast<std::size_t>(d), S(0));
-    else if (how_ == solver::sparse) {
-        std::vector<Eigen::Triplet<S>> all;
-        for (auto const& [j, k] : entries) all.emplace_back(j, k, S(0));
-        for (int k = 0; k < d; ++k) all.emplace_back(k, k, S(0));
-        sparse_.resize(d, d);
-        sparse_.setFromTriplets(all.begin(), all.end());
-        sparse_.makeCompressed();
-        sparse_factors_.reset(); // made for the pattern where they are first asked for
-    }
-}
-/// Rows are weighed by their largest entry, as elimination weighs them.
-template <class S>
-bool patterned_matrix<S>::makes_factors() {
-    if (how_ == solver::elimination) return few_.factorize();
-    if (how_ == solver::diagonal) {
-        weight_.resize(d_);
-        for (int k = 0; k < d_; ++k) {
-            S const& x = data_[static_cast<std::size_t>(k)];
-            if (not is_divisor(x)) return false;
-            weight_(k) = S(1) / x;
-        }
-        return true;
-    }
-    weight_.setZero(d_);
-    auto const weigh = [&](index_type row, S const& x) {
-        if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;
-    };
-    if (how_ == solver::dense) {
-        Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const> const K(data_.data(), d_, d_);
-        for (index_type k = 0; k < d_; ++k)
-            for (index_type j = 0; j < d_; ++j) weigh(j, K(j, k));
-        if (not(S(0) < weight_.minCoeff())) return false;
-        weight_ = weight_.cwiseInverse();
-        dense_factors_.compute(weight_.asDiagonal() * K);
-        return is_regular(dense_factors_);
-    }
-    using entries = typename Eigen::SparseMatrix<S>::InnerIterator;
-    for (int k = 0; k < d_; ++k)
-        for (entries x(sparse_, k); x; ++x) weigh(x.row(), x.value());
-    if (not(S(0) < weight_.minCoeff())) return false;
-    weight_ = weight_.cwiseInverse();
-    Eigen::SparseMatrix<S> weighed = sparse_;
-    for (int k = 0; k < d_; ++k)
-        for (entries x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
-    if (not sparse_factors_) {
-        sparse_factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
-        sparse_factors_->analyzePattern(weighed);
-    }
-    sparse_factors_->factorize(weighed);
-    if (sparse_factors_->info() != Eigen::Success) return false;
-    // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
-    vector x(d_);
-    for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
-    x = sparse_factors_->solve(x);
-    return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
-}
-template <class S>
-auto patterned_matrix<S>::solution(vector const& weighed) const -> vector {
-    if (how_ == solver::dense) return dense_factors_.solve(weighed);
-    return sparse_factors_->solve(weighed);
-}
 
 } // namespace hilger::detail

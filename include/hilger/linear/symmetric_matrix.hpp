@@ -12,6 +12,16 @@
 
 namespace hilger::detail {
 
+/// Factors of one's own: a copy makes its own.
+template <class Factors>
+struct own : std::unique_ptr<Factors> {
+    own() = default;
+    own(own const&) : own() {}
+    own(own&&) = default;
+    own& operator=(own const&) { return *this; }
+    own& operator=(own&&) = default;
+};
+
 template <class S>
 class symmetric_matrix {
 public:

@@ -31,7 +31,7 @@ public:
     using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved, controls::moved_to,
         controls::put_sizes, controls::table, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
-    using matrix = patterned_matrix<S>;
+    using matrix = patterned_matrix<S, s::size == Eigen::Dynamic ? s::size : s::size * U>;
     using of_state = Eigen::Matrix<S, s::size, 1>;
 
     step_equation(V const& like, Extra extra_force)

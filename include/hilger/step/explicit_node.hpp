@@ -71,8 +71,8 @@ private:
     separable_formula<S, V> parts_;
     place place_ = place::inside;
     S w_{0};
-    patterned_matrix<S> resisted_; ///< M - w df/dv
-    V v_;                          ///< room
+    patterned_matrix<S, shape<V>::size> resisted_; ///< M - w df/dv
+    V v_;                                          ///< room
 };
 
 } // namespace hilger::detail

@@ -160,7 +160,8 @@ public:
     [[nodiscard]] bool reads_velocity() const { return not frictions().empty(); }
     [[nodiscard]] bool has_constant_friction() const { return node_.places().constant[block_qv]; }
     /// K = M + c df/dv, factorized. False where it is singular.
-    bool factorize(patterned_matrix<S>& K, S const& c) const {
+    template <class Matrix>
+    bool factorize(Matrix& K, S const& c) const {
         auto const for_each = [&](auto const& use) {
             for (auto const& e : node_.places().entries[block_vv]) use(e, S(1));
             if (c == S(0)) return;
@@ -212,7 +213,7 @@ private:
     traced_node<V> node_;
     bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
     V at_rest_, inverse_; ///< a; M^-1 where M is diagonal
-    patterned_matrix<S> mass_;
+    patterned_matrix<S, shape<V>::size> mass_;
 };
 template <class F, class S, class V>
     requires(is_traced_at<problem<F, no_force>, V> and not is_mechanical<F>)

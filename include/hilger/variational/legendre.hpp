@@ -21,8 +21,8 @@ namespace detail {
 inline constexpr char const* legendre_map = "the Legendre map v -> dL/dv";
 /// dL/dv(q, v) - p and its derivative by v in the pattern that it has: `each(use)` calls use(row, column, entry) for what is not zero.
 template <class V, class Each>
-newton_system<V, patterned_matrix<scalar_of<V>>> momentum_equation(V residual, Each const& each) {
-    newton_system<V, patterned_matrix<scalar_of<V>>> made{std::move(residual), {}};
+newton_system<V, patterned_matrix<scalar_of<V>, shape<V>::size>> momentum_equation(V residual, Each const& each) {
+    newton_system<V, patterned_matrix<scalar_of<V>, shape<V>::size>> made{std::move(residual), {}};
     std::vector<std::pair<int, int>> pattern;
     each([&](int row, int column, auto const&) { pattern.emplace_back(row, column); });
     made.jacobian.prepare(shape<V>::dimension(made.residual), pattern);

@@ -142,5 +142,43 @@ TEST_CASE("a copy makes factors of its own") {
     copy.solve(x);
     CHECK(x(7) == 1.5);
 }
+TEST_CASE("a matrix that is assigned to has the numbers and the pattern of the other") {
+    auto const with = [](std::vector<std::pair<int, int>> const& entries, double factor) {
+        patterned_matrix<double> K;
+        K.prepare(60, entries);
+        for (auto const& [j, k] : entries) K[K.place(j, k)] = j == k ? 4 * factor : factor;
+        CHECK(K.factorize());
+        return K;
+    };
+    auto const twice = [](std::vector<std::pair<int, int>> entries) { // the ring, and second neighbours
+        for (int k = 0; k < 60; ++k) entries.emplace_back(k, (k + 2) % 60);
+        return entries;
+    };
+    auto K = with(ring(60), 1);
+    for (auto const& [other, sum] : {std::pair{with(ring(60), 3), 18.0}, std::pair{with(twice(ring(60)), 1), 7.0}}) {
+        K = other;
+        if (not K.is_factorized()) CHECK(K.factorize());
+        Eigen::VectorXd x = Eigen::VectorXd::Constant(60, sum);
+        K.solve(x);
+        CHECK((x - Eigen::VectorXd::Ones(60)).cwiseAbs().maxCoeff() <= 64 * epsilon<double>());
+    }
+}
+TEST_CASE("a matrix whose size is bounded is solved with as any") {
+    for (auto const& entries : {full(9), band(9, 0, 0), band(16, 1, 0), full(16)}) {
+        int const d = entries.back().first + 1;
+        patterned_matrix<Q, 16> bounded;
+        patterned_matrix<Q> any;
+        bounded.prepare(d, entries);
+        any.prepare(d, entries);
+        for (auto const& [j, k] : entries) bounded[bounded.place(j, k)] = any[any.place(j, k)] = j == k ? Q(d + j) : Q(1, 1 + j + k);
+        CHECK(bounded.factorize());
+        CHECK(any.factorize());
+        Eigen::Matrix<Q, Eigen::Dynamic, 1> x(d), y(d);
+        for (int k = 0; k < d; ++k) x(k) = y(k) = Q(k, 3);
+        bounded.solve(x);
+        any.solve(y);
+        CHECK(x == y);
+    }
+}
 
 } // namespace linear_tests

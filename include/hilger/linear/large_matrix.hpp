@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSL-1.0
+// A matrix that is too large for elimination written out, dense or sparse by its pattern, and Eigen's factors of it. A file of its own, for
+// these factors take half of the time in which a step is compiled, and small ones do without them.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+#include "hilger/linear/regular.hpp"
+
+namespace hilger::detail {
+
+/// Factors of a sparse matrix. Eigen's cannot be copied: a copy of the matrix makes its own, and one that is assigned to keeps only what it
+/// knows of the pattern.
+template <class S>
+struct sparse_factors {
+    struct factors {
+        Eigen::SparseLU<Eigen::SparseMatrix<S>> of_pattern;
+        std::shared_ptr<int const> pattern; ///< which one that is
+        bool are_those_of_the_numbers = false;
+    };
+    std::unique_ptr<factors> made{};
+
+    sparse_factors() = default;
+    sparse_factors(sparse_factors const&) {}
+    sparse_factors(sparse_factors&&) = default;
+    sparse_factors& operator=(sparse_factors const&) {
+        if (made) made->are_those_of_the_numbers = false;
+        return *this;
+    }
+    sparse_factors& operator=(sparse_factors&&) = default;
+};
+
+template <class S>
+class large_matrix {
+public:
+    using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+    /// Entries that may be different from zero, and the diagonal.
+    void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
+        d_ = d;
+        is_sparse_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d);
+        if (not is_sparse_) {
+            dense_.setZero(d, d);
+            return;
+        }
+        std::vector<Eigen::Triplet<S>> all;
+        for (auto const& [j, k] : entries) all.emplace_back(j, k, S(0));
+        for (int k = 0; k < d; ++k) all.emplace_back(k, k, S(0));
+        sparse_.resize(d, d);
+        sparse_.setFromTriplets(all.begin(), all.end());
+        sparse_.makeCompressed();
+        pattern_ = std::make_shared<int const>(d);
+    }
+    [[nodiscard]] int place(int j, int k) const {
+        if (not is_sparse_) return k * d_ + j;
+        int const *first = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k],
+                  *last = sparse_.innerIndexPtr() + sparse_.outerIndexPtr()[k + 1];
+        return static_cast<int>(std::lower_bound(first, last, j) - sparse_.innerIndexPtr());
+    }
+    S* data() { return is_sparse_ ? sparse_.valuePtr() : dense_.data(); }
+    [[nodiscard]] std::ptrdiff_t length() const { return is_sparse_ ? sparse_.nonZeros() : dense_.size(); }
+
+    /// False where it is singular to rounding. Rows are weighed by their largest entry, as elimination weighs them.
+    bool factorize() {
+        weight_.setZero(d_);
+        auto const weigh = [&](index_type row, S const& x) {
+            if (S const size = magnitude(x); weight_(row) < size) weight_(row) = size;
+        };
+        using entries = typename Eigen::SparseMatrix<S>::InnerIterator;
+        if (is_sparse_)
+            for (int k = 0; k < d_; ++k)
+                for (entries x(sparse_, k); x; ++x) weigh(x.row(), x.value());
+        else
+            for (index_type k = 0; k < d_; ++k)
+                for (index_type j = 0; j < d_; ++j) weigh(j, dense_(j, k));
+        if (not(S(0) < weight_.minCoeff())) return false;
+        weight_ = weight_.cwiseInverse();
+        if (is_sparse_) return factorize_sparse();
+        dense_factors_.compute(weight_.asDiagonal() * dense_);
+        return is_regular(dense_factors_);
+    }
+    /// A copy of a sparse matrix has none before it is factorized itself.
+    [[nodiscard]] bool has_factors() const { return not is_sparse_ or (factors_.made and factors_.made->are_those_of_the_numbers); }
+    [[nodiscard]] vector solution(vector const& r) const {
+        vector const weighed = weight_.cwiseProduct(r);
+        if (is_sparse_) return factors_.made->of_pattern.solve(weighed);
+        return dense_factors_.solve(weighed);
+    }
+
+private:
+    bool factorize_sparse() {
+        Eigen::SparseMatrix<S> weighed = sparse_;
+        for (int k = 0; k < d_; ++k)
+            for (typename Eigen::SparseMatrix<S>::InnerIterator x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
+        auto& made = factors_.made;
+        if (not made or made->pattern != pattern_) {
+            made = std::make_unique<typename sparse_factors<S>::factors>();
+            made->of_pattern.analyzePattern(weighed);
+            made->pattern = pattern_;
+        }
+        made->of_pattern.factorize(weighed);
+        made->are_those_of_the_numbers = true;
+        if (made->of_pattern.info() != Eigen::Success) return false;
+        // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
+        vector x(d_);
+        for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
+        x = made->of_pattern.solve(x);
+        return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
+    }
+
+    int d_ = 0;
+    bool is_sparse_ = false;
+    vector weight_; ///< of each row, 1 / its largest entry
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> dense_;
+    Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
+    Eigen::SparseMatrix<S> sparse_;
+    std::shared_ptr<int const> pattern_; ///< equal where the patterns are
+    sparse_factors<S> factors_;
+};
+
+} // namespace hilger::detail
