@@ -3,7 +3,6 @@
 // multiply. One expression has two spellings, for a terminal and for LaTeX, so that both name the same operators.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -33,8 +32,8 @@ inline std::string subscript(int n) {
 
 class expression;
 
-/// What a term multiplies: a name, or an expression between two texts.
-struct written_node {
+/// A part of a term: what it multiplies, or a factor before that. Expressions share parts, which never change.
+struct written_part {
     enum class kind {
         name,        ///< q
         signed_name, ///< -dH/dq(p, q), in brackets when something stands before it
@@ -43,165 +42,164 @@ struct written_node {
     };
     kind is = kind::name;
     spelled before{}, after{};
-    std::shared_ptr<expression const> inner{}; ///< none in a name
+    std::shared_ptr<expression const> inner{};  ///< none in a name
+    std::shared_ptr<written_part const> next{}; ///< the next factor
 };
 
 struct written_term {
+    using part = std::shared_ptr<written_part const>;
     long long numerator = 1, denominator = 1;
-    std::vector<spelled> constants{}; ///< numbers known at run time only, and symbols of constants
-    std::vector<spelled> weights{};   ///< functions of t
-    written_node what{};
+    part constants{}; ///< numbers known at run time only, and symbols of constants
+    part weights{};   ///< functions of t
+    part what{};
 
-    [[nodiscard]] bool is_plain() const { return numerator == 1 and denominator == 1 and constants.empty() and weights.empty(); }
+    [[nodiscard]] bool is_plain() const { return numerator == 1 and denominator == 1 and not constants and not weights; }
 };
 
 class expression {
-public:
-    std::vector<written_term> terms{};
+    using kind = written_part::kind;
+    using part = written_term::part;
 
+public:
     static expression name(spelled as, bool has_sign = false) {
-        written_term t;
-        t.what.is = has_sign ? written_node::kind::signed_name : written_node::kind::name;
-        t.what.before = std::move(as);
-        return {{std::move(t)}};
+        expression e;
+        e.terms_.emplace_back().what = made({has_sign ? kind::signed_name : kind::name, std::move(as)});
+        return e;
     }
-    [[nodiscard]] bool is_name() const {
-        return terms.size() == 1 and terms[0].is_plain() and terms[0].what.is == written_node::kind::name;
+    [[nodiscard]] bool is_name() const { return terms_.size() == 1 and terms_[0].is_plain() and terms_[0].what->is == kind::name; }
+    /// What stands before a single term in brackets that no weight multiplies; "" elsewhere.
+    [[nodiscard]] std::string bracket() const {
+        return terms_.size() == 1 and not terms_[0].weights and terms_[0].what->is == kind::bracketed ? terms_[0].what->before.terminal
+                                                                                                      : "";
     }
 
     [[nodiscard]] expression times(long long numerator, long long denominator) const {
         expression e = *this;
-        for (auto& t : e.terms) {
+        for (auto& t : e.terms_) {
             long long above = 0, below = 0;
             if (__builtin_mul_overflow(t.numerator, numerator, &above) or __builtin_mul_overflow(t.denominator, denominator, &below)) {
-                std::string const text = std::to_string(numerator) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
-                t.constants.insert(t.constants.begin(), {text, text});
+                std::string text = std::to_string(numerator);
+                if (denominator != 1) text += '/' + std::to_string(denominator);
+                t.constants = before(t.constants, {text, text});
                 continue;
             }
-            t.numerator = above;
-            t.denominator = below;
-            long long const g = std::max(std::gcd(t.numerator, t.denominator), 1LL);
-            t.numerator /= g;
-            t.denominator /= g;
+            long long const g = std::max(std::gcd(above, below), 1LL);
+            t.numerator = above / g;
+            t.denominator = below / g;
         }
         return e;
     }
     [[nodiscard]] expression times_constant(spelled const& c) const {
         expression e = *this;
-        for (auto& t : e.terms) t.constants.insert(t.constants.begin(), c);
+        for (auto& t : e.terms_) t.constants = before(t.constants, c);
         return e;
     }
     [[nodiscard]] expression times_weight(spelled const& w) const {
         expression e = *this;
-        for (auto& t : e.terms) t.weights.insert(t.weights.begin(), w);
+        for (auto& t : e.terms_) t.weights = before(t.weights, w);
         return e;
     }
     friend expression operator+(expression a, expression const& b) {
-        a.terms.insert(a.terms.end(), b.terms.begin(), b.terms.end());
+        for (auto const& t : b.terms_) a.terms_.push_back(t);
         return a;
     }
     /// before[this]after; the constants of a single term stand before it all.
     [[nodiscard]] expression in_brackets(spelled before, spelled after) const {
-        return enclosed({written_node::kind::bracketed, std::move(before), std::move(after), {}});
+        return enclosed({kind::bracketed, std::move(before), std::move(after)});
     }
-    [[nodiscard]] expression marked(spelled mark) const { return enclosed({written_node::kind::marked, {}, std::move(mark), {}}); }
+    [[nodiscard]] expression marked(spelled mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
     /// Without what stands around a single term.
-    [[nodiscard]] expression without_brackets() const {
-        expression e = terms[0].what.inner->times(terms[0].numerator, terms[0].denominator);
-        for (auto c = terms[0].constants.rbegin(); c != terms[0].constants.rend(); ++c) e = e.times_constant(*c);
-        return e;
-    }
+    [[nodiscard]] expression without_brackets() const { return opened(terms_[0]); }
     /// Without the mark `mark` on whole terms: where the text says by itself which points are meant.
     [[nodiscard]] expression without(std::string const& mark) const {
         expression e;
-        for (auto const& t : terms) {
-            bool const marked_term = t.what.is == written_node::kind::marked and t.what.after.terminal == mark and t.weights.empty();
-            expression const one(std::vector<written_term>{t});
-            e = e + (marked_term ? one.without_brackets() : one);
-        }
+        for (auto const& t : terms_)
+            if (t.what->is == kind::marked and t.what->after.terminal == mark and not t.weights)
+                e = std::move(e) + opened(t);
+            else
+                e.terms_.push_back(t);
         return e;
     }
 
     [[nodiscard]] std::string in(print_style s) const {
         std::string text;
-        for (auto const& t : terms) {
+        for (auto const& t : terms_) {
             bool const first = text.empty(), negative = t.numerator < 0;
-            if (s == print_style::latex)
-                text += first ? (negative ? "-" : "") : (negative ? " - " : " + ");
-            else
-                text += first ? (negative ? "−" : "") : (negative ? " − " : " + ");
-            text += written(t, s, first and not negative);
+            char const* const minus = s == print_style::latex ? "-" : "−";
+            if (not first) text += ' ';
+            if (not first or negative) text += negative ? minus : "+";
+            if (not first) text += ' ';
+            write(text, t, s, first and not negative);
         }
         return text.empty() ? "0" : text;
     }
     /// What the reader has to be told, each once.
     void collect_notes(print_style s, std::vector<std::string>& notes) const {
-        auto const add = [&](spelled const& what) {
-            if (auto const& note = what.note(s); not note.empty() and std::find(notes.begin(), notes.end(), note) == notes.end())
-                notes.push_back(note);
-        };
-        for (auto const& t : terms) {
-            for (auto const& c : t.constants) add(c);
-            for (auto const& w : t.weights) add(w);
-            add(t.what.before);
-            add(t.what.after);
-            if (t.what.inner) t.what.inner->collect_notes(s, notes);
-        }
+        for (auto const& t : terms_)
+            for (auto const& first : {t.constants, t.weights, t.what})
+                for (auto p = first.get(); p != nullptr; p = p->next.get()) {
+                    add_note(p->before.note(s), notes);
+                    add_note(p->after.note(s), notes);
+                    if (p->inner) p->inner->collect_notes(s, notes);
+                }
     }
-
-    expression() = default;
-    expression(std::vector<written_term> all) : terms(std::move(all)) {}
 
 private:
-    [[nodiscard]] expression enclosed(written_node node) const {
-        if (terms.empty()) return {}; // an operator makes zero of zero
-        written_term t;
-        expression inner = *this;
-        if (terms.size() == 1) {
-            t.numerator = terms[0].numerator;
-            t.denominator = terms[0].denominator;
-            t.constants = terms[0].constants;
-            inner.terms[0].numerator = inner.terms[0].denominator = 1;
-            inner.terms[0].constants.clear();
-        }
-        node.inner = std::make_shared<expression const>(std::move(inner));
-        t.what = std::move(node);
-        return {{std::move(t)}};
+    static part made(written_part p) { return std::make_shared<written_part const>(std::move(p)); }
+    static part before(part const& others, spelled const& factor) { return made({kind::name, factor, {}, {}, others}); }
+    static void add_note(std::string const& note, std::vector<std::string>& notes) {
+        bool is_known = note.empty();
+        for (auto const& known : notes) is_known = is_known or known == note;
+        if (not is_known) notes.push_back(note);
     }
-    static std::string written(written_term const& t, print_style s, bool nothing_before) {
-        long long const n = t.numerator < 0 ? -t.numerator : t.numerator;
-        std::string text;
-        std::string const space = s == print_style::latex ? "\\," : " ";
+    static expression opened(written_term const& t) {
+        expression e = t.what->inner->times(t.numerator, t.denominator);
+        std::vector<written_part const*> constants;
+        for (auto c = t.constants.get(); c != nullptr; c = c->next.get()) constants.push_back(c);
+        for (; not constants.empty(); constants.pop_back()) e = e.times_constant(constants.back()->before);
+        return e;
+    }
+    [[nodiscard]] expression enclosed(written_part around) const {
+        expression e;
+        if (terms_.empty()) return e; // an operator makes zero of zero
+        auto inner = *this;
+        auto& t = e.terms_.emplace_back();
+        if (terms_.size() == 1) {
+            t = {terms_[0].numerator, terms_[0].denominator, terms_[0].constants};
+            inner.terms_[0] = {1, 1, {}, terms_[0].weights, terms_[0].what};
+        }
+        around.inner = std::make_shared<expression const>(std::move(inner));
+        t.what = made(std::move(around));
+        return e;
+    }
+    static void write(std::string& text, written_term const& t, print_style s, bool nothing_before) {
+        bool const latex = s == print_style::latex;
+        auto const length = text.size();
+        std::string const n = std::to_string(t.numerator < 0 ? -t.numerator : t.numerator), d = std::to_string(t.denominator);
         if (t.denominator != 1)
-            text += s == print_style::latex ? "\\tfrac{" + std::to_string(n) + "}{" + std::to_string(t.denominator) + "}" + space
-                                            : std::to_string(n) + "/" + std::to_string(t.denominator) + " ";
-        else if (n != 1)
-            text += std::to_string(n) + space;
-        for (auto const& c : t.constants) text += c.in(s) + space;
-        for (auto const& w : t.weights) text += w.in(s) + space;
-        using kind = written_node::kind;
-        switch (t.what.is) {
-        case kind::name:
-            return text + t.what.before.in(s);
-        case kind::signed_name:
-            return nothing_before and text.empty() ? t.what.before.in(s)
-                                                   : text + (s == print_style::latex ? "\\left(" : "(") + t.what.before.in(s) +
-                                                         (s == print_style::latex ? "\\right)" : ")");
-        case kind::bracketed:
-            return text + t.what.before.in(s) + t.what.inner->in(s) + t.what.after.in(s);
-        case kind::marked: {
-            auto const& inner = *t.what.inner;
-            std::string const body = inner.in(s);
-            bool const bare = inner.terms.size() == 1 and inner.terms[0].is_plain() and
-                              (inner.is_name() or inner.terms[0].what.is == kind::marked or
-                               (t.what.after.terminal[0] == '|' and inner.terms[0].what.is == kind::bracketed));
-            if (bare) return text + body + t.what.after.in(s);
-            return text + (s == print_style::latex ? "\\left(" : "(") + body + (s == print_style::latex ? "\\right)" : ")") +
-                   t.what.after.in(s);
-        }
-        }
-        return text;
+            (((text += latex ? "\\tfrac{" : "") += n) += latex ? "}{" : "/") += d;
+        else if (t.numerator != 1 and t.numerator != -1)
+            text += n;
+        if (text.size() != length) text += latex ? (t.denominator != 1 ? "}\\," : "\\,") : " ";
+        for (auto const& first : {t.constants, t.weights})
+            for (auto c = first.get(); c != nullptr; c = c->next.get()) (text += c->before.in(s)) += latex ? "\\," : " ";
+        auto const& what = *t.what;
+        bool const brackets = what.is == kind::signed_name ? not nothing_before or text.size() != length
+                                                           : what.is == kind::marked and not may_be_marked(*what.inner, what.after);
+        if (brackets) text += latex ? "\\left(" : "(";
+        text += what.before.in(s);
+        if (what.inner) text += what.inner->in(s);
+        if (brackets) text += latex ? "\\right)" : ")";
+        text += what.after.in(s);
     }
+    /// Whether a mark on it needs no brackets.
+    static bool may_be_marked(expression const& e, spelled const& mark) {
+        if (e.terms_.size() != 1 or not e.terms_[0].is_plain()) return false;
+        auto const is = e.terms_[0].what->is;
+        return is == kind::name or is == kind::marked or (mark.terminal[0] == '|' and is == kind::bracketed);
+    }
+
+    std::vector<written_term> terms_{};
 };
 
 } // namespace detail

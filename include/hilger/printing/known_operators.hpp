@@ -84,16 +84,17 @@ std::vector<known_operator> const& known_operators() {
     return all;
 }
 
-/// An operator that equals a known one up to a rational factor.
+/// f under the operator of this print, as one of those that are known, up to a rational factor; none where it is no such.
+inline std::optional<expression> as_known(fingerprint const& print, std::vector<known_operator> const& all, expression const& f) {
+    for (auto const& known : all)
+        if (auto const c = times(print, known.print)) return known.write(f).times(c->numerator, c->denominator);
+    return std::nullopt;
+}
 template <bool Uniform, class A>
 std::optional<expression> as_known(A const& a, expression const& f) {
-    if constexpr (has_residues<A>) {
-        auto const& all = known_operators<Uniform, typename A::from, typename A::to>();
-        if (all.empty()) return std::nullopt;
-        auto const print = fingerprint_of<Uniform>(a);
-        for (auto const& known : all)
-            if (auto const c = times(print, known.print)) return known.write(f).times(c->numerator, c->denominator);
-    }
+    if constexpr (has_residues<A>)
+        if (auto const& all = known_operators<Uniform, typename A::from, typename A::to>(); not all.empty())
+            return as_known(fingerprint_of<Uniform>(a), all, f);
     return std::nullopt;
 }
 

@@ -29,14 +29,8 @@ inline expression extended(expression const& f, spelled const& circle) { return 
 /// f at the points of Base alone. What was extended to them by zero is itself there, and nothing elsewhere.
 template <class Base>
 expression restricted_to_points(expression const& f, Base const& base) {
-    auto const zero_extended = [](expression const& e) {
-        return e.terms.size() == 1 and e.terms[0].weights.empty() and e.terms[0].what.is == written_node::kind::bracketed and
-               e.terms[0].what.before.terminal.starts_with("ι");
-    };
-    if (zero_extended(f)) {
-        bool const same = f.terms[0].what.before.terminal == "ι" + foot(base).terminal + "[";
-        return same ? f.without_brackets() : expression{};
-    }
+    if (std::string const bracket = f.bracket(); bracket.starts_with("ι"))
+        return bracket == "ι" + foot(base).terminal + "[" ? f.without_brackets() : expression{};
     domain<Base> const here{base};
     return f.marked({"|" + written_domain(here, print_style::terminal), "|_{" + written_domain(here, print_style::latex) + "}"});
 }
