@@ -107,7 +107,6 @@ public:
         }
         /// d_ = f(t) - internal force at the next point of the history, which takes u or not.
         void force(newmark_flow const& f, S const& t, V const& u, V const& increment, bool taken) {
-            detail::tally<S>::add(detail::work::force);
             load_.read(f.load_, t, not begun_, d_);
             if (s::dimension(d_) != s::dimension(u))
                 error::raise<error::mismatch>("a load has one component for each degree of freedom, and this one has ", s::dimension(d_),
@@ -159,12 +158,6 @@ public:
         return v;
     }
     [[nodiscard]] Structure const& structure() const { return structure_; }
-    /// The same scheme with numbers of another type; the load has to take them.
-    template <class To>
-    [[nodiscard]] auto in_numbers() const {
-        auto structure = structure_.template in_numbers<To>();
-        return newmark_flow<G, decltype(structure), Load, Beta, Policy>(std::move(structure), load_, policy_);
-    }
 
 private:
     Structure structure_;

@@ -41,19 +41,6 @@ struct zener_structure {
             error::raise<error::invalid_parameter>("the order of a fractional Zener material lies in ]0, 1], and this one is ", alpha);
     }
 
-    /// The same with numbers of another type.
-    template <class To>
-    [[nodiscard]] auto in_numbers() const {
-        using detail::number_in;
-        return zener_structure<decltype(number_in<To>(mass)), decltype(number_in<To>(relaxation_time)), decltype(number_in<To>(order))>{
-            number_in<To>(mass),
-            number_in<To>(stiffness),
-            number_in<To>(relaxed_modulus),
-            number_in<To>(unrelaxed_modulus),
-            number_in<To>(relaxation_time),
-            number_in<To>(order)};
-    }
-
     template <generating_function G, class Policy, class S, class V>
     class response {
         using m = detail::matrices<V>;
