@@ -58,17 +58,13 @@ public:
     }
 
     /// False where it is singular to rounding.
-    bool factorize() {
-        tally<S>::add(work::factorization);
-        return factorized_ = makes_factors();
-    }
+    bool factorize() { return factorized_ = makes_factors(); }
     /// Since the entries were set.
     [[nodiscard]] bool is_factorized() const { return factorized_ and (how_ != solver::sparse or sparse_factors_); }
     /// x in K x = r, with the factors.
     template <class X>
     void solve(X& x) const {
         if (how_ == solver::diagonal) return solve(x, x);
-        tally<S>::add(work::solve);
         if (how_ == solver::elimination)
             few_.solve(x);
         else
@@ -79,7 +75,6 @@ public:
     template <class R, class X>
     void solve(R const& r, X& x) const {
         if (how_ == solver::diagonal) {
-            tally<S>::add(work::solve);
             for (int k = 0; k < d_; ++k) x(k) = r(k) * weight_(k);
         } else {
             x = r;
