@@ -19,8 +19,6 @@ struct requirements {
     double sines = 0, cosines = 0;
     index_type state_bytes = 0;        ///< t, q, p
     index_type memory_bytes = 0;       ///< every number beside them: first guesses, coefficients, room for vectors, histories
-    index_type histories = 0;          ///< components with a history
-    index_type history_bytes = 0;      ///< of memory_bytes, in engines of histories
     double growth_in_bytes = 0;        ///< of memory_bytes
     std::optional<double> allocations; ///< where somebody counts them
 };
@@ -102,10 +100,6 @@ requirements requirements_of(Path const& path, index_type steps = 16, Allocation
         r.sines = per_step(n.sines);
         r.cosines = per_step(n.cosines);
         constexpr index_type size = sizeof(double);
-        if constexpr (requires { at.remembered().histories(); }) {
-            r.histories = at.remembered().histories();
-            r.history_bytes = size * static_cast<index_type>(at.remembered().history_bytes() / sizeof(counted));
-        }
         r.state_bytes = size * (1 + 2 * d);
         r.memory_bytes = size * static_cast<index_type>(after - others) - r.state_bytes;
         r.growth_in_bytes = per_step(size * (after - before));

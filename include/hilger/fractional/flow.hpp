@@ -73,20 +73,6 @@ public:
             history_.add_force(force, back);
             return force;
         }
-        /// The number of values that each damped component keeps, of such components, of those that have a history - none where the order
-        /// is whole - and the bytes that it takes; of all terms together.
-        [[nodiscard]] index_type values_kept() const {
-            return total([](auto const& on) { return on.values_kept(); });
-        }
-        [[nodiscard]] index_type damped_components() const {
-            return total([](auto const& on) { return index_type{on.count()}; });
-        }
-        [[nodiscard]] index_type histories() const {
-            return total([](auto const& on) { return on.histories(); });
-        }
-        [[nodiscard]] std::size_t history_bytes() const {
-            return static_cast<std::size_t>(total([](auto const& on) { return static_cast<index_type>(on.history_bytes()); }));
-        }
 
     private:
         /// What fails leaves x as it was.
@@ -98,12 +84,6 @@ public:
                 if (not done) x = before;
             }
         };
-        template <class Number>
-        index_type total(Number const& number) const {
-            index_type sum = 0;
-            history_.for_each([&](auto const& on) { sum += number(on); });
-            return sum;
-        }
         /// In place: a copy that is stepped would have to wait until what was just written can be read as a whole.
         void move(damped_flow const& f, state<S, V>& x) {
             before_ = x;

@@ -79,11 +79,6 @@ public:
             sum_q_.visit(each);
             sum_p_.visit(each);
         }
-        /// The number of components that keep a history.
-        [[nodiscard]] index_type damped_components() const { return response_.damped_components(); }
-        /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
-        [[nodiscard]] index_type histories() const { return response_.history().histories(); }
-        [[nodiscard]] std::size_t history_bytes() const { return response_.history().bytes(); }
 
     private:
         void move(newmark_flow const& f, state<S, V>& x) {

@@ -140,9 +140,6 @@ struct fractional_structure {
         void visit(Visit& each) {
             if (not damped_.empty()) history_.visit(each);
         }
-        /// The number of components that keep a history.
-        [[nodiscard]] index_type damped_components() const { return static_cast<index_type>(damped_.size()); }
-        [[nodiscard]] auto const& history() const { return history_; }
 
     private:
         void take(V const& u) {

@@ -86,10 +86,6 @@ struct zener_structure {
             detail::memory::visit_components("jump", jump_, each);
             detail::memory::visit_components("anelastic", anelastic_, each);
         }
-        [[nodiscard]] index_type damped_components() const { return detail::shape<V>::dimension(zero_); }
-        [[nodiscard]] auto const& history() const { return history_; }
-        /// q_a at the point reached last.
-        [[nodiscard]] V const& anelastic() const { return anelastic_; }
 
     private:
         detail::fractional_memory<G, order_type, Policy, S, V> history_;
