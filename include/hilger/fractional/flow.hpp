@@ -61,9 +61,7 @@ public:
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(damped_flow const& f, Visit& each) {
-            int begun = begun_ ? 1 : 0;
-            each("begun", begun);
-            begun_ = begun != 0;
+            each("begun", begun_);
             history_.visit(each);
             step_.visit(f.undamped_, each);
         }

@@ -71,9 +71,7 @@ public:
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(newmark_flow const&, Visit& each) {
-            int begun = begun_ ? 1 : 0;
-            each("begun", begun);
-            begun_ = begun != 0;
+            each("begun", begun_);
             response_.visit(each);
             detail::memory::visit_components("force", r_, each);
             sum_q_.visit(each);

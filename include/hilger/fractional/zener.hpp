@@ -79,9 +79,7 @@ struct zener_structure {
         /// Everything that later forces depend on, for checkpoints.
         template <class Visit>
         void visit(Visit& each) {
-            int first = first_ ? 1 : 0;
-            each("first", first);
-            first_ = first != 0;
+            each("first", first_);
             history_.visit(each);
             detail::memory::visit_components("jump", jump_, each);
             detail::memory::visit_components("anelastic", anelastic_, each);

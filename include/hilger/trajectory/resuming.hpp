@@ -78,7 +78,9 @@ struct line_reader {
         std::string const begin = std::string(label).append(" "), expected = std::string("'").append(label) + "' and a number";
         std::string const word = next(expected, begin).substr(begin.size());
         try {
-            if constexpr (std::is_integral_v<X>) {
+            if constexpr (std::same_as<X, bool>)
+                x = number_from<double>(word) != 0;
+            else if constexpr (std::is_integral_v<X>) {
                 auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
                 if (error != std::errc{} or end != word.data() + word.size()) throw std::invalid_argument(word);
             } else {
