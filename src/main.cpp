@@ -13,7 +13,6 @@
 #include "hilger/version.hpp"
 #include "papers.hpp"
 #include "prove.hpp"
-#include "scenes/cost.hpp"
 #include "scenes/ensemble.hpp"
 #include "scenes/run.hpp"
 #include "scenes/trade.hpp"
@@ -50,10 +49,6 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
 
     auto* scenes = app.add_subcommand("scenes", "list the scenes: what can be run");
-    bool cost = false;
-    std::string costed;
-    auto* cost_flag = scenes->add_flag("--cost", cost, "print what a step of each computes, solves and keeps");
-    scenes->add_option("scene", costed, "of one of them, or of a file, my.toml")->needs(cost_flag);
     program::run_options run;
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
     run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
@@ -88,8 +83,7 @@ int main(int argc, char** argv) {
 
     CLI11_PARSE(app, argc, argv);
     try {
-        if (*scenes and not cost) program::list_scenes(std::cout);
-        if (*scenes and cost) program::list_costs(std::cout, costed);
+        if (*scenes) program::list_scenes(std::cout);
         if (*run_command) return run.ensemble.empty() ? program::run_scene(run) : program::run_ensemble(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);

@@ -3,12 +3,11 @@
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
   engine/methods/two_sided.cpp)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
-# Counting takes no time, nor do scales of one step, proofs in rationals and what papers print; many digits have theirs in loops that are
+# Scales of one step take no time, nor do proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
 # what is in several files the linker takes the first, which is the program's own.
-set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp scenes/cost.cpp
-  scenes/cost_with_force.cpp scenes/cost_with_memory.cpp problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp problems/summed_walk.cpp
-  problems/stated.cpp)
+set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp
+  problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp problems/summed_walk.cpp problems/stated.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 add_executable(hilger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // What most files of the tests and of the program instantiate alike: none of this runs. clang instantiates it where the precompiled header
-// is made, and compiles it once (see precompiled.cmake). A line is worth its place where it saves more functions than it makes: numbers
-// that count, which few files use, are here for one kind of state only.
+// is made, and compiles it once (see precompiled.cmake). A line is worth its place where it saves more functions than it makes.
 #pragma once
 
 #include "../src/compiled_once.hpp"
@@ -36,7 +35,6 @@ void steps(L const& lagrangian, E const& how) {
     auto const flow = embed(lagrangian, how);
     walk(flow.along(T, q, p));
     if constexpr (std::same_as<V, double>) {
-        std::cout << requirements_row{"", requirements_of(flow.along(T, q, p))};
         CHECK(symplecticity_error(jacobian_of_step(flow, state<S, V>{0, q, p}, S(1))) < 1);
         CHECK(drift_along(flow.along(T, q, p), energy(lagrangian)).largest < 1);
     }

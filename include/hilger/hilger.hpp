@@ -59,4 +59,3 @@
 #include "hilger/trajectory/diagnostics.hpp"
 #include "hilger/trajectory/events.hpp"
 #include "hilger/trajectory/recording.hpp"
-#include "hilger/trajectory/requirements.hpp"

@@ -138,24 +138,6 @@ template <int P, int Q>
     requires(Q > 0)
 using reduced = fraction<P / std::gcd(P, Q), Q / std::gcd(P, Q)>;
 
-namespace detail {
-
-/// What a step is made of, besides arithmetic.
-enum class work { force, newton_round, solve, factorization };
-
-/// What is told of the work while it is done: nothing, and no instruction, except by scalars that count (hilger/trajectory/counted.hpp).
-template <class S>
-struct tally {
-    HILGER_ALWAYS_INLINE static constexpr void add(work) {}
-    /// A second derivative of L is read.
-    HILGER_ALWAYS_INLINE static constexpr S const& second(S const& x) { return x; }
-    /// A small K x = r is solved.
-    template <class Matrix>
-    HILGER_ALWAYS_INLINE static constexpr void small_solve(Matrix const&) {}
-};
-
-} // namespace detail
-
 /// A constant known only at run time.
 template <class C>
 struct run_time {

@@ -86,13 +86,9 @@ void sums(rows& all, index_type N) {
 /// The energy v^2/2 + q^2/2 of the oscillator after so many mid-point steps, which keep it: what is left is rounding.
 template <class Flow>
 double drift(Flow const& flow, index_type N) {
-    double q = 0, p = 0;
-    for (auto const& x : flow.along(uniform(0.0, 0.0625, N), 0.75, 0.5)) {
-        q = x.q;
-        p = x.p;
-    }
+    auto const end = last_of(flow.along(uniform(0.0, 0.0625, N), 0.75, 0.5));
     float50 const start = float50(0.75) * 0.75 + 0.25;
-    return in_epsilons(1.0, float50((float50(q) * q + float50(p) * p) / start));
+    return in_epsilons(1.0, float50((float50(end.q) * end.q + float50(end.p) * end.p) / start));
 }
 
 } // namespace

@@ -14,10 +14,6 @@ using namespace hilger;
 using hilger::index_type;
 using plane = Eigen::Vector2d;
 
-template <class Range>
-void walk(Range const& range) {
-    for (auto const& x : range) (void)x;
-}
 using bad = error::not_finite;
 
 void flows(rows& all, std::string const& name, double x) {

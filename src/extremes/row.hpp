@@ -53,6 +53,18 @@ row kept(std::string what, double error, double bound, std::string const& unit =
 /// Something that is true or not.
 row holds(std::string what, std::string promised, bool true_, std::string measured = "");
 
+/// Makes all states of a path, for what that throws.
+template <class Path>
+void walk(Path const& path) {
+    for (auto const& x : path) (void)x;
+}
+template <class Path>
+auto last_of(Path const& path) {
+    auto last = *path.begin();
+    for (auto const& x : path) last = x;
+    return last;
+}
+
 /// |x - exact| in epsilons of x's scalar, relative to `size` (or to |exact|).
 template <class S, class Wide>
 double in_epsilons(S const& x, Wide const& exact, Wide const& size) {

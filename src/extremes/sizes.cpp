@@ -16,8 +16,7 @@ using space = Eigen::Vector3d;
 /// Whether two runs end in the same bits, once `unit` is divided out of the one's positions and `mass` out of its momenta.
 template <class Path>
 auto end_of(Path const& path, double unit, double mass) {
-    auto x = *path.begin();
-    for (auto const& y : path) x = y;
+    auto x = last_of(path);
     x.q = x.q / unit;
     x.p = x.p / mass;
     return x;

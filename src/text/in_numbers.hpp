@@ -79,13 +79,11 @@ S lambda_of_step(embedding_formula const& e, std::optional<S> const& h) {
 #define HILGER_FORMULAS_AS(T)                                                                                                              \
     template class hilger::text::detail::evaluator<T>;                                                                                     \
     template T hilger::text::stated::evaluate(T const&, components_view<T>, components_view<T>, bool) const;
-#define HILGER_FORMULAS_IN(S)                                                                                                              \
+#define HILGER_TEXT_IN(S)                                                                                                                  \
     HILGER_FORMULAS_AS(S)                                                                                                                  \
     HILGER_FORMULAS_AS(hilger::traced<S>)                                                                                                  \
     template std::optional<S> hilger::text::number_in(std::string_view);                                                                   \
     template S hilger::text::stated::number<S>() const;                                                                                    \
-    template std::vector<S> hilger::text::switching_times(std::vector<stated> const&, S const&, S const&);
-#define HILGER_TEXT_IN(S)                                                                                                                  \
-    HILGER_FORMULAS_IN(S)                                                                                                                  \
+    template std::vector<S> hilger::text::switching_times(std::vector<stated> const&, S const&, S const&);                                 \
     template class hilger::text::operator_in_numbers<S>;                                                                                   \
     template S hilger::text::lambda_of_step(embedding_formula const&, std::optional<S> const&);

@@ -63,11 +63,9 @@ file(WRITE ${out}/rows/two.csv "${damaged}")
 hilger_says("is not what it was when its run was interrupted" run two.toml --out rows)
 file(WRITE ${out}/rows/two.csv "${rows}")
 hilger_says("continued at step 5.*Written" run two.toml --out rows)
-# Two columns of one name; what few steps cost with a memory.
+# Two columns of one name; a budget that is none.
 file(WRITE ${out}/columns.toml "lagrangian = 'v^2/2 + w^2/2'\ncoordinates = ['q', 'p_q']\nvelocities = ['v', 'w']\ninterval = [0, 1]\nsteps = 5\ninitial = { q = 1, p_q = 1, v = 0, w = 0 }\n")
 foreach(number IN ITEMS nan -1 0)
   hilger_says("--budget: a positive number is wanted, as 0.5 or 1e-3, and here is ${number}" trade few.toml --budget ${number} --out rows)
 endforeach()
 hilger_says("two columns of the rows would be called 'p_q'" run columns.toml --out rows)
-file(WRITE ${out}/few.toml "lagrangian = 'v^2/2 - q^2/2'\ndamping = [ { rho = 0.1, alpha = 0.5 } ]\n${rest}")
-hilger_says("mid-point +[0-9]" scenes few.toml --cost)

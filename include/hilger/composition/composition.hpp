@@ -179,23 +179,18 @@ private:
 };
 
 /// The flows over the parts of each step, in turns: flow 1 over c_1 h, flow 2 over c_2 h, ..., flow 1 again when all had their turn.
-template <parts_of_a_step Parts, class... Flows>
-    requires(sizeof...(Flows) > 0 and not(detail::has_history<Flows> or ...) and (detail::has_a_problem<Flows> and ...))
-constexpr auto compose(Parts const& parts, Flows const&... flows) { return composed_flow<Parts, Flows...>(parts, flows...); }
-
 template <parts_of_a_step Parts, class First, class... Flows>
-    requires(detail::has_history<First> or (detail::has_history<Flows> or ...))
-constexpr auto compose(Parts const&, First const& f, Flows const&...) {
-    static_assert(sizeof(First) == 0, "flows with a history (fractional damping, Newmark) walk steps of one length from their first point "
-                                      "on: they are not composed of parts of a step");
-    return f;
-}
-template <parts_of_a_step Parts, class First, class... Flows>
-    requires(not(detail::has_history<First> or (detail::has_history<Flows> or ...)) and
-             not(detail::has_a_problem<First> and (detail::has_a_problem<Flows> and ...)))
-constexpr auto compose(Parts const&, First const& f, Flows const&...) {
-    static_assert(sizeof(First) == 0, "what is composed are flows, as embed(L, mid_point), and not Lagrangians or embeddings");
-    return f;
+constexpr auto compose(Parts const& parts, First const& f, Flows const&... flows) {
+    constexpr bool remembers = detail::has_history<First> or (detail::has_history<Flows> or ...),
+                   are_flows = detail::has_a_problem<First> and (detail::has_a_problem<Flows> and ...);
+    static_assert(not remembers,
+                  "flows with a history (fractional damping, Newmark) walk steps of one length from their first point on: they "
+                  "are not composed of parts of a step");
+    static_assert(are_flows or remembers, "what is composed are flows, as embed(L, mid_point), and not Lagrangians or embeddings");
+    if constexpr (are_flows and not remembers)
+        return composed_flow<Parts, First, Flows...>(parts, f, flows...);
+    else
+        return f;
 }
 /// Refused: numbers that are known at run time.
 template <class S, std::size_t N, class First, class... Flows>

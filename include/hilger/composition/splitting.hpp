@@ -123,9 +123,7 @@ public:
     void visit(Flow const& f, Visit& each) {
         each("step", h_);
         prepare(f, h_);
-        int known = known_ ? 1 : 0;
-        each("known", known);
-        known_ = known != 0;
+        each("known", known_);
         for (std::size_t k = 0; k < size_of(last_); ++k) each("position", component(last_, k));
         for (std::size_t k = 0; k < size_of(g_); ++k) each("force", component(g_, k));
         sum_q_.visit(each);

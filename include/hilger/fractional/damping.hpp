@@ -96,10 +96,6 @@ public:
     [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
     [[nodiscard]] memory& history() { return history_; }
     [[nodiscard]] memory const& history() const { return history_; }
-    /// The number of values that each of them keeps, those that have a history, and its bytes.
-    [[nodiscard]] index_type values_kept() const { return count() == 0 ? 0 : history_.kept(); }
-    [[nodiscard]] index_type histories() const { return history_.histories(); }
-    [[nodiscard]] std::size_t history_bytes() const { return history_.bytes(); }
     [[nodiscard]] bool needs_velocity() const { return count() > 0 and history_.needs_velocity(); }
     /// Everything that later derivatives depend on, for checkpoints.
     template <class Visit>

@@ -61,9 +61,7 @@ public:
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(damped_flow const& f, Visit& each) {
-            int begun = begun_ ? 1 : 0;
-            each("begun", begun);
-            begun_ = begun != 0;
+            each("begun", begun_);
             history_.visit(each);
             step_.visit(f.undamped_, each);
         }
@@ -72,20 +70,6 @@ public:
             V force = zero_like(before_.q);
             history_.add_force(force, back);
             return force;
-        }
-        /// The number of values that each damped component keeps, of such components, of those that have a history - none where the order
-        /// is whole - and the bytes that it takes; of all terms together.
-        [[nodiscard]] index_type values_kept() const {
-            return total([](auto const& on) { return on.values_kept(); });
-        }
-        [[nodiscard]] index_type damped_components() const {
-            return total([](auto const& on) { return index_type{on.count()}; });
-        }
-        [[nodiscard]] index_type histories() const {
-            return total([](auto const& on) { return on.histories(); });
-        }
-        [[nodiscard]] std::size_t history_bytes() const {
-            return static_cast<std::size_t>(total([](auto const& on) { return static_cast<index_type>(on.history_bytes()); }));
         }
 
     private:
@@ -98,12 +82,6 @@ public:
                 if (not done) x = before;
             }
         };
-        template <class Number>
-        index_type total(Number const& number) const {
-            index_type sum = 0;
-            history_.for_each([&](auto const& on) { sum += number(on); });
-            return sum;
-        }
         /// In place: a copy that is stepped would have to wait until what was just written can be read as a whole.
         void move(damped_flow const& f, state<S, V>& x) {
             before_ = x;

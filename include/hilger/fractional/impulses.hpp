@@ -34,39 +34,48 @@ struct impulse_options {
 
 namespace detail {
 
-/// h rho (Delta q)_k along one trajectory, for the components that have a rho, and whether it stays within bounds.
+/// h rho (Delta q)_k along one trajectory of states V with steps h, for the components that have a rho, and whether it stays within bounds.
 template <class Damping, class S, class V>
-class damping_impulse {
+class damping_impulses {
     using on = damped_components<Damping, S, V>;
     using kept = typename on::kept;
     using s = shape<kept>;
 
 public:
-    damping_impulse(Damping const& d, S const& h, damping_at at, V const& like)
-        : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_), at_(at), h_(h) {}
-    [[nodiscard]] on const& components() const { return on_; }
-    void begin(V const& q0, V const& v0) {
+    using extra = no_step_force;
+    template <class Reading>
+    damping_impulses(Reading const& of, S const& h, V const& like)
+        : on_(of.damping, h, like), rho_(on_.coefficients(of.damping)), now_(zero_like(rho_)), before_(now_), impulse_(now_), began_(now_),
+          at_(of.at), h_(h) {}
+    [[nodiscard]] extra extra_force(V const&) const { return {}; }
+    [[nodiscard]] bool needs_velocity() const { return on_.needs_velocity(); }
+    void begin(state<S, V> const& x, V const& v0) {
         if (on_.count() == 0) return;
         kept const velocity = on_.of(v0);
-        on_.history().begin(on_.of(q0), velocity);
-        take(q0);
+        on_.history().begin(on_.of(x.q), velocity);
+        take(x.q);
         before_ = now_;
     }
-    /// @throws error::not_finite where impulses alternate and grow
-    void arrive(V const& q) {
-        if (on_.count() == 0) return;
-        std::swap(before_, now_);
-        take(q);
-        watch();
+    void before_step(state<S, V>& x, extra const&) {
+        if (at_ != damping_at::end) damp(x.p);
     }
-    /// Everything that later impulses depend on, for checkpoints.
+    /// @throws error::not_finite, also where impulses alternate and grow
+    void after_step(state<S, V>& x) {
+        if (on_.count() > 0) {
+            std::swap(before_, now_);
+            take(x.q);
+            watch();
+        }
+        if (at_ == damping_at::start) return; // the next step looks at what comes out
+        damp(x.p);
+        if (not all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
+    }
+    /// Everything that later steps depend on, for checkpoints.
     template <class Visit>
     void visit(Visit& each) {
         on_.visit(each);
         for (kept* x : {&now_, &before_, &impulse_, &began_}) memory::visit_components("impulse", *x, each);
     }
-    /// p less the impulse at the point that was arrived at last.
-    void damp(V& p) const { on_.add(p, S(-1), impulse_); }
     void add_force(V& f, bool back) const {
         for (int k = 0; k < on_.count(); ++k) {
             S& to = shape<V>::component(f, on_.at(k));
@@ -75,6 +84,8 @@ public:
     }
 
 private:
+    /// p less the impulse at the point that was arrived at last.
+    void damp(V& p) const { on_.add(p, S(-1), impulse_); }
     void take(V const& q) {
         now_ = on_.history().arrive(on_.of(q));
         S const length = at_ == damping_at::both ? S(h_ / S(2)) : h_;
@@ -110,40 +121,8 @@ struct impulses_at_points {
     Damping damping;
     damping_at at;
 
-    /// Along one trajectory of states V with steps h.
     template <class S, class V>
-    class history {
-    public:
-        using extra = detail::no_step_force;
-        history(impulses_at_points const& of, S const& h, V const& like) : impulse_(of.damping, h, of.at, like), at_(of.at) {}
-        [[nodiscard]] extra extra_force(V const&) const { return {}; }
-        [[nodiscard]] bool needs_velocity() const { return impulse_.components().needs_velocity(); }
-        void begin(state<S, V> const& x, V const& v0) { impulse_.begin(x.q, v0); }
-        void before_step(state<S, V>& x, extra const&) {
-            if (at_ != damping_at::end) impulse_.damp(x.p);
-        }
-        /// @throws error::not_finite, also where impulses alternate and grow
-        void after_step(state<S, V>& x) {
-            impulse_.arrive(x.q);
-            if (at_ == damping_at::start) return; // the next step looks at what comes out
-            impulse_.damp(x.p);
-            if (not detail::all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
-        }
-        /// Everything that later steps depend on, for checkpoints.
-        template <class Visit>
-        void visit(Visit& each) {
-            impulse_.visit(each);
-        }
-        void add_force(V& force, bool back) const { impulse_.add_force(force, back); }
-        template <class What>
-        void for_each(What const& what) const {
-            what(impulse_.components());
-        }
-
-    private:
-        detail::damping_impulse<Damping, S, V> impulse_;
-        damping_at at_;
-    };
+    using history = detail::damping_impulses<Damping, S, V>;
     /// @throws error::mismatch
     template <class V>
     void require_dimension(V const& q) const {

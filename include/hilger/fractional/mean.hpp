@@ -143,11 +143,6 @@ struct mean_over_step {
         void add_force(V& force, bool back) const {
             for (auto const& m : means_) m.add_force(force, back);
         }
-        /// what(components) for each term.
-        template <class What>
-        void for_each(What const& what) const {
-            for (auto const& m : means_) what(m.components());
-        }
 
     private:
         std::vector<detail::mean_damping<Damping, S, V>> means_;

@@ -106,21 +106,6 @@ public:
     [[nodiscard]] bool needs_velocity() const { return initial_ == initial_history::caputo and not(beta_ < S(1)); }
     /// h^-beta omega(0)^beta, the weight of the present value.
     [[nodiscard]] S const& present_weight() const { return scale_; }
-    /// The number of values that are kept.
-    [[nodiscard]] index_type kept() const {
-        if (engine_) return engine_->count();
-        return difference::terms;
-    }
-    /// The number of components with a history: none where the order is whole.
-    [[nodiscard]] index_type histories() const {
-        if (engine_) return shape<V>::dimension(last_);
-        return 0;
-    }
-    /// What their engine takes. The few values of the whole part are not counted.
-    [[nodiscard]] std::size_t bytes() const {
-        if (engine_) return engine_->bytes();
-        return 0;
-    }
     void begin(V const& x0, V const& v0) {
         if (initial_ == initial_history::riemann_liouville) return;
         start_ = x0;

@@ -71,19 +71,12 @@ public:
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(newmark_flow const&, Visit& each) {
-            int begun = begun_ ? 1 : 0;
-            each("begun", begun);
-            begun_ = begun != 0;
+            each("begun", begun_);
             response_.visit(each);
             detail::memory::visit_components("force", r_, each);
             sum_q_.visit(each);
             sum_p_.visit(each);
         }
-        /// The number of components that keep a history.
-        [[nodiscard]] index_type damped_components() const { return response_.damped_components(); }
-        /// Those of them that have a history - none where the order is whole - and the bytes that it takes.
-        [[nodiscard]] index_type histories() const { return response_.history().histories(); }
-        [[nodiscard]] std::size_t history_bytes() const { return response_.history().bytes(); }
 
     private:
         void move(newmark_flow const& f, state<S, V>& x) {
@@ -107,7 +100,6 @@ public:
         }
         /// d_ = f(t) - internal force at the next point of the history, which takes u or not.
         void force(newmark_flow const& f, S const& t, V const& u, V const& increment, bool taken) {
-            detail::tally<S>::add(detail::work::force);
             load_.read(f.load_, t, not begun_, d_);
             if (s::dimension(d_) != s::dimension(u))
                 error::raise<error::mismatch>("a load has one component for each degree of freedom, and this one has ", s::dimension(d_),
@@ -159,12 +151,6 @@ public:
         return v;
     }
     [[nodiscard]] Structure const& structure() const { return structure_; }
-    /// The same scheme with numbers of another type; the load has to take them.
-    template <class To>
-    [[nodiscard]] auto in_numbers() const {
-        auto structure = structure_.template in_numbers<To>();
-        return newmark_flow<G, decltype(structure), Load, Beta, Policy>(std::move(structure), load_, policy_);
-    }
 
 private:
     Structure structure_;

@@ -36,13 +36,11 @@ template <class B>
 class factorized {
 public:
     factorized(B const& a, char const* what) : lu_(a) {
-        tally<typename B::Scalar>::add(work::factorization);
         if (not is_regular(lu_)) error::raise<error::singular>(what, " is singular");
     }
     /// x = A^-1 b; the two are different objects.
     template <class V>
     void solve(V const& b, V& x) const {
-        tally<typename B::Scalar>::add(work::solve);
         x = lu_.solve(b);
     }
 
@@ -69,16 +67,6 @@ index_type rows_of(B const& b) {
         return b.rows() == b.cols() ? b.rows() : -1;
     else
         return 1;
-}
-/// A number, a matrix or an order in another scalar.
-template <class To, class X>
-auto number_in(X const& x) {
-    if constexpr (is_fraction<X>)
-        return x;
-    else if constexpr (requires { x.rows(); })
-        return x.template cast<To>().eval();
-    else
-        return To(x);
 }
 /// @throws error::mismatch, error::not_finite
 template <class B, class... More>
@@ -109,15 +97,6 @@ struct fractional_structure {
         detail::require_positive(relaxation_time, "a relaxation time");
         (void)detail::checked_order(order);
     }
-    /// The same with numbers of another type.
-    template <class To>
-    [[nodiscard]] auto in_numbers() const {
-        using detail::number_in;
-        return fractional_structure<decltype(number_in<To>(mass)), decltype(number_in<To>(relaxation_time)),
-                                    decltype(number_in<To>(order))>{number_in<To>(mass), number_in<To>(damping), number_in<To>(stiffness),
-                                                                    number_in<To>(relaxation_time), number_in<To>(order)};
-    }
-
     /// Along one trajectory of displacements V with steps h.
     template <generating_function G, class Policy, class S, class V>
     class response {
@@ -161,9 +140,6 @@ struct fractional_structure {
         void visit(Visit& each) {
             if (not damped_.empty()) history_.visit(each);
         }
-        /// The number of components that keep a history.
-        [[nodiscard]] index_type damped_components() const { return static_cast<index_type>(damped_.size()); }
-        [[nodiscard]] auto const& history() const { return history_; }
 
     private:
         void take(V const& u) {

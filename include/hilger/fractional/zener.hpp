@@ -41,19 +41,6 @@ struct zener_structure {
             error::raise<error::invalid_parameter>("the order of a fractional Zener material lies in ]0, 1], and this one is ", alpha);
     }
 
-    /// The same with numbers of another type.
-    template <class To>
-    [[nodiscard]] auto in_numbers() const {
-        using detail::number_in;
-        return zener_structure<decltype(number_in<To>(mass)), decltype(number_in<To>(relaxation_time)), decltype(number_in<To>(order))>{
-            number_in<To>(mass),
-            number_in<To>(stiffness),
-            number_in<To>(relaxed_modulus),
-            number_in<To>(unrelaxed_modulus),
-            number_in<To>(relaxation_time),
-            number_in<To>(order)};
-    }
-
     template <generating_function G, class Policy, class S, class V>
     class response {
         using m = detail::matrices<V>;
@@ -92,17 +79,11 @@ struct zener_structure {
         /// Everything that later forces depend on, for checkpoints.
         template <class Visit>
         void visit(Visit& each) {
-            int first = first_ ? 1 : 0;
-            each("first", first);
-            first_ = first != 0;
+            each("first", first_);
             history_.visit(each);
             detail::memory::visit_components("jump", jump_, each);
             detail::memory::visit_components("anelastic", anelastic_, each);
         }
-        [[nodiscard]] index_type damped_components() const { return detail::shape<V>::dimension(zero_); }
-        [[nodiscard]] auto const& history() const { return history_; }
-        /// q_a at the point reached last.
-        [[nodiscard]] V const& anelastic() const { return anelastic_; }
 
     private:
         detail::fractional_memory<G, order_type, Policy, S, V> history_;

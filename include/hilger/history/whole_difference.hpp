@@ -20,9 +20,6 @@ class whole_difference {
     static_assert(P >= 2, "a generating function of derivatives vanishes at z = 1, and a constant does not");
 
 public:
-    /// The number of values before the present one that the difference reads.
-    static constexpr index_type terms = static_cast<index_type>(P + Q) - 2;
-
     explicit whole_difference(V const& like) : past_d_(P - 2, zero_like(like)), past_y_(Q - 1, zero_like(like)), y_(zero_like(like)) {
         auto const p = G::template numerator<wide>();
         auto const q = G::template denominator<wide>();

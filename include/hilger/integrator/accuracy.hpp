@@ -69,34 +69,18 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, de
     }
     return run(detail::gauss_of<S, 8>, "Galerkin, 8 Gauss nodes", 16);
 }
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 0> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 2> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 3> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 4> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 5> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, 6> const& from, detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
-template <class F, class S>
-auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Eigen::Dynamic> const& from,
-           detail::given_accuracy const& goal) {
-    return solve(L, I, from.data(), goal);
-}
+#define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
+    template <class F, class S>                                                                                                            \
+    auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Size> const& from, detail::given_accuracy const& goal) {    \
+        return solve(L, I, from.data(), goal);                                                                                             \
+    }
+HILGER_SOLVE_OF_SIZE(0)
+HILGER_SOLVE_OF_SIZE(2)
+HILGER_SOLVE_OF_SIZE(3)
+HILGER_SOLVE_OF_SIZE(4)
+HILGER_SOLVE_OF_SIZE(5)
+HILGER_SOLVE_OF_SIZE(6)
+HILGER_SOLVE_OF_SIZE(Eigen::Dynamic)
+#undef HILGER_SOLVE_OF_SIZE
 
 } // namespace hilger

@@ -87,7 +87,6 @@ public:
         return S(largest_ * std::max(most_, S(magnitude(y))));
     }
     bool linearize() {
-        for (work const each : {work::newton_round, work::solve}) tally<S>::add(each);
         K_.set_zero();
         for (int k = 0; k < n_; ++k) {
             stop_on_request(stop_, what_);

@@ -13,10 +13,6 @@ namespace hilger {
 
 namespace detail {
 
-template <class Action, class Data, class Force>
-auto solved(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force) {
-    return positions_along(equation, T, flow_of(equation, force).along(T, from));
-}
 /// Boundary values as states over times S. @throws error::mismatch, error::not_finite
 template <class S, class V>
 auto given_ends(boundary_values<V> const& ends) {
@@ -59,14 +55,6 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
     }
     put_first_guess_inside(T, x, parts);
 }
-template <class Action, int Size>
-using velocity_on = velocity_in_braces<typename Action::root_type::scalar_type, Size>;
-template <class Action, int Size>
-using momentum_on = momentum_in_braces<typename Action::root_type::scalar_type, Size>;
-template <class Action, int Size>
-using positions_on = positions_in_braces<typename Action::root_type::scalar_type, Size>;
-template <class Action, int Size>
-using ends_on = ends_in_braces<typename Action::root_type::scalar_type, Size>;
 
 } // namespace detail
 
@@ -75,20 +63,9 @@ using ends_on = ends_in_braces<typename Action::root_type::scalar_type, Size>;
 /// f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps the function
 /// lives there too.
 /// @throws as flow::along does; a failed step says where the solution ends.
-template <class Action, class V, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_velocity<V> const& from,
-           Force const& force = {}) {
-    return detail::solved(equation, T, from, force);
-}
-template <class Action, class V, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_momentum<V> const& from,
-           Force const& force = {}) {
-    return detail::solved(equation, T, from, force);
-}
-template <class Action, class V, class Force = no_force>
-auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, initial_positions<V> const& from,
-           Force const& force = {}) {
-    return detail::solved(equation, T, from, force);
+template <class Action, initial_data Data, class Force = no_force>
+auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force = {}) {
+    return detail::positions_along(equation, T, flow_of(equation, force).along(T, from));
 }
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
@@ -151,56 +128,40 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
            Force const& force = {}) {
     return solve(equation, T, ends, force, detail::straight_line{});
 }
-/// Braces have no type that a size could be read from: an overload for each size of states, 0 for numbers.
-#define HILGER_SOLVE_DATA_IN_BRACES(Size)                                                                                                  \
-    template <class Action, class Force = no_force>                                                                                        \
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::velocity_on<Action, Size> const& from, \
-               Force const& force = {}) {                                                                                                  \
-        return detail::solved(equation, T, from.data(), force);                                                                            \
-    }                                                                                                                                      \
-    template <class Action, class Force = no_force>                                                                                        \
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::momentum_on<Action, Size> const& from, \
-               Force const& force = {}) {                                                                                                  \
-        return detail::solved(equation, T, from.data(), force);                                                                            \
-    }                                                                                                                                      \
-    template <class Action, class Force = no_force>                                                                                        \
+/// Braces have no type that a size could be read from: a function for each kind of data and each size of states, 0 for numbers. `more` is a
+/// force, and between two ends a first guess.
+#define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
+    template <class Action, class... More>                                                                                                 \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
-               detail::positions_on<Action, Size> const& from, Force const& force = {}) {                                                  \
-        return detail::solved(equation, T, from.data(), force);                                                                            \
+               detail::velocity_in_braces<typename Action::root_type::scalar_type, Size> const& from, More const&... more) {               \
+        return solve(equation, T, from.data(), more...);                                                                                   \
     }                                                                                                                                      \
-    template <class Action, class Force = no_force>                                                                                        \
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
-               Force const& force = {}) {                                                                                                  \
-        return solve(equation, T, ends.data(), force);                                                                                     \
+    template <class Action, class... More>                                                                                                 \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
+               detail::momentum_in_braces<typename Action::root_type::scalar_type, Size> const& from, More const&... more) {               \
+        return solve(equation, T, from.data(), more...);                                                                                   \
     }                                                                                                                                      \
-    template <class Action, class Force, class Guess>                                                                                      \
-    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, detail::ends_on<Action, Size> const& ends,     \
-               Force const& force, Guess const& guess) {                                                                                   \
-        return solve(equation, T, ends.data(), force, guess);                                                                              \
+    template <class Action, class... More>                                                                                                 \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
+               detail::positions_in_braces<typename Action::root_type::scalar_type, Size> const& from, More const&... more) {              \
+        return solve(equation, T, from.data(), more...);                                                                                   \
+    }                                                                                                                                      \
+    template <class Action, class... More>                                                                                                 \
+    auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
+               detail::ends_in_braces<typename Action::root_type::scalar_type, Size> const& from, More const&... more) {                   \
+        return solve(equation, T, from.data(), more...);                                                                                   \
     }
-HILGER_SOLVE_DATA_IN_BRACES(0)
-HILGER_SOLVE_DATA_IN_BRACES(2)
-HILGER_SOLVE_DATA_IN_BRACES(3)
-HILGER_SOLVE_DATA_IN_BRACES(4)
-HILGER_SOLVE_DATA_IN_BRACES(5)
-HILGER_SOLVE_DATA_IN_BRACES(6)
-HILGER_SOLVE_DATA_IN_BRACES(Eigen::Dynamic)
-#undef HILGER_SOLVE_DATA_IN_BRACES
+HILGER_SOLVE_OF_SIZE(0)
+HILGER_SOLVE_OF_SIZE(2)
+HILGER_SOLVE_OF_SIZE(3)
+HILGER_SOLVE_OF_SIZE(4)
+HILGER_SOLVE_OF_SIZE(5)
+HILGER_SOLVE_OF_SIZE(6)
+HILGER_SOLVE_OF_SIZE(Eigen::Dynamic)
+#undef HILGER_SOLVE_OF_SIZE
 
 template <class Action, class Derived>
 auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::anything_in_braces const&, auto const&...) {
-    return detail::not_initial_data<Derived>();
-}
-template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::one_thing_in_braces const&, auto const&...) {
-    return detail::not_initial_data<Derived>();
-}
-template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_momentum_in_braces const&, auto const&...) {
-    return detail::not_initial_data<Derived>();
-}
-template <class Action, class Derived>
-auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detail::any_positions_in_braces const&, auto const&...) {
     return detail::not_initial_data<Derived>();
 }
 template <class Action, class Derived>

@@ -62,7 +62,6 @@ public:
 
     /// False where it is singular to rounding.
     bool factorize() {
-        tally<S>::add(work::factorization);
         if constexpr (may_be_large)
             if (how_ == solver::large) return factorized_ = large_.factorize();
         return factorized_ = how_ == solver::diagonal ? inverted() : few_.factorize();
@@ -76,7 +75,6 @@ public:
     /// x in K x = r, with the factors.
     template <class X>
     void solve(X& x) const {
-        tally<S>::add(work::solve);
         if constexpr (may_be_large)
             if (how_ == solver::large) {
                 x = large_.solution(x);

@@ -48,7 +48,6 @@ public:
     /// x in K x = r; false where K is not regular. The entries are used up.
     template <class V>
     bool solve(V& x) {
-        for (work const each : {work::factorization, work::solve}) tally<S>::add(each);
         if (pattern_ == hessian_pattern::tridiagonal) return thomas(x);
         unknown_ = x;
         if (not solve_by_factors()) return false;

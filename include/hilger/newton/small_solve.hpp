@@ -57,7 +57,6 @@ S smallest_determinant() {
 template <class S, std::size_t M, std::size_t MM>
 HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
     using std::abs;
-    tally<S>::small_solve(K);
     if constexpr (M == 1) {
         if (not is_divisor(K[0])) return false;
         r[0] = r[0] / K[0];

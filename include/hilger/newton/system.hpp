@@ -29,7 +29,6 @@ class factors_of {
 public:
     /// False where J is singular to rounding. A slope without bound has one root, at which r is zero.
     bool factorize(Jacobian&& J, V const& r) {
-        for (work const each : {work::newton_round, work::factorization}) tally<S>::add(each);
         if constexpr (shape<V>::is_scalar) {
             kept_ = J;
             return is_divisor(J) or (r == V(0) and J == J and not(J == V(0)));
@@ -43,7 +42,6 @@ public:
     }
     /// x = J^-1 r
     void solve(V const& r, V& x) const {
-        tally<S>::add(work::solve);
         if constexpr (shape<V>::is_scalar)
             x = r / kept_;
         else {

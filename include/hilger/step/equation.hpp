@@ -98,7 +98,7 @@ public:
             auto const& to = places_[at(k)][at(b)][pair_of(j, m)];
             for (std::size_t i = 0; i < to.size(); ++i) {
                 S& entry = full_matrix[to[i]];
-                S const& slope = tally<S>::second(nodes_[at(k)].value(entries[i].place));
+                S const& slope = nodes_[at(k)].value(entries[i].place);
                 if (of_slopes_alone and b != block_vv and not is_finite(slope)) continue;
                 entry = entry + c * slope;
             }
@@ -234,7 +234,7 @@ private:
             if (not nodes_[at(k)].places().constant[at(b)]) return;
             for (auto const& e : entries) {
                 S& entry = constant_part[constant_part.place(place_of(j + 1, e.row), place_of(m, e.column))];
-                entry = entry + c * tally<S>::second(nodes_[at(k)].value(e.place));
+                entry = entry + c * nodes_[at(k)].value(e.place);
             }
         });
         put_resistance(constant_part);

@@ -148,7 +148,6 @@ private:
                 return false;
             }
             correct(e_.constant_part);
-            tally<S>::add(work::newton_round);
             if (e_.is_constant) {
                 // The factors are rounded, and what that leaves of a correction leans to the same side in every step.
                 if (Compensated and round == 0) continue;
@@ -202,7 +201,6 @@ private:
             singular = not e_.full_matrix.factorize();
             if (singular) break;
             correct(e_.full_matrix);
-            tally<S>::add(work::newton_round);
             if (iteration == 0 or exact) weigh(x, e_.full_matrix);
             size = weighed_.size_of(correction_);
             if ((weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
@@ -267,7 +265,6 @@ private:
             return S(magnitude(x.p) + e_.forces() + S(e_.unknowns()) * (e_.bends() * reach + largest * magnitude(e_.moved)));
         };
         auto const linearize = [&] {
-            tally<S>::add(work::newton_round);
             e_.put_matrix(true);
             largest = e_.full_matrix.largest();
             K.emplace(e_.full_matrix); // that of other branches may have another pattern

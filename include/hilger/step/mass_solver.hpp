@@ -35,7 +35,6 @@ public:
     template <class R>
     void solve(R const& r, V& v) const {
         if constexpr (is_matrix) {
-            tally<S>::add(work::solve);
             v = factors_.solve(r);
         } else
             v = inverse_.cwiseProduct(r);

@@ -50,7 +50,6 @@ public:
     /// The same at n positions, of a callable that has a function for that.
     static constexpr bool has_forces = requires(Problem const& p, S const& t, V const* q, V* f) { p.lagrangian.forces(t, q, f, 1); };
     bool forces(Problem const& what, S const& t, V const* q, V* f, std::size_t n) {
-        for (std::size_t k = 0; k < n; ++k) tally<S>::add(work::force);
         std::uint64_t const compared = comparisons_made();
         return is_separable(what.lagrangian.forces(t, q, f, n)) and comparisons_made() == compared;
     }
@@ -248,7 +247,6 @@ public:
     }
     void solve(V const& f, V& v) const { mass_.solve(f, v); }
     bool force(what_type const& what, S const&, V const& q, V& f) {
-        tally<S>::add(work::force);
         what.lagrangian.potential().gradient(q, f, room_);
         f = -f;
         return true;

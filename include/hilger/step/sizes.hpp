@@ -71,7 +71,7 @@ public:
                     most = std::max(S(magnitude(c)), S(magnitude(whole)));
             for (auto const& e : nodes_[at(k)].places().entries[at(b)]) {
                 int const row = place_of(j + 1, e.row), column = place_of(m, e.column);
-                S const entry = tally<S>::second(nodes_[at(k)].value(e.place));
+                S const entry = nodes_[at(k)].value(e.place);
                 if (not is_constant_block)
                     other(row) = other(row) + most * magnitude(entry) * weight(column);
                 else if (row == column)

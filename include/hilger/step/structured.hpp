@@ -140,7 +140,6 @@ private:
     }
     template <class U>
     void force(U const& potential, V const& q) {
-        tally<S>::add(work::force);
         branch_watch const watch;
         potential.gradient(q, g_, room_);
         path_before_ = path_;
@@ -206,8 +205,7 @@ private:
             force(U, A_);
             kernel_.set_zero();
             mass_.put(put);
-            U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * tally<S>::second(y))); });
-            tally<S>::add(work::newton_round);
+            U.hessian(A_, [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, S(scale * y)); });
             // M v rounds; r = p - f U' - M v with the same mass that the kernel has
             residual(l, x, f_);
             next_ = r_;
@@ -245,7 +243,6 @@ private:
             return S(largest_of(x.p) * S(2) + magnitude(f) * (largest_of(g_) + bends * (largest_of(x.q) + largest_of(A_))));
         };
         auto const linearize = [&] {
-            tally<S>::add(work::newton_round);
             bends = S(0);
             U.hessian(A_, [&](index_type, index_type, S const& b) { bends = std::max(bends, S(magnitude(b))); });
             at_ = A_;
@@ -268,7 +265,7 @@ private:
         auto const put = [&](index_type j, index_type k, S const& y) { kernel_.add(j, k, y); };
         mass_.put(put);
         S const scale = share * f_ * (share * c_);
-        l.potential().hessian(at_, [&](index_type j, index_type k, S const& b) { kernel_.add(j, k, S(scale * tally<S>::second(b))); });
+        l.potential().hessian(at_, [&](index_type j, index_type k, S const& b) { kernel_.add(j, k, S(scale * b)); });
         return kernel_.solve(d);
     }
     [[nodiscard]] bool is_near_the_last(int round) const {

@@ -7,14 +7,9 @@
 //   for (auto [t, q, p] : path.resume(read_checkpoint(in, path))) ...
 #pragma once
 
-#include <charconv>
-#include <iomanip>
 #include <istream>
-#include <locale>
 #include <optional>
 #include <ostream>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "hilger/history/component.hpp"
@@ -26,82 +21,6 @@ namespace hilger {
 namespace detail {
 
 inline constexpr char const* checkpoint_version = "hilger checkpoint 2";
-
-/// Text that number_from reads back as the same number.
-template <class X>
-std::string exact_text(X const& x) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    if constexpr (std::is_floating_point_v<X>)
-        out << std::hexfloat << x;
-    else if constexpr (std::numeric_limits<X>::is_exact)
-        out << x;
-    else
-        out << std::scientific << std::setprecision(std::numeric_limits<X>::max_digits10) << x;
-    return out.str();
-}
-
-/// The number that the whole word spells. @throws std::exception when it spells none.
-template <class S>
-S number_from(std::string const& word) {
-    if constexpr (std::is_floating_point_v<S>) {
-        std::size_t used = 0;
-        auto const number = static_cast<S>(std::stold(word, &used));
-        if (used != word.size()) throw std::invalid_argument(word);
-        return number;
-    } else
-        return S(word);
-}
-
-struct checkpoint_writer {
-    std::ostream& out;
-    template <class X>
-    void operator()(char const* label, X const& x) {
-        out << label << ' ' << exact_text(x) << '\n';
-    }
-};
-
-struct checkpoint_reader {
-    std::istream& in;
-    std::string const& source;
-    int number = 0;
-    std::string line{};
-
-    /// @throws error::unreadable where the text ends
-    void next(std::string const& expected) {
-        ++number;
-        if (not std::getline(in, line))
-            error::raise<error::unreadable>("line ", number, " of ", source, " should be ", expected, ", and the text ends before it");
-        if (not line.empty() and line.back() == '\r') line.pop_back();
-    }
-    void require(std::string const& text) {
-        next("'" + text + "'");
-        if (line != text) refuse("'" + text + "'");
-    }
-    template <class X>
-    void operator()(char const* label, X& x) {
-        // Appended: g++ 12 warns of what it makes of text + std::string.
-        std::string const expected = std::string("'").append(label) + "' and a number";
-        next(expected);
-        std::istringstream words(line);
-        std::string found, word, rest;
-        if (not(words >> found >> word) or found != label or words >> rest) refuse(expected);
-        try {
-            if constexpr (std::is_integral_v<X>) {
-                auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-                if (error != std::errc{} or end != word.data() + word.size()) throw std::invalid_argument(word);
-            } else {
-                x = number_from<X>(word);
-                if (not is_finite(x)) throw std::invalid_argument(word);
-            }
-        } catch (std::exception const&) {
-            refuse(expected);
-        }
-    }
-    [[noreturn]] void refuse(std::string const& expected) const {
-        error::raise<error::unreadable>("line ", number, " of ", source, " should be ", expected, ", and is '", line, "'");
-    }
-};
 
 /// What a checkpoint is read into must have the same numbers in it; the scalar is told by its binary digits.
 template <class S, class V, class Memory, class Method, class Visit>
@@ -151,8 +70,7 @@ std::string scalar_line() {
 /// Writes a checkpoint of `path`.
 template <class Path>
 void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkpoint_type point) {
-    detail::checkpoint_writer writer{out};
-    out << detail::checkpoint_version << '\n' << detail::scalar_line<decltype(point.at.t)>() << '\n';
+    detail::line_writer writer{{detail::checkpoint_version, detail::scalar_line<decltype(point.at.t)>()}};
     detail::visit_checkpoint(point, path.method(), writer);
     auto const h = detail::telling_step(path, point.number);
     auto next = detail::step_from(path, point, h);
@@ -161,6 +79,7 @@ void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkp
         detail::memory::visit_components("leads_to_position", next->q, writer);
         detail::memory::visit_components("leads_to_momentum", next->p, writer);
     }
+    for (std::string const& line : writer.lines) out << line << '\n';
     out << "end\n";
 }
 
@@ -169,7 +88,10 @@ void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkp
 template <class Path>
 typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& path, std::string const& source = "the input") {
     auto point = path.begin().checkpoint();
-    detail::checkpoint_reader reader{in, source};
+    std::vector<std::string> lines;
+    for (std::string line; (lines.empty() or lines.back() != "end") and std::getline(in, line); lines.push_back(line))
+        if (not line.empty() and line.back() == '\r') line.pop_back();
+    detail::line_reader reader{lines, source};
     reader.require(detail::checkpoint_version);
     reader.require(detail::scalar_line<decltype(point.at.t)>());
     detail::visit_checkpoint(point, path.method(), reader);

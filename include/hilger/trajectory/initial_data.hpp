@@ -36,6 +36,20 @@ struct boundary_values {
 };
 
 namespace detail {
+template <class Data>
+inline constexpr bool starts_a_trajectory = false;
+template <class V>
+inline constexpr bool starts_a_trajectory<initial_velocity<V>> = true;
+template <class V>
+inline constexpr bool starts_a_trajectory<initial_momentum<V>> = true;
+template <class V>
+inline constexpr bool starts_a_trajectory<initial_positions<V>> = true;
+} // namespace detail
+/// One of the first three above.
+template <class Data>
+concept initial_data = detail::starts_a_trajectory<Data>;
+
+namespace detail {
 
 /// One type for two parts: numbers in the type of their sum; a vector as it is evaluated, of the length that both types say, or of a
 /// dynamic one, so that it is looked whether they have the same.
@@ -120,29 +134,15 @@ struct ends_in_braces {
     [[nodiscard]] constexpr boundary_values<V> data() const { return {q0.value, qN.value}; }
 };
 
-/// Takes what nothing above takes. Functions with these have another parameter that takes its argument by a conversion, which makes them
-/// the last choice.
+/// Takes every part that nothing above takes. A function with a list of these takes its scale by a conversion, which makes it the last
+/// choice.
 struct anything {
     template <class... X>
         requires(sizeof...(X) > 0)
     constexpr explicit(false) anything(X const&...) {}
 };
-struct one_thing_in_braces {
-    anything q0;
-};
 struct anything_in_braces {
-    anything q0;
-    anything v0;
-};
-struct any_momentum_in_braces {
-    named parts{};
-    anything q0;
-    anything p0;
-};
-struct any_positions_in_braces {
-    named parts{};
-    anything q0;
-    anything q1;
+    anything q0 = 0, v0 = 0, p0 = 0, q1 = 0;
 };
 struct any_ends_in_braces {
     named parts{};
@@ -159,25 +159,21 @@ constexpr int not_initial_data() {
     return 0;
 }
 
-/// along(T, {...}) for states of one size.
-template <class Method, int Size>
+/// along(T, {...}) for data of one kind in states of one size.
+template <class Method, template <class, int> class Data, int Size>
 struct along_in_braces {
     template <class Scale>
-    auto along(Scale const& T, velocity_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
-        return static_cast<Method const&>(*this).along(T, from.data());
-    }
-    template <class Scale>
-    auto along(Scale const& T, momentum_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
-        return static_cast<Method const&>(*this).along(T, from.data());
-    }
-    template <class Scale>
-    auto along(Scale const& T, positions_in_braces<typename Scale::root_type::scalar_type, Size> const& from) const {
+    auto along(Scale const& T, Data<typename Scale::root_type::scalar_type, Size> const& from) const {
         return static_cast<Method const&>(*this).along(T, from.data());
     }
 };
 template <class Method, int... Sizes>
-struct along_in_braces_of : along_in_braces<Method, Sizes>... {
-    using along_in_braces<Method, Sizes>::along...;
+struct along_in_braces_of : along_in_braces<Method, velocity_in_braces, Sizes>...,
+                            along_in_braces<Method, momentum_in_braces, Sizes>...,
+                            along_in_braces<Method, positions_in_braces, Sizes>... {
+    using along_in_braces<Method, velocity_in_braces, Sizes>::along...;
+    using along_in_braces<Method, momentum_in_braces, Sizes>::along...;
+    using along_in_braces<Method, positions_in_braces, Sizes>::along...;
 };
 
 } // namespace detail

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 // A walk goes on with the numbers of what was remembered, and not with what the memory knew of its problem: masses, dampings and methods of
 // one type have other numbers in another trajectory. What is remembered of the problem itself, as the force at the last point, is seen in
-// the next step.
+// the next step. A memory names its numbers in one function, visit(method, each): a trajectory that resumes takes them over as the lines of
+// text that a checkpoint has in a file (checkpoint.hpp).
 #pragma once
 
+#include <charconv>
+#include <iomanip>
+#include <locale>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -22,67 +29,99 @@ bool is_the_same(V const& start, V const& a, V const& b) {
     return not(S(square_root_of_epsilon<S>() * change + S(64) * epsilon<S>() * size) < S(magnitude(V(a - b))));
 }
 
-/// The numbers of a memory, in the order in which it shows them: written first, and read once.
+/// Text that number_from reads back as the same number.
+template <class X>
+std::string exact_text(X const& x) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    if constexpr (std::is_floating_point_v<X>)
+        out << std::hexfloat << x;
+    else if constexpr (std::numeric_limits<X>::is_exact)
+        out << x;
+    else
+        out << std::scientific << std::setprecision(std::numeric_limits<X>::max_digits10) << x;
+    return out.str();
+}
+
+/// The number that the whole word spells. @throws std::exception when it spells none.
 template <class S>
-class numbers_of_memory {
-public:
-    struct writer {
-        numbers_of_memory& to;
-        template <class X>
-        void operator()(char const*, X const& x) {
-            to.of<X>().push_back(static_cast<kept<X>>(x));
+S number_from(std::string const& word) {
+    if constexpr (std::is_floating_point_v<S>) {
+        std::size_t used = 0;
+        auto const number = static_cast<S>(std::stold(word, &used));
+        if (used != word.size()) throw std::invalid_argument(word);
+        return number;
+    } else
+        return S(word);
+}
+
+/// Writes what it visits as lines of text, `label number`.
+struct line_writer {
+    std::vector<std::string> lines{};
+    template <class X>
+    void operator()(char const* label, X const& x) {
+        lines.push_back(std::string(label).append(" ") + exact_text(x));
+    }
+};
+/// Reads into what it visits the lines that line_writer has made of it.
+struct line_reader {
+    std::vector<std::string> const& lines;
+    std::string const& source;
+    std::size_t read = 0;
+
+    /// @throws error::unreadable where the next line is another one
+    void require(std::string const& text) {
+        if (next("'" + text + "'", text) != text) refuse("'" + text + "'");
+    }
+    template <class X>
+    void operator()(char const* label, X& x) {
+        std::string const begin = std::string(label).append(" "), expected = std::string("'").append(label) + "' and a number";
+        std::string const word = next(expected, begin).substr(begin.size());
+        try {
+            if constexpr (std::same_as<X, bool>)
+                x = number_from<double>(word) != 0;
+            else if constexpr (std::is_integral_v<X>) {
+                auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+                if (error != std::errc{} or end != word.data() + word.size()) throw std::invalid_argument(word);
+            } else {
+                x = number_from<X>(word);
+                if (not is_finite(x)) throw std::invalid_argument(word);
+            }
+        } catch (std::exception const&) {
+            refuse(expected);
         }
-    };
-    struct reader {
-        numbers_of_memory& from;
-        std::size_t whole = 0, real = 0, wide = 0;
-        template <class X>
-        void operator()(char const*, X& x) {
-            std::size_t& next = std::is_integral_v<X> ? whole : std::is_same_v<X, S> ? wide : real;
-            auto const& all = from.of<X>();
-            if (next == all.size()) refuse();
-            x = static_cast<X>(all[next++]);
-        }
-        /// That all were read. @throws error::mismatch
-        void require_end() const {
-            if (whole != from.whole_.size() or real != from.real_.size() or wide != from.wide_.size()) refuse();
-        }
-    };
+    }
 
 private:
-    [[noreturn]] static void refuse() {
-        error::raise<error::mismatch>("a trajectory resumes from a checkpoint of its own method, and the one of this checkpoint remembers "
-                                      "another number of values: it had another history or order, or was made for other numbers of steps");
+    std::string const& next(std::string const& expected, std::string const& begin) {
+        if (read++ == lines.size())
+            error::raise<error::unreadable>("line ", read, " of ", source, " should be ", expected, ", and the text ends before it");
+        if (not lines[read - 1].starts_with(begin)) refuse(expected);
+        return lines[read - 1];
     }
-    template <class X>
-    using kept = std::conditional_t<std::is_integral_v<X>, long long, X>;
-    template <class X>
-    auto& of() {
-        if constexpr (std::is_integral_v<X>)
-            return whole_;
-        else if constexpr (std::is_same_v<X, S>)
-            return wide_;
-        else {
-            static_assert(std::is_same_v<X, double>, "a memory shows whole numbers, numbers of its scalar, and double");
-            return real_;
-        }
+    [[noreturn]] void refuse(std::string const& expected) const {
+        error::raise<error::unreadable>("line ", read, " of ", source, " should be ", expected, ", and is '", lines[read - 1], "'");
     }
-    std::vector<long long> whole_;
-    std::vector<double> real_;
-    std::vector<S> wide_;
 };
 
 /// What a trajectory of `method` remembers where another memory does, as far as it shows it.
 template <class S, class V, class Memory, class Method>
 Memory taken_over(Memory from, Method const& method, S const& h, V const& like) {
-    if constexpr (requires(typename numbers_of_memory<S>::writer each) { from.visit(method, each); }) {
-        numbers_of_memory<S> numbers;
-        typename numbers_of_memory<S>::writer write{numbers};
+    if constexpr (requires(line_writer each) { from.visit(method, each); }) {
+        line_writer write;
         from.visit(method, write);
         Memory own(method, h, like);
-        typename numbers_of_memory<S>::reader read{numbers};
-        own.visit(method, read);
-        read.require_end();
+        line_reader read{write.lines, "a memory"};
+        bool fits = true;
+        try {
+            own.visit(method, read);
+        } catch (error::unreadable const&) {
+            fits = false;
+        }
+        if (not fits or read.read != write.lines.size())
+            error::raise<error::mismatch>("a trajectory resumes from a checkpoint of its own method, and the one of this checkpoint "
+                                          "remembers another number of values: it had another history or order, or was made for other "
+                                          "numbers of steps");
         return own;
     } else
         return from;

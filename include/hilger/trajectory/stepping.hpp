@@ -96,21 +96,6 @@ public:
         return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
     }
     template <class Derived>
-    auto along(scale_interface<Derived> const& T, detail::one_thing_in_braces const&) const {
-        using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
-    }
-    template <class Derived>
-    auto along(scale_interface<Derived> const& T, detail::any_momentum_in_braces const&) const {
-        using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
-    }
-    template <class Derived>
-    auto along(scale_interface<Derived> const& T, detail::any_positions_in_braces const&) const {
-        using S = scalar_on<Derived>;
-        return detail::not_initial_data<Derived>(), detail::no_walk<S, S>(T);
-    }
-    template <class Derived>
     auto along(scale_interface<Derived> const& T, detail::any_ends_in_braces const&) const {
         using S = scalar_on<Derived>;
         static_assert(not std::same_as<S, S>,

@@ -206,7 +206,6 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
     block_of<V> vq = s::zero_block(d);
     for (int j = 0; j < d; ++j)
         for (int k = 0; k < d; ++k) s::entry(vq, j, k) = s::entry(e.qv, k, j);
-    tally<scalar_of<V>>::add(work::force);
     if constexpr (not std::same_as<Force, no_force>) {
         e.on = dependence{dependence::no_polynomial, dependence::no_polynomial, true};
         if constexpr (is_traced_state<V>) {
@@ -232,9 +231,6 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
             }
         }
     }
-    for (int j = 0; j < d; ++j)
-        for (int k = 0; k < d; ++k)
-            for (auto const* block : {&e.qq, &e.qv, &e.vv}) tally<scalar_of<V>>::second(s::entry(*block, j, k));
     return {std::move(e), std::move(vq)};
 }
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "runtime/trajectory/resuming.hpp"
+#include "support/requirements.hpp"
 
 namespace galerkin_traced_tests {
 
@@ -64,10 +65,12 @@ TEST_CASE("traced Galerkin steps are those of jets") {
     agrees(lagrangian_of<kind::not_quadratic>, galerkin<3, gauss>, uniform(0.0, 0.0625, 60));
 }
 TEST_CASE("with a constant mass forces alone are evaluated, and no second derivatives in the steps") {
-    auto const flow = embed(lagrangian_of<kind::constant_mass>, galerkin<3, gauss>);
+    auto const with_cosine = [](auto const& q, auto const& v) { return lagrangian_of<kind::constant_mass>(q, v) + cos(q(1)) / 4; };
+    auto const flow = embed(with_cosine, galerkin<3, gauss>);
     auto const need = requirements_of(flow.along(uniform(0.0, 0.0625, 60), dynamic(q0), dynamic(p0)));
-    CHECK(need.second_derivatives == 0);
-    CHECK(need.factorizations == 0);
+    CHECK(need.sines >= 3);
+    CHECK(need.cosines == 0);
+    CHECK(need.divisions <= 4); // factors of its 12 x 12 matrix would take more
 }
 TEST_CASE("runs of traced Galerkin steps are resumed bit for bit") {
     auto const both = [](auto const& of) {

@@ -6,10 +6,10 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/models/mechanical.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/trajectory/counted.hpp"
 #include "hilger/trajectory/dense_output.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
 #include "hilger/variational/legendre_transform.hpp"
+#include "support/counted.hpp"
 
 namespace legendre_structured_tests {
 
@@ -86,9 +86,10 @@ TEST_CASE("the slopes between states take first derivatives only, in one evaluat
 }
 
 TEST_CASE("in numbers that count: the energy is L and a product more") {
+    using testing::counted;
     using vector = Eigen::Matrix<counted, Eigen::Dynamic, 1>;
     auto const operations = [](auto const& work) {
-        auto& record = detail::record_of_operations::of_this_thread();
+        auto& record = testing::record_of_operations::of_this_thread();
         record.begin();
         counted const z = work();
         record.stop_counting();

@@ -21,7 +21,7 @@ namespace hilger {
 
 namespace detail {
 
-/// Numbers that say themselves what a compiler sees of them (hilger/trajectory/counted.hpp).
+/// Numbers that say themselves what a compiler sees of them, as those that count their operations.
 template <class S>
 concept says_what_is_constant = requires(S const& x) {
     { x.is_constant() } -> std::same_as<bool>;

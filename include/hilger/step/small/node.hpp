@@ -12,11 +12,9 @@ namespace hilger::detail {
 template <int N, class Jet>
 struct node_jet {
     Jet z;
-    using told = tally<typename Jet::scalar_type>;
     HILGER_ALWAYS_INLINE dependence on() const { return z.on; }
     template <int J>
     HILGER_ALWAYS_INLINE auto by_q() const {
-        if constexpr (J == 0) told::add(work::force);
         return z.template by<J>();
     }
     template <int J>
@@ -25,19 +23,19 @@ struct node_jet {
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto qq() const {
-        return told::second(z.template by<std::max(J, K), std::min(J, K)>());
+        return z.template by<std::max(J, K), std::min(J, K)>();
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto qv() const {
-        return told::second(z.template by<N + K, J>());
+        return z.template by<N + K, J>();
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto vq() const {
-        return told::second(z.template by<N + J, K>());
+        return z.template by<N + J, K>();
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto vv() const {
-        return told::second(z.template by<N + std::max(J, K), N + std::min(J, K)>());
+        return z.template by<N + std::max(J, K), N + std::min(J, K)>();
     }
 };
 /// The same from jets of L and of a force's components, by all of q and v.
@@ -45,7 +43,6 @@ template <int N, class Jet, class ForceJet>
 struct forced_node_jet : node_jet<N, Jet> {
     using base = node_jet<N, Jet>;
     using base::z;
-    using typename base::told;
     std::array<ForceJet, static_cast<std::size_t>(N)> force;
 
     template <class... F>
@@ -63,11 +60,11 @@ struct forced_node_jet : node_jet<N, Jet> {
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto qq() const {
-        return told::second(plus(z.template by<std::max(J, K), std::min(J, K)>(), force[J].template by<K>()));
+        return plus(z.template by<std::max(J, K), std::min(J, K)>(), force[J].template by<K>());
     }
     template <int J, int K>
     HILGER_ALWAYS_INLINE auto qv() const {
-        return told::second(plus(z.template by<N + K, J>(), force[J].template by<N + K>()));
+        return plus(z.template by<N + K, J>(), force[J].template by<N + K>());
     }
 };
 

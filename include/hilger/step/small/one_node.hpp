@@ -132,7 +132,6 @@ private:
                 singular = true; // which at rest says nothing of where the velocity is
                 break;
             }
-            if (not(at_start or at_end) or not quadratic) tally<S>::add(work::newton_round);
             if constexpr (at_start or at_end)
                 if (iteration == 0 and not quadratic) {
                     v = past_[0];

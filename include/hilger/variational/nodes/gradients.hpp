@@ -36,7 +36,6 @@ bool reads_time_in(F const& lagrangian) {
 template <class F, class Force, class S, class V>
 HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
     using s = shape<V>;
-    tally<scalar_of<V>>::add(work::force);
     dependence on{dependence::no_polynomial, dependence::no_polynomial, true};
     if constexpr (requires { what.lagrangian.gradients(t, q, v, by_q, by_v); })
         on = what.lagrangian.gradients(t, q, v, by_q, by_v);

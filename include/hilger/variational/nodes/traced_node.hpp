@@ -32,7 +32,6 @@ public:
     [[nodiscard]] S* arguments() { return values_.data(); }
     /// The same at the arguments that are there.
     bool evaluate_here(given_problem<V> const& what, S const& t, int d, wanted which) {
-        if (which != wanted::momenta_only) tally<S>::add(work::force);
         bool is_new = false;
         values_[static_cast<std::size_t>(2 * d)] = t;
         if (what.is_of_one_time and not(t == time_)) {

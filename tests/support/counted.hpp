@@ -15,13 +15,13 @@
 
 #include "hilger/history/modes.hpp"
 #include "hilger/simd.hpp"
-#include "hilger/trajectory/operation_record.hpp"
+#include "support/operation_record.hpp"
 
-namespace hilger {
+namespace hilger::testing {
 
 /// A double whose operations are counted, on the thread that makes them.
 class counted {
-    using kind = detail::operation_kind;
+    using kind = operation_kind;
 
 public:
     counted() noexcept : counted(0.0, 0) {}
@@ -38,7 +38,6 @@ public:
     [[nodiscard]] bool is_constant() const { return made_ == 0; }
     /// Says that what made this number was needed.
     void need() const { record().need(made_); }
-    void use_second() const { record().use_second(made_); }
     template <class C>
         requires std::is_arithmetic_v<C>
     explicit operator C() const { return static_cast<C>(value_); }
@@ -76,11 +75,11 @@ public:
     friend bool isfinite(counted const& x) { return x.need(), std::isfinite(x.value_); }
     friend bool isnan(counted const& x) { return x.need(), std::isnan(x.value_); }
     friend bool isinf(counted const& x) { return x.need(), std::isinf(x.value_); }
-    friend counted sqrt(counted const& x) noexcept { return function(0, std::sqrt(x.value_), x); }
-    friend counted exp(counted const& x) noexcept { return function(1, std::exp(x.value_), x); }
-    friend counted log(counted const& x) noexcept { return function(2, std::log(x.value_), x); }
-    friend counted sin(counted const& x) noexcept { return function(3, std::sin(x.value_), x); }
-    friend counted cos(counted const& x) noexcept { return function(4, std::cos(x.value_), x); }
+    friend counted sqrt(counted const& x) noexcept { return function(2, std::sqrt(x.value_), x); }
+    friend counted exp(counted const& x) noexcept { return function(3, std::exp(x.value_), x); }
+    friend counted log(counted const& x) noexcept { return function(4, std::log(x.value_), x); }
+    friend counted sin(counted const& x) noexcept { return function(sine_name, std::sin(x.value_), x); }
+    friend counted cos(counted const& x) noexcept { return function(cosine_name, std::cos(x.value_), x); }
     friend counted tan(counted const& x) noexcept { return function(5, std::tan(x.value_), x); }
     friend counted sinh(counted const& x) noexcept { return function(6, std::sinh(x.value_), x); }
     friend counted cosh(counted const& x) noexcept { return function(7, std::cosh(x.value_), x); }
@@ -109,7 +108,7 @@ public:
 
 private:
     [[nodiscard]] bool is_constant(double x) const { return made_ == 0 and value_ == x; }
-    static detail::record_of_operations& record() { return detail::record_of_operations::of_this_thread(); }
+    static record_of_operations& record() { return record_of_operations::of_this_thread(); }
     counted(double x, std::int64_t by) noexcept : value_(x), made_(by) { begins(); }
     // Out of the way of a compiler that inlines all arithmetic.
     [[gnu::noinline]] static void begins() noexcept { ++record().numbers; }
@@ -124,46 +123,25 @@ private:
     std::int64_t made_;
 };
 
-namespace detail {
+} // namespace hilger::testing
 
-template <>
-struct tally<counted> {
-    static void add(work what) { record_of_operations::of_this_thread().add(what); }
-    static counted const& second(counted const& x) {
-        x.use_second();
-        return x;
-    }
-    /// A matrix of constants is none: what is left of the system is a product with numbers that are known.
-    template <class Matrix>
-    static void small_solve(Matrix const& K) {
-        for (counted const& x : K)
-            if (not x.is_constant()) {
-                add(work::factorization);
-                add(work::solve);
-                return;
-            }
-    }
-};
-
-namespace memory {
+namespace hilger::detail::memory {
 /// A history of counted numbers has the terms that one of doubles has.
 template <>
-struct modes_in<counted> {
+struct modes_in<testing::counted> {
     using type = double;
 };
 template <>
-inline constexpr std::size_t padding<counted> = padding<double>;
-} // namespace memory
-} // namespace detail
-} // namespace hilger
+inline constexpr std::size_t padding<testing::counted> = padding<double>;
+} // namespace hilger::detail::memory
 
 template <>
-struct std::numeric_limits<hilger::counted> : std::numeric_limits<double> {};
+struct std::numeric_limits<hilger::testing::counted> : std::numeric_limits<double> {};
 template <class Operation>
-struct Eigen::ScalarBinaryOpTraits<hilger::counted, double, Operation> {
-    using ReturnType = hilger::counted;
+struct Eigen::ScalarBinaryOpTraits<hilger::testing::counted, double, Operation> {
+    using ReturnType = hilger::testing::counted;
 };
 template <class Operation>
-struct Eigen::ScalarBinaryOpTraits<double, hilger::counted, Operation> {
-    using ReturnType = hilger::counted;
+struct Eigen::ScalarBinaryOpTraits<double, hilger::testing::counted, Operation> {
+    using ReturnType = hilger::testing::counted;
 };

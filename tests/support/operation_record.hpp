@@ -3,28 +3,24 @@
 // numbers that are asked for, or a branch that was taken, depend. Operations with the same operands are one.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "hilger/scalar.hpp"
-
-namespace hilger {
-
-/// What happened while a record was kept.
-struct counts {
-    long long arithmetic = 0; ///< + - * /
-    long long functions = 0;  ///< sqrt, sin, ...
-    long long second_derivatives = 0;
-    std::array<long long, 4> of_work{};
-    long long& of(detail::work what) { return of_work[static_cast<std::size_t>(what)]; }
-};
-
-namespace detail {
+namespace hilger::testing {
 
 enum class operation_kind : std::uint8_t { plus, minus, times, over, sign, function };
+/// Names of the functions that are counted one by one; others have larger names.
+inline constexpr std::uint32_t sine_name = 0, cosine_name = 1;
+
+/// The operations of a record that were needed.
+struct counts {
+    long long arithmetic = 0; ///< + - * /
+    long long divisions = 0;  ///< of these
+    long long functions = 0;  ///< sqrt, sin, ...
+    long long sines = 0, cosines = 0;
+};
 
 /// The operations of one thread. A number is known by what made it: 0 is a constant, others count up, and those from before the record
 /// began are its variables.
@@ -64,26 +60,17 @@ public:
         operations_.push_back(o);
         return ++last_;
     }
-    void add(work what) {
-        if (counting_) ++counts_.of(what);
-    }
-    void use_second(std::int64_t a) {
-        if (counting_ and a > first_) seconds_.push_back(a);
-    }
     void need(std::int64_t a) {
         if (recording_ and a > first_) needed_.push_back(a);
     }
     void begin() {
         *this = record_of_operations(numbers, last_);
-        recording_ = counting_ = true;
+        recording_ = true;
     }
     /// Operations are found again within a step only.
     void next_step() { this_step_.clear(); }
     /// From here on only what becomes of the numbers is of interest.
-    void stop_counting() {
-        counting_ = false;
-        counted_until_ = last_;
-    }
+    void stop_counting() { counted_until_ = last_; }
     /// What was counted and is needed.
     counts end();
 
@@ -93,16 +80,16 @@ private:
     std::int64_t operand(std::int64_t a, double x) {
         return a != 0 ? a : constants_.try_emplace(x == 0 ? 0.0 : x, -1 - static_cast<std::int64_t>(constants_.size())).first->second;
     }
-    bool recording_ = false, counting_ = false;
+    bool recording_ = false;
     std::int64_t first_ = 0, last_ = 0, counted_until_ = 0;
     std::vector<operation> operations_; // number first_ + 1, ...
     std::unordered_map<operation, std::int64_t, hash> this_step_;
     std::unordered_map<double, std::int64_t> constants_;
-    std::vector<std::int64_t> needed_, seconds_;
-    counts counts_;
+    std::vector<std::int64_t> needed_;
 };
 
 inline counts record_of_operations::end() {
+    counts result;
     std::vector<bool> alive(operations_.size());
     auto const at = [&](std::int64_t a) { return static_cast<std::size_t>(a - first_ - 1); };
     for (std::int64_t const a : needed_) alive[at(a)] = true;
@@ -112,20 +99,14 @@ inline counts record_of_operations::end() {
         if (o.a > first_) alive[at(o.a)] = true;
         if (o.b > first_) alive[at(o.b)] = true;
         if (first_ + 1 + static_cast<std::int64_t>(i) > counted_until_ or o.kind == operation_kind::sign) continue;
-        ++(o.kind == operation_kind::function ? counts_.functions : counts_.arithmetic);
+        ++(o.kind == operation_kind::function ? result.functions : result.arithmetic);
+        result.divisions += o.kind == operation_kind::over;
+        if (o.kind != operation_kind::function) continue;
+        result.sines += o.name == sine_name;
+        result.cosines += o.name == cosine_name;
     }
-    std::vector<bool> seen(operations_.size());
-    for (std::int64_t a : seconds_) {
-        while (a > first_ and operations_[at(a)].kind == operation_kind::sign) a = operations_[at(a)].a;
-        if (a <= first_ or not alive[at(a)] or seen[at(a)]) continue;
-        seen[at(a)] = true;
-        ++counts_.second_derivatives;
-    }
-    counts const result = counts_;
     *this = record_of_operations(numbers, last_);
     return result;
 }
 
-} // namespace detail
-
-} // namespace hilger
+} // namespace hilger::testing
