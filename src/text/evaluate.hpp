@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced/traced.hpp), and symbols,
-// which print it and make C of it. Each type is compiled once (in_numbers.hpp).
+// How a formula is evaluated in any number type: numbers, and those that write down the operations (differentiation/traced/traced.hpp). Each
+// type is compiled once (in_numbers.hpp).
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 
 #include "hilger/differentiation/branches.hpp"
 #include "hilger/differentiation/traced/functions.hpp"
-#include "hilger/formula/functions.hpp"
 #include "hilger/text/vocabulary.hpp"
 
 namespace hilger::text {
@@ -21,7 +20,6 @@ template <class T>
 T number_of(T const&);
 template <class S>
 S number_of(traced<S> const&);
-double number_of(symbol const&);
 
 /// All that may be called, for errors.
 inline std::string names_of_functions() {
@@ -79,22 +77,24 @@ T whole_power(T const& x, long long n) {
 }
 template <class T>
 T absolute(T const& x) {
-    return compared<T>(x < T(0)) ? T(-x) : x;
+    if constexpr (is_traced<T>)
+        return abs(x);
+    else
+        return compared<T>(x < T(0)) ? T(-x) : x;
 }
+// In a formula that is written out min, max and abs are operations of it (differentiation/traced/choices.hpp).
 /// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
 T least_of(T const& x, T const& y) {
+    if constexpr (is_traced<T>)
+        if (hilger::detail::makes_derivatives<typename T::scalar_type>()) return min(x, y);
     return compared<T>(x <= y) ? x : compared<T>(y < x) ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
+    if constexpr (is_traced<T>)
+        if (hilger::detail::makes_derivatives<typename T::scalar_type>()) return max(x, y);
     return compared<T>(y <= x) ? x : compared<T>(x < y) ? y : T(x + y);
 }
-
-// Symbols have these as they are.
-inline symbol whole_power(symbol const& x, long long n) { return pow(x, symbol(static_cast<double>(n))); }
-inline symbol absolute(symbol const& x) { return abs(x); }
-inline symbol least_of(symbol const& x, symbol const& y) { return min(x, y); }
-inline symbol most_of(symbol const& x, symbol const& y) { return max(x, y); }
 
 } // namespace hilger::text

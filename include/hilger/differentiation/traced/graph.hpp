@@ -69,8 +69,8 @@ public:
         bool outcome;
     };
 
-    /// The arguments are the first nodes: d positions, then d velocities, then the time.
-    explicit formula_graph(int d) {
+    /// The arguments are the first nodes: d positions, then d velocities, then the time. Others may follow.
+    explicit formula_graph(int d) : arguments_(arguments(d)) {
         for (int k = 0; k < 2 * d; ++k) nodes_.push_back({nullptr, -1, k, static_cast<std::uint8_t>(k < d ? on_position : on_velocity)});
         nodes_.push_back({nullptr, -1, 2 * d, on_time});
     }
@@ -97,9 +97,15 @@ public:
         }
         return slot;
     }
+    /// One more argument, by which nothing is differentiated. @returns its node
+    int new_argument() {
+        nodes_.push_back({nullptr, -1, arguments_++, on_nothing});
+        return size() - 1;
+    }
     void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
 
-    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made.
+    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made, nor for a formula that
+    /// is written out: that has no comparisons, and abs, min and max are operations of it (choices.hpp).
     bool has_values = true;
     static formula_graph*& of_this_thread() {
         static thread_local formula_graph* current = nullptr;
@@ -128,6 +134,7 @@ private:
         numbers_.push_back(x);
         return size() - 1;
     }
+    int arguments_;
     std::vector<node> nodes_;
     std::vector<S> numbers_;
     std::vector<guard> guards_;

@@ -15,6 +15,11 @@
 
 namespace hilger {
 
+namespace detail {
+template <bool Largest, class S>
+traced<S> extremum(traced<S> const& x, traced<S> const& y);
+}
+
 template <class S>
 class traced : public detail::keeps_its_derivatives<S> {
 public:
@@ -35,6 +40,10 @@ public:
 
     S value{};
     int node = -1;
+
+    // Those of two of them, before std::max and std::min of any type.
+    friend traced max(traced const& x, traced const& y) { return detail::extremum<true>(x, y); }
+    friend traced min(traced const& x, traced const& y) { return detail::extremum<false>(x, y); }
 
     template <class Y>
     traced& operator+=(Y const& y) {
@@ -80,7 +89,10 @@ void run_in_a_row(S* __restrict out, int count, S const* __restrict a, bool all_
 }
 template <class O, class S>
 std::pair<traced<S>, traced<S>> pull_back_of(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint) {
-    return O::pull_back(x, y, result, adjoint);
+    if constexpr (requires { O::pull_back(x, y, result, adjoint); })
+        return O::pull_back(x, y, result, adjoint);
+    else
+        return {}; // of a choice (choices.hpp): see differentiator
 }
 template <class O, class S>
 inline constexpr traced_operation<S> operation_object{O::name, O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};
