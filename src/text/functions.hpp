@@ -87,13 +87,13 @@ T absolute(T const& x) {
 template <class T>
 T least_of(T const& x, T const& y) {
     if constexpr (is_traced<T>)
-        if (hilger::detail::makes_derivatives<typename T::scalar_type>()) return min(x, y);
+        if (T::is_written_out()) return min(x, y);
     return compared<T>(x <= y) ? x : compared<T>(y < x) ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
     if constexpr (is_traced<T>)
-        if (hilger::detail::makes_derivatives<typename T::scalar_type>()) return max(x, y);
+        if (T::is_written_out()) return max(x, y);
     return compared<T>(y <= x) ? x : compared<T>(x < y) ? y : T(x + y);
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include "hilger/differentiation/jet/arithmetic.hpp"
-#include "hilger/differentiation/jet/comparisons.hpp"
 #include "hilger/differentiation/jet/pairs.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/scalar.hpp"

@@ -2,7 +2,7 @@
 // Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
 #pragma once
 
-#include "hilger/differentiation/jet/comparisons.hpp"
+#include "hilger/differentiation/jet/arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
@@ -35,9 +35,9 @@ HILGER_ALWAYS_INLINE constexpr Jet function_of_two(Jet const& x, Jet const& y, S
 
 /// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar. Its slopes at 0 are taken for 0, as those of sqrt(x x + y y).
 template <class X, class Y>
-HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const& y) {
+requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_of<X, Y> hypot(X const& x, Y const& y) {
     using std::hypot;
-    using both = detail::pair_of_jets<X, Y>;
+    using both = detail::pair_of<X, Y>;
     using S = typename both::scalar_type;
     both const a(x), b(y);
     S const r = hypot(a.value, b.value), by = r == S(0) ? S(1) : r, c = a.value / by, s = b.value / by;
@@ -45,9 +45,9 @@ HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const
 }
 /// The angle of (x, y), continuous across the axes where atan(y / x) is not.
 template <class X, class Y>
-HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> atan2(Y const& y, X const& x) {
+requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_of<X, Y> atan2(Y const& y, X const& x) {
     using std::atan2, std::hypot;
-    using both = detail::pair_of_jets<X, Y>;
+    using both = detail::pair_of<X, Y>;
     using S = typename both::scalar_type;
     both const a(x), b(y);
     S const r = hypot(a.value, b.value);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Functions with branches in a formula that has no values to compare, because it is written out: each of them is one operation, and its
-// derivative is a choice between derivatives, for a derivative that is not chosen may be infinite.
+// Comparisons of traced numbers; and what takes their place in a formula that has no values to compare, because it is written out: there a
+// function with branches is one operation, and its derivative is a choice between derivatives, for one that is not chosen may be infinite.
 #pragma once
 
 #include "hilger/differentiation/traced/arithmetic.hpp"
+#include "hilger/error.hpp"
 
 namespace hilger::detail {
 
@@ -72,6 +73,51 @@ bool for_each_choice(traced_operation<S> const* what, traced<S> const& a, traced
     if (not is_second and what != &operation_object<choice_traced<false>, S>) return false;
     use(a, is_second, b);
     return true;
+}
+
+template <class S>
+struct pair_of_<traced<S>, traced<S>> {
+    using type = traced<S>;
+};
+template <class S, constant_beside<S> K>
+struct pair_of_<traced<S>, K> {
+    using type = traced<S>;
+};
+template <class S, constant_beside<S> K>
+struct pair_of_<K, traced<S>> {
+    using type = traced<S>;
+};
+
+/// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
+/// @throws error::no_formula in a formula without values
+template <class X, class Y>
+    requires is_traced<pair_of<X, Y>>
+bool watched(relation how, X const& of, Y const& with) {
+    using T = pair_of<X, Y>;
+    using S = typename T::scalar_type;
+    T const x(of), y(with);
+    bool const outcome = holds(how, x.value, y.value);
+    if (x.is_constant() and y.is_constant()) return outcome;
+    auto& g = *formula_graph<S>::of_this_thread();
+    if (not g.has_values)
+        error::raise<error::no_formula>(
+            "what compares its arguments, by if or otherwise, is not one formula, nor is what iterates, as the "
+            "Legendre transform of a Hamiltonian does: constants can be compared, and min, max and abs are formulas");
+    int const a = x.place(), b = y.place();
+    g.watch(how, a, b, outcome);
+    return compared(outcome, ((g[a].on | g[b].on) & on_velocity) != 0);
+}
+template <bool Largest, class S>
+traced<S> written_extremum(std::bool_constant<Largest>, traced<S> const& x, traced<S> const& y) {
+    return not x.is_constant() and x.node == y.node ? x : make_traced<extremum_traced<Largest>>(x, y);
+}
+template <class S>
+traced<S> written_abs(traced<S> const& x) {
+    return make_traced<abs_traced>(x);
+}
+template <class S>
+traced<S> written_sign(traced<S> const& x) {
+    return make_traced<sign_traced>(x);
 }
 
 } // namespace hilger::detail

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hilger/differentiation/jet/functions.hpp"
-#include "hilger/differentiation/traced/comparisons.hpp"
+#include "hilger/differentiation/traced/choices.hpp"
 
 namespace hilger {
 
@@ -59,7 +59,7 @@ struct over_norm_traced {
 };
 template <class S>
 traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
-    if (makes_derivatives<S>() and not x.is_constant())
+    if (traced<S>::is_written_out() and not x.is_constant())
         if (multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(m.factor) * over_norm(m.rest, y);
     return make_traced<over_norm_traced>(x, y);
 }
@@ -204,15 +204,15 @@ struct exponential_traced {
 } // namespace detail
 
 template <class X, class Y>
-detail::traced_pair<X, Y> hypot(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return detail::make_traced<detail::hypot_traced>(T(x), T(y));
-}
+    requires is_traced<detail::pair_of<X, Y>> detail::pair_of<X, Y> hypot(X const& x, Y const& y) {
+        using T = detail::pair_of<X, Y>;
+        return detail::make_traced<detail::hypot_traced>(T(x), T(y));
+    }
 template <class Y, class X>
-detail::traced_pair<Y, X> atan2(Y const& y, X const& x) {
-    using T = detail::traced_pair<Y, X>;
-    return detail::make_traced<detail::atan2_traced>(T(y), T(x));
-}
+    requires is_traced<detail::pair_of<Y, X>> detail::pair_of<Y, X> atan2(Y const& y, X const& x) {
+        using T = detail::pair_of<Y, X>;
+        return detail::make_traced<detail::atan2_traced>(T(y), T(x));
+    }
 /// x^n with a whole n is exact for every x; other powers need x > 0.
 template <class S, constant_beside<S> K>
 traced<S> pow(traced<S> const& x, K const& exponent) {

@@ -37,23 +37,6 @@ struct traced_operation {
 /// Which arguments a node depends on.
 enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2, on_time = 4 };
 
-/// What is compared.
-enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
-template <class S>
-bool holds(relation how, S const& x, S const& y) {
-    switch (how) {
-    case relation::equal:
-        return x == y;
-    case relation::less:
-        return x < y;
-    case relation::less_or_equal:
-        return x <= y;
-    case relation::signs_differ:
-        break;
-    }
-    return has_minus_sign(x) != has_minus_sign(y);
-}
-
 template <class S>
 class formula_graph {
 public:

@@ -9,16 +9,11 @@
 
 #include <Eigen/Core>
 
-#include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/jet.hpp"
 #include "hilger/differentiation/traced/graph.hpp"
 
 namespace hilger {
-
-namespace detail {
-template <bool Largest, class S>
-traced<S> extremum(traced<S> const& x, traced<S> const& y);
-}
 
 template <class S>
 class traced : public detail::keeps_its_derivatives<S> {
@@ -37,6 +32,12 @@ public:
     [[nodiscard]] bool is(int constant) const { return node < 0 and value == S(constant); }
     /// Its node; a constant gets one.
     [[nodiscard]] int place() const { return node < 0 ? detail::formula_graph<S>::of_this_thread()->place_of(value) : node; }
+
+    /// Whether this thread's graph has no values: a formula is written out, or derivatives are made.
+    static bool is_written_out() {
+        auto const* g = detail::formula_graph<S>::of_this_thread();
+        return g != nullptr and not g->has_values;
+    }
 
     S value{};
     int node = -1;
