@@ -37,27 +37,12 @@ bool compared(bool outcome) {
 
 template <class T>
 T elementary(std::string_view name, T const& x) {
-    using std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atanh, std::cbrt, std::cos, std::cosh, std::erf, std::exp,
-        std::expm1, std::log, std::log1p, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
-    if (name == "sin") return T(sin(x));
-    if (name == "cos") return T(cos(x));
-    if (name == "tan") return T(tan(x));
-    if (name == "exp") return T(exp(x));
-    if (name == "log") return T(log(x));
-    if (name == "sqrt") return T(sqrt(x));
-    if (name == "sinh") return T(sinh(x));
-    if (name == "cosh") return T(cosh(x));
-    if (name == "tanh") return T(tanh(x));
-    if (name == "asin") return T(asin(x));
-    if (name == "acos") return T(acos(x));
-    if (name == "atan") return T(atan(x));
-    if (name == "asinh") return T(asinh(x));
-    if (name == "acosh") return T(acosh(x));
-    if (name == "atanh") return T(atanh(x));
-    if (name == "cbrt") return T(cbrt(x));
-    if (name == "expm1") return T(expm1(x));
-    if (name == "log1p") return T(log1p(x));
-    return T(erf(x));
+#define HILGER_CALL(function)                                                                                                              \
+    if (name == #function) return hilger::detail::function##_function::value(x);
+    HILGER_FOR_EACH_FUNCTION(HILGER_CALL)
+#undef HILGER_CALL
+    using std::sqrt;
+    return T(sqrt(x));
 }
 template <class T>
 T elementary(std::string_view name, T const& x, T const& y) {

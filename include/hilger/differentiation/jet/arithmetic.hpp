@@ -3,7 +3,6 @@
 // no lambdas, which an optimiser sees through less well.
 #pragma once
 
-#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/jet.hpp"
 #include "hilger/inlining.hpp"
 
@@ -217,38 +216,4 @@ HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator/(K const& c, jet<S, F, C
     return z;
 }
 
-namespace detail {
-
-/// The jet in the variables of both.
-template <class S, int F, int C, int G, int D, int O>
-struct pair_of_<jet<S, F, C, O>, jet<S, G, D, O>> : hull_<jet<S, F, C, O>, jet<S, G, D, O>> {};
-template <class S, int F, int C, int O, constant_for<S> K>
-struct pair_of_<jet<S, F, C, O>, K> {
-    using type = jet<S, F, C, O>;
-};
-template <class S, int F, int C, int O, constant_for<S> K>
-struct pair_of_<K, jet<S, F, C, O>> {
-    using type = jet<S, F, C, O>;
-};
-template <class S, class X>
-HILGER_ALWAYS_INLINE constexpr decltype(auto) value_in(X const& x) {
-    if constexpr (is_jet<X>)
-        return (x.value);
-    else
-        return S(x);
-}
-template <class X>
-HILGER_ALWAYS_INLINE constexpr bool reads_velocity(X const& x) {
-    if constexpr (is_jet<X>)
-        return x.on.v > 0;
-    else
-        return false;
-}
-template <class X, class Y>
-requires is_jet<pair_of<X, Y>> HILGER_ALWAYS_INLINE constexpr bool watched(relation how, X const& x, Y const& y) {
-    using S = typename pair_of<X, Y>::scalar_type;
-    return compared(holds<S>(how, value_in<S>(x), value_in<S>(y)), reads_velocity(x) or reads_velocity(y));
-}
-
-} // namespace detail
 } // namespace hilger

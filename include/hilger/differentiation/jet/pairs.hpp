@@ -1,13 +1,45 @@
 // SPDX-License-Identifier: BSL-1.0
-// Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
+// Two jets, or a jet and a constant: comparisons, and functions f(x, y) by their five derivatives.
 #pragma once
 
+#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
 
 namespace detail {
+
+/// The jet in the variables of both.
+template <class S, int F, int C, int G, int D, int O>
+struct pair_of_<jet<S, F, C, O>, jet<S, G, D, O>> : hull_<jet<S, F, C, O>, jet<S, G, D, O>> {};
+template <class S, int F, int C, int O, constant_for<S> K>
+struct pair_of_<jet<S, F, C, O>, K> {
+    using type = jet<S, F, C, O>;
+};
+template <class S, int F, int C, int O, constant_for<S> K>
+struct pair_of_<K, jet<S, F, C, O>> {
+    using type = jet<S, F, C, O>;
+};
+template <class S, class X>
+HILGER_ALWAYS_INLINE constexpr decltype(auto) value_in(X const& x) {
+    if constexpr (is_jet<X>)
+        return (x.value);
+    else
+        return S(x);
+}
+template <class X>
+HILGER_ALWAYS_INLINE constexpr bool reads_velocity(X const& x) {
+    if constexpr (is_jet<X>)
+        return x.on.v > 0;
+    else
+        return false;
+}
+template <class X, class Y>
+requires is_jet<pair_of<X, Y>> HILGER_ALWAYS_INLINE constexpr bool watched(relation how, X const& x, Y const& y) {
+    using S = typename pair_of<X, Y>::scalar_type;
+    return compared(holds<S>(how, value_in<S>(x), value_in<S>(y)), reads_velocity(x) or reads_velocity(y));
+}
 
 template <class S>
 struct derivatives_of_two {
