@@ -87,7 +87,7 @@ c_step::c_step(node_formulas const& of, tableau<formula_node> const& b, std::str
 std::string c_step::text() {
     std::string work = correction(linear_ ? "    " : "        ");
     if (not linear_) work = iterated(work);
-    if (f_.is(0)) work += force_at_the_end();
+    if (f_.is(0)) work += force_at_the_end(read_);
     std::string finite;
     for (int k = 0; k < N; ++k) finite += (k > 0 ? " + " : "") + element("g", k) + " + " + element("y", k);
     work += "    if (!isfinite(" + finite + ")) " + failure() + "not_finite;\n" + update() + "    " + failure() + "ok;\n";
@@ -154,16 +154,6 @@ std::string c_step::solution(std::string const& in) const {
         for (int k = 0; k < N; ++k)
             if (has_slope(j, k)) work += in + element("g", j) + " += " + element("D", j, k) + " * " + element("d", k) + ";\n";
     return work;
-}
-/// Where the position is that at the end, g was not needed until now.
-std::string c_step::force_at_the_end() {
-    c_statements body = statements("        ");
-    for (int k = 0; k < N; ++k) body.add(element("g", k) + " =", node_.g[static_cast<std::size_t>(k)]);
-    std::string const formulas = body.text();
-    std::set<std::string> used = body.read();
-    std::string const place = position("        ", used);
-    read_.insert(used.begin(), used.end());
-    return "    {\n" + place + formulas + "    }\n";
 }
 std::string c_step::update() {
     c_statements lines = statements("    ", "by");

@@ -33,7 +33,6 @@ private:
     [[nodiscard]] std::string iterated(std::string const& work) const;
     std::string correction(std::string const& in);
     [[nodiscard]] std::string solution(std::string const& in) const;
-    std::string force_at_the_end();
     std::string update();
     std::string declarations();
 

@@ -55,5 +55,14 @@ std::string node_equation::position(std::string const& in, std::set<std::string>
     used.insert(lines.read().begin(), lines.read().end());
     return text;
 }
+std::string node_equation::force_at_the_end(std::set<std::string>& used) const {
+    c_statements body = statements("        ");
+    for (int k = 0; k < N; ++k) body.add(element("g", k) + " =", node_.g[static_cast<std::size_t>(k)]);
+    std::string const formulas = body.text();
+    std::set<std::string> here = body.read();
+    std::string const place = position("        ", here);
+    used.insert(here.begin(), here.end());
+    return "    {\n" + place + formulas + "    }\n";
+}
 
 } // namespace hilger::detail

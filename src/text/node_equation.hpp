@@ -40,6 +40,8 @@ protected:
     }
     /// The time and the position at the node, as far as they are used. What it reads is added.
     std::string position(std::string const& in, std::set<std::string>& used) const;
+    /// A block that computes g: where the position is that at the end, it was not needed before.
+    std::string force_at_the_end(std::set<std::string>& used) const;
 
     named_graph& in_;
     tracing<double> const here_;

@@ -39,7 +39,7 @@ public:
         for (int k = 0; k < N; ++k) all += "    " + element("y", k) + " = " + (linear_ ? std::string("all(0.0)") : element("v", k)) + ";\n";
         all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
         all += iteration("        ") + "    }\n";
-        if (f_.is(0)) all += force_at_the_end();
+        if (std::set<std::string> used; f_.is(0)) all += force_at_the_end(used);
         if (not linear_) all += nearness();
         auto update = statements("    ", "by");
         for (int k = 0; k < N; ++k) {
@@ -182,14 +182,6 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
     /// What a lane that is done keeps while others go on.
     [[nodiscard]] std::string kept(std::string const& old, std::string const& made) const {
         return linear_ or one_ ? made : "either(done, " + old + ", " + made + ")";
-    }
-    /// Where the position is that at the end, g was not needed until now.
-    [[nodiscard]] std::string force_at_the_end() const {
-        auto body = statements("        ");
-        for (int k = 0; k < N; ++k) body.add(element("g", k) + " =", node_.g[static_cast<std::size_t>(k)]);
-        std::string const formulas = body.text();
-        auto used = body.read();
-        return "    {\n" + position("        ", used) + formulas + "    }\n";
     }
 
     std::string name_;
