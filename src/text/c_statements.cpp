@@ -79,7 +79,8 @@ void c_statements::write(int node, bool is_result) {
     made.size = 1 + written_[n.a].size + (takes_two(name) ? written_[n.b].size : 0);
     bool const is_trivial = name == "-x" and g[n.a].what == nullptr;
     if (is_trivial or (uses_[node] < 2 and (is_result or made.size < longest))) return;
-    std::string const kind = std::isalpha(static_cast<unsigned char>(name[0])) != 0 ? std::string(name) + "_" : letter_;
+    bool const is_called = std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+    std::string const kind = is_called ? (letter_ == "u" ? "" : letter_ + "_") + std::string(name) + "_" : letter_;
     std::string const local = kind + std::to_string(++numbers_[kind]);
     lines_ += indent_ + "const " + type_ + " " + local + " = " + made.text.text + ";\n";
     made = {{local}, 0};
