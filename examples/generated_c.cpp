@@ -3,16 +3,16 @@
 //   generated_c > pendulum.c && cc -std=c99 -c pendulum.c
 #include <iostream>
 
-#include "hilger/formula/c_code.hpp"
 #include "hilger/hilger.hpp"
+#include "hilger/text/c_code.hpp"
 
 using namespace hilger;
 
 int main() {
     constexpr lagrangian L{[](auto const& x, auto const& v) { return v * v / 2 - (1 - cos(x)); }};
 
-    auto const q = variables<double>("q"), v = variables<double>("v");
-    std::cerr << "L     = " << L(q, v) << '\n' << "dL/dq = " << partial(L(q, v), q) << '\n' << "dL/dv = " << partial(L(q, v), v) << '\n';
+    formula const f = formula_of(L);
+    std::cerr << "L     = " << f << '\n' << "dL/dq = " << f.by_q() << '\n' << "dL/dv = " << f.by_v() << '\n';
 
     std::cout << c_code(embed(L, mid_point), "pendulum");
     return std::cout.good() ? 0 : 1;

@@ -6,8 +6,7 @@
 //   models, variational                               Lagrangians; actions, their variations, Legendre maps
 //   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
-//   formula                                           Lagrangians as symbols and as C
-//   text                                              Lagrangians that are known at run time only: hilger/text/lagrangian.hpp, hilger::text
+//   text                                              Lagrangians known at run time only, formulas written out, C: hilger::text
 #pragma once
 
 #include "hilger/version.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "hilger/formula/c_code.hpp"
+#include "hilger/text/c_code.hpp"
 
 #include "engine/methods/own.hpp"
 

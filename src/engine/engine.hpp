@@ -139,7 +139,7 @@ struct accurate {
 accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
                           double longest_step, std::stop_token const& stop);
 
-/// One step as C99 that stands alone (hilger/formula/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
+/// One step as C99 that stands alone (hilger/text/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name);
 
 } // namespace engine

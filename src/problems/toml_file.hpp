@@ -25,7 +25,6 @@
 #endif
 
 #include "hilger/error.hpp"
-#include "hilger/formula/print.hpp"
 #include "hilger/text/lagrangian.hpp"
 
 namespace program {

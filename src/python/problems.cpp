@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "bindings.hpp"
 #include "engine/ensemble/ensemble.hpp"
-#include "hilger/formula/print.hpp"
+#include "hilger/text/formula.hpp"
 
 namespace bindings {
 
@@ -24,14 +24,9 @@ std::string written(engine::problem const& of, std::vector<std::tuple<std::strin
     constexpr long long page = 2000;
     if (auto const n = of.lagrangian.formula().operations(); n > page)
         return (latex_wanted ? "\\text{a formula of " : "a formula of ") + std::to_string(n) + " operations" + (latex_wanted ? "}" : "");
-    std::vector<hilger::symbol> q, v;
-    for (auto const& [x, y, size] : coordinates)
-        for (int k = 0; k < std::max(size, 1); ++k) {
-            q.push_back(hilger::symbol::variable(x, size == 0 ? -1 : k));
-            v.push_back(hilger::symbol::variable(y, size == 0 ? -1 : k));
-        }
-    auto const at = [](auto const& list) { return [&list](int k) { return list[static_cast<std::size_t>(k)]; }; };
-    auto const L = of.lagrangian.formula().value(hilger::symbol::variable(time), at(q), at(v));
+    std::vector<text::coordinate> names;
+    for (auto const& [q, v, size] : coordinates) names.push_back({q, v, size});
+    auto const L = hilger::formula_of(of.lagrangian.formula(), names, time);
     std::ostringstream out;
     if (latex_wanted)
         out << latex(L);

@@ -15,7 +15,6 @@
 #include <boost/crc.hpp>
 
 #include "hilger/error.hpp"
-#include "hilger/formula/print.hpp"
 #include "hilger/version.hpp"
 #include "plot.hpp"
 #include "progress.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How a formula is evaluated in any number type: numbers, what writes down the operations (differentiation/traced/traced.hpp), and symbols,
-// which print it and make C of it. Each type is compiled once (in_numbers.hpp).
+// How a formula is evaluated in any number type: numbers, and those that write down the operations (differentiation/traced/traced.hpp).
+// Each type is compiled once (in_numbers.hpp).
 #pragma once
 
 #include <algorithm>
@@ -9,30 +9,25 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "hilger/error.hpp"
 #include "hilger/text/stated.hpp"
+#include "text/formula_reader.hpp"
 #include "text/functions.hpp"
 
 namespace hilger::text {
 
 namespace detail {
 
-/// What the indices of the sums around a place are there.
-using indices = std::map<std::string, long long>;
-/// A whole number that does not depend on the state, where n is one: digits, indices, parameters and what is made of them.
-std::optional<long long> whole_constant(node const& n, vocabulary const& words, indices const& known);
-
 /// No sum of a formula anybody means has more terms.
 inline constexpr long long most_terms = 2'000'000;
 
 template <class T>
-class evaluator {
+class evaluator : formula_reader {
     using S = decltype(number_of(std::declval<T>()));
 
 public:
     /// `everywhere`: both parts of choices that depend on the state are evaluated, to see whether they have a meaning.
     evaluator(vocabulary const& words, std::string const& source, T const& t, components_view<T> q, components_view<T> v, bool everywhere)
-        : words_(words), source_(source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
+        : formula_reader(words, source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
 
     T value(node const& n) {
         // down the left side of a + b + c + ..., and up again
@@ -56,6 +51,8 @@ public:
     [[nodiscard]] long long operations() const { return operations_; }
 
 private:
+    /// Those of two parts, the first one first.
+    std::pair<T, T> both_values(node const& n) { return {value(*n.parts[0]), value(*n.parts[1])}; }
     /// What was computed outside of all sums holds everywhere: shared parts are computed once.
     void keep(node const& n, T const& x) {
         if (indices_.empty()) values_.emplace(&n, x);
@@ -108,16 +105,8 @@ private:
         }
         refuse_name(n);
     }
-    meaning const& meaning_of(node const& n) {
-        meaning const* const m = words_.find(n.name);
-        if (m == nullptr) refuse_name(n);
-        if (m->size == 0) refuse(n, "'" + n.name + "' is a number, and has no components");
-        return *m;
-    }
     T component(node const& n, meaning const& m, long long k) {
-        if (k < 0 or (k >= m.size and m.size > 0))
-            refuse(n, "'" + n.name + "' has the components 0 to " + std::to_string(m.size - 1) + ", and here is asked for number " +
-                          std::to_string(k));
+        require_component(n, m, k);
         int const at = m.first + static_cast<int>(k);
         switch (m.is) {
         case meaning::role::time:
@@ -154,20 +143,14 @@ private:
         if (everywhere_ and not is_of_indices(*n.parts[0])) value(*n.parts[first ? 2 : 1]);
         return value(*n.parts[first ? 1 : 2]);
     }
-    /// Whether a condition compares whole numbers that the state has no part in, as i == 0 in a sum.
-    bool is_of_indices(node const& n) {
-        return std::all_of(n.parts.begin(), n.parts.end(), [&](auto const& part) {
-            return is_condition(part->what) ? is_of_indices(*part) : bool(whole_constant(*part, words_, indices_));
-        });
-    }
     bool holds(node const& n) {
         switch (n.what) {
         case kind::less:
-            return compared<T>(value(*n.parts[0]) < value(*n.parts[1]));
         case kind::less_or_equal:
-            return compared<T>(value(*n.parts[0]) <= value(*n.parts[1]));
-        case kind::equal:
-            return compared<T>(value(*n.parts[0]) == value(*n.parts[1]));
+        case kind::equal: {
+            auto const [x, y] = both_values(n);
+            return compared<T>(n.what == kind::less ? x < y : n.what == kind::equal ? x == y : x <= y);
+        }
         case kind::both: {
             bool const first = holds(*n.parts[0]);
             return (first or everywhere_) and holds(*n.parts[1]) and first;
@@ -183,13 +166,8 @@ private:
         }
     }
     T call(node const& n) {
-        auto const needs = [&](std::size_t count) {
-            if (n.parts.size() != count)
-                refuse(n, n.name + " takes " + std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", and here are " +
-                              std::to_string(n.parts.size()));
-        };
         if (n.name == "dot" or n.name == "norm") {
-            needs(n.name == "dot" ? 2 : 1);
+            require_arguments(n, n.name == "dot" ? 2 : 1);
             node const &x = *n.parts.front(), &y = *n.parts.back();
             for (node const* of : {&x, &y})
                 if (of->what != kind::name) refuse(*of, n.name + " takes names of vectors, as in dot(q, v)");
@@ -202,19 +180,16 @@ private:
             return n.name == "dot" ? total : elementary(n, "sqrt", total);
         }
         if (n.name == "pow") {
-            needs(2);
+            require_arguments(n, 2);
             return power(n);
         }
         if (n.name == "min" or n.name == "max" or n.name == "atan2" or n.name == "hypot") {
-            needs(2);
-            T const x = value(*n.parts[0]), y = value(*n.parts[1]);
+            require_arguments(n, 2);
+            auto const [x, y] = both_values(n);
             return n.name == "min" ? least_of(x, y) : n.name == "max" ? most_of(x, y) : elementary(n, n.name, x, y);
         }
-        if (std::find(functions_of_one.begin(), functions_of_one.end(), n.name) == functions_of_one.end())
-            refuse(n, words_.find(n.name) != nullptr or indices_.contains(n.name)
-                          ? "'" + n.name + "' is no function: a product is written with *, as 2*q, and a component with q[0]"
-                          : "there is no function '" + n.name + "': there are " + names_of_functions());
-        needs(1);
+        if (std::find(functions_of_one.begin(), functions_of_one.end(), n.name) == functions_of_one.end()) refuse_function(n);
+        require_arguments(n, 1);
         T const x = value(*n.parts[0]);
         return n.name == "abs" ? absolute(x) : elementary(n, n.name, x);
     }
@@ -230,7 +205,8 @@ private:
             refuse(n, "in rationals exponents are whole numbers");
         else {
             using std::pow;
-            return T(pow(value(*n.parts[0]), value(*n.parts[1])));
+            auto const [x, y] = both_values(n);
+            return T(pow(x, y));
         }
     }
     template <class... X>
@@ -241,25 +217,9 @@ private:
             return text::elementary(name, x...);
     }
 
-    long long whole(node const& n) {
-        auto const x = whole_constant(n, words_, indices_);
-        if (not x) refuse(n, "indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
-        return *x;
-    }
-    [[noreturn]] void refuse_name(node const& n) {
-        refuse(n, "'" + n.name + "' has no meaning: there are " + (words_.known().empty() ? "numbers alone" : words_.known()));
-    }
-    [[noreturn]] void refuse(node const& n, std::string const& why) {
-        if (n.at.line == 0) error::raise<error::unreadable>(source_, ": ", why);
-        error::raise<error::unreadable>(source_, ", line ", n.at.line, ", column ", n.at.column, ": ", why);
-    }
-
-    vocabulary const& words_;
-    std::string const& source_;
     T const& t_;
     components_view<T> q_, v_;
     std::unordered_map<node const*, T> values_;
-    indices indices_;
     bool everywhere_;
     long long terms_ = 0, operations_ = 0;
 };

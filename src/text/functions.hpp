@@ -11,7 +11,6 @@
 
 #include "hilger/differentiation/branches.hpp"
 #include "hilger/differentiation/traced/functions.hpp"
-#include "hilger/formula/functions.hpp"
 #include "hilger/text/vocabulary.hpp"
 
 namespace hilger::text {
@@ -21,7 +20,6 @@ template <class T>
 T number_of(T const&);
 template <class S>
 S number_of(traced<S> const&);
-double number_of(symbol const&);
 
 /// All that may be called, for errors.
 inline std::string names_of_functions() {
@@ -39,27 +37,12 @@ bool compared(bool outcome) {
 
 template <class T>
 T elementary(std::string_view name, T const& x) {
-    using std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atanh, std::cbrt, std::cos, std::cosh, std::erf, std::exp,
-        std::expm1, std::log, std::log1p, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
-    if (name == "sin") return T(sin(x));
-    if (name == "cos") return T(cos(x));
-    if (name == "tan") return T(tan(x));
-    if (name == "exp") return T(exp(x));
-    if (name == "log") return T(log(x));
-    if (name == "sqrt") return T(sqrt(x));
-    if (name == "sinh") return T(sinh(x));
-    if (name == "cosh") return T(cosh(x));
-    if (name == "tanh") return T(tanh(x));
-    if (name == "asin") return T(asin(x));
-    if (name == "acos") return T(acos(x));
-    if (name == "atan") return T(atan(x));
-    if (name == "asinh") return T(asinh(x));
-    if (name == "acosh") return T(acosh(x));
-    if (name == "atanh") return T(atanh(x));
-    if (name == "cbrt") return T(cbrt(x));
-    if (name == "expm1") return T(expm1(x));
-    if (name == "log1p") return T(log1p(x));
-    return T(erf(x));
+#define HILGER_CALL(function)                                                                                                              \
+    if (name == #function) return hilger::detail::function##_function::value(x);
+    HILGER_FOR_EACH_FUNCTION(HILGER_CALL)
+#undef HILGER_CALL
+    using std::sqrt;
+    return T(sqrt(x));
 }
 template <class T>
 T elementary(std::string_view name, T const& x, T const& y) {
@@ -79,22 +62,24 @@ T whole_power(T const& x, long long n) {
 }
 template <class T>
 T absolute(T const& x) {
-    return compared<T>(x < T(0)) ? T(-x) : x;
+    if constexpr (is_traced<T>)
+        return abs(x);
+    else
+        return compared<T>(x < T(0)) ? T(-x) : x;
 }
+// In a formula that is written out min, max and abs are operations of it (differentiation/traced/choices.hpp).
 /// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
 T least_of(T const& x, T const& y) {
+    if constexpr (is_traced<T>)
+        if (T::is_written_out()) return min(x, y);
     return compared<T>(x <= y) ? x : compared<T>(y < x) ? y : T(x + y);
 }
 template <class T>
 T most_of(T const& x, T const& y) {
+    if constexpr (is_traced<T>)
+        if (T::is_written_out()) return max(x, y);
     return compared<T>(y <= x) ? x : compared<T>(x < y) ? y : T(x + y);
 }
-
-// Symbols have these as they are.
-inline symbol whole_power(symbol const& x, long long n) { return pow(x, symbol(static_cast<double>(n))); }
-inline symbol absolute(symbol const& x) { return abs(x); }
-inline symbol least_of(symbol const& x, symbol const& y) { return min(x, y); }
-inline symbol most_of(symbol const& x, symbol const& y) { return max(x, y); }
 
 } // namespace hilger::text

@@ -4,4 +4,3 @@
 HILGER_TEXT_IN(double)
 HILGER_TEXT_IN(float)
 HILGER_TEXT_IN(long double)
-HILGER_FORMULAS_AS(hilger::symbol)

@@ -69,6 +69,49 @@ std::optional<long long> detail::whole_constant(node const& n, vocabulary const&
     return x;
 }
 
+namespace detail {
+
+meaning const& formula_reader::meaning_of(node const& n) const {
+    meaning const* const m = words_.find(n.name);
+    if (m == nullptr) refuse_name(n);
+    if (m->size == 0) refuse(n, "'" + n.name + "' is a number, and has no components");
+    return *m;
+}
+void formula_reader::require_component(node const& n, meaning const& m, long long k) const {
+    if (k < 0 or (k >= m.size and m.size > 0))
+        refuse(n, "'" + n.name + "' has the components 0 to " + std::to_string(m.size - 1) + ", and here is asked for number " +
+                      std::to_string(k));
+}
+long long formula_reader::whole(node const& n) const {
+    auto const x = whole_constant(n, words_, indices_);
+    if (not x) refuse(n, "indices are whole numbers below 10^9, made of numbers, parameters and indices of sums, and here is none");
+    return *x;
+}
+bool formula_reader::is_of_indices(node const& n) const {
+    return std::all_of(n.parts.begin(), n.parts.end(), [&](auto const& part) {
+        return is_condition(part->what) ? is_of_indices(*part) : bool(whole_constant(*part, words_, indices_));
+    });
+}
+void formula_reader::require_arguments(node const& n, std::size_t count) const {
+    if (n.parts.size() != count)
+        refuse(n, n.name + " takes " + std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", and here are " +
+                      std::to_string(n.parts.size()));
+}
+void formula_reader::refuse_function(node const& n) const {
+    refuse(n, words_.find(n.name) != nullptr or indices_.contains(n.name)
+                  ? "'" + n.name + "' is no function: a product is written with *, as 2*q, and a component with q[0]"
+                  : "there is no function '" + n.name + "': there are " + names_of_functions());
+}
+void formula_reader::refuse_name(node const& n) const {
+    refuse(n, "'" + n.name + "' has no meaning: there are " + (words_.known().empty() ? "numbers alone" : words_.known()));
+}
+void formula_reader::refuse(node const& n, std::string const& why) const {
+    if (n.at.line == 0) error::raise<error::unreadable>(source_, ": ", why);
+    error::raise<error::unreadable>(source_, ", line ", n.at.line, ", column ", n.at.column, ": ", why);
+}
+
+} // namespace detail
+
 stated::stated(expression what, std::shared_ptr<vocabulary const> words, std::string source)
     : what_(std::move(what)), words_(std::move(words)), source_(std::move(source)) {
     double const time = 1;

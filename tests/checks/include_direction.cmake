@@ -26,7 +26,6 @@ set(order
   "composition"
   "fractional"
   "boundary"
-  "formula"
   "multiprecision.hpp" # text alone computes with numbers of its own: it compares operators exactly
   "text"
   "scene")

@@ -86,6 +86,9 @@ TEST_CASE("masses with zeros on the diagonal, the time, forces, functions of all
             method, equal, 0.5);
         check_lanes(stated("v[0]^2/2 - 9.81*q[0]", 1), method, equal, 0.5);
     }
+    // momenta and masses share a function, twice each
+    for (auto const& method : {"mid-point", "order-one"})
+        check_lanes(stated("v[0]^2 + v[1]^2/2 + v[0]*v[1]*cos(q[0] - q[1]) + 2*cos(q[0]) + cos(q[1])", 2), method, equal, 0.25, 64);
     auto const in_time = stated("v[0]^2/2 - q[0]^2/2*(1 + t/4) + q[0]*sin(t)", 1, {"-v[0]*t/8"});
     for (auto const& method : all_methods) check_lanes(in_time, method, uneven(), 0.5);
 }

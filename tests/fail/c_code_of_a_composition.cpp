@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: C code is that of a flow of one embedding with plain sums and without a history
-#include "hilger/formula/c_code.hpp"
 #include "hilger/hilger.hpp"
+#include "hilger/text/c_code.hpp"
 
 using namespace hilger;
 

@@ -41,6 +41,23 @@ constexpr bool has_minus_sign(S const& x) {
         return x < S(0);
 }
 
+/// What is compared.
+enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
+template <class S>
+HILGER_ALWAYS_INLINE constexpr bool holds(relation how, S const& x, S const& y) {
+    switch (how) {
+    case relation::equal:
+        return x == y;
+    case relation::less:
+        return x < y;
+    case relation::less_or_equal:
+        return x <= y;
+    case relation::signs_differ:
+        break;
+    }
+    return has_minus_sign(x) != has_minus_sign(y);
+}
+
 /// How many comparisons there were. One number, and not the three above: that it has not changed is then seen by a compiler too.
 HILGER_ALWAYS_INLINE inline std::uint64_t comparisons_made() { return comparisons_of_this_thread.made; }
 

@@ -148,7 +148,7 @@ inline constexpr bool integrates_slopes<polynomial_reading<Degree, lobatto, Coun
 /// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
 template <class S, linear_map A, linear_map B, class W, bool Checked>
 tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
-    if constexpr (Checked and detail::has_numbers<A, B> and std::numeric_limits<S>::is_specialized) // symbols cannot be compared
+    if constexpr (Checked and detail::has_numbers<A, B> and std::numeric_limits<S>::is_specialized) // formulas cannot be compared
         detail::require_consistent<W>(e.position, e.velocity, h, e.name);
     using step = detail::on_one_step<A, B, W, S>;
     tableau<S> t;

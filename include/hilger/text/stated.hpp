@@ -16,7 +16,7 @@ template <class T>
 using components_view = hilger::detail::function_view<T(int)>;
 
 /// A formula and what its names stand for. Copies share both. It has values in float, double, long double, float50, float100 and Q, in
-/// traced numbers of these, and as a symbol: these are compiled in hilger::text.
+/// traced numbers of these: these are compiled in hilger::text.
 class stated {
 public:
     /// @throws error::unreadable with the place of a name that nothing is known of, of a vector without an index, an index outside of its

@@ -2,7 +2,7 @@
 // What a step is written in: of several members one in each lane of a register, and of one member plain numbers.
 #pragma once
 
-#include "hilger/formula/c_step.hpp"
+#include "text/c_statements.hpp"
 
 namespace engine {
 
@@ -100,6 +100,15 @@ static inline lanes lanes_pow(lanes x, double n)
     memcpy(&x, out, sizeof x);
     return x;
 }
+static inline lanes lanes_hypot(lanes x, lanes y)
+{
+    double a[width], b[width];
+    memcpy(a, &x, sizeof x);
+    memcpy(b, &y, sizeof y);
+    for (int k = 0; k < width; ++k) a[k] = hypot(a[k], b[k]);
+    memcpy(&x, a, sizeof x);
+    return x;
+}
 #define sqrt lanes_sqrt
 #define tan lanes_tan
 #define sinh lanes_sinh
@@ -114,6 +123,7 @@ static inline lanes lanes_pow(lanes x, double n)
 #define cos lanes_cos
 #define exp lanes_exp
 #define pow lanes_pow
+#define hypot(a, b) lanes_hypot((lanes){0} + (a), (lanes){0} + (b))
 )";
 
 } // namespace lane_language

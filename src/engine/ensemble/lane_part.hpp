@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-// One part of a step, of one node, in lanes. It solves the equation of hilger/formula/node_equation.hpp as c_step.hpp does, with masks in
+// One part of a step, of one node, in lanes. It solves the equation of text/node_equation.hpp as text/c_step.hpp does, with masks in
 // the place of branches: a lane that is done keeps what it has while others go on.
 #pragma once
 
 #include <algorithm>
 
 #include "engine/ensemble/lane_text.hpp"
+#include "hilger/newton/stop.hpp"
+#include "text/node_equation.hpp"
 
 namespace engine {
 
@@ -15,8 +17,8 @@ constexpr int most_rounds_in_lanes = 4;
 class lane_part : hilger::detail::node_equation {
 public:
     /// Of one member, whose masks are branches, or of several.
-    lane_part(hilger::detail::node_evaluation const& what, hilger::tableau<symbol> const& b, std::string name, bool one)
-        : node_equation(what, b, symbol::variable("h")), name_(std::move(name)), one_(one) {
+    lane_part(hilger::detail::node_formulas const& what, hilger::tableau<hilger::detail::formula_node> const& b, std::string name, bool one)
+        : node_equation(what, b, "lanes"), name_(std::move(name)), one_(one) {
         w_ = constant("w", w_);
     }
     /// In y: nothing is guessed.
@@ -24,25 +26,25 @@ public:
     /// The node is not at an end of the step: a velocity is guessed by a polynomial.
     [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
     /// What is there in one place or two is part of the walk.
-    [[nodiscard]] std::string text(bool is_inlined) const {
+    [[nodiscard]] std::string text(bool is_inlined) {
         std::string const array = "[" + std::to_string(N) + "]";
         std::string all = std::string("static ") + (is_inlined ? "inline __attribute__((always_inline))" : "__attribute__((noinline))") +
                           " void " + name_ + "(lanes t, lanes h, const lanes *m, lanes *q, lanes *p, lanes *v, mask *lost" +
                           (linear_ ? "" : ", lanes (*before)[" + std::to_string(N) + "], long known") +
                           ")\n{\n    (void)t;\n    (void)m;\n    (void)v;\n";
-        lane_statements constants("    ", "of");
-        for (auto const& [name, value] : constants_) constants.add("const lanes " + name + " =", value);
+        auto constants = statements("    ", "of");
+        for (auto const& [name, value] : constants_) constants.add_local(name, value);
         all += constants.text() + "    lanes y" + array + ", g" + array + " = {{0}}, d" + array +
                ";\n    mask done = *lost, settled = {0}, late = {0};\n    (void)done;\n    (void)settled;\n    (void)late;\n";
         for (int k = 0; k < N; ++k) all += "    " + element("y", k) + " = " + (linear_ ? std::string("all(0.0)") : element("v", k)) + ";\n";
         all += linear_ ? "    {\n" : "    for (int iteration = 0; !are_all(done); ++iteration) {\n";
         all += iteration("        ") + "    }\n";
-        if (f_.is(0)) all += force_at_the_end();
+        if (std::set<std::string> used; f_.is(0)) all += force_at_the_end(used);
         if (not linear_) all += nearness();
-        lane_statements update("    ", "by");
+        auto update = statements("    ", "by");
         for (int k = 0; k < N; ++k) {
-            update.add(element("q", k) + " +=", w_ * y_[static_cast<std::size_t>(k)]);
-            update.add(element("p", k) + " +=", w_ * symbol::variable(element("g", k)));
+            update.add(element("q", k) + " +=", w_ * y(k));
+            update.add(element("p", k) + " +=", w_ * variable(element("g", k)));
         }
         all += update.text();
         std::string sum; // what is beyond all numbers at the end is not finite in any term before either
@@ -54,40 +56,30 @@ public:
     }
 
 private:
-    /// The time and the position at the node, as far as they are used.
-    [[nodiscard]] std::string position(std::string const& in, std::set<std::string> const& used) const {
-        lane_statements lines(in, "at");
-        if (used.contains("t_node")) lines.add("const lanes t_node =", time_);
-        for (int k = 0; k < N; ++k)
-            if (std::string const& name = x_[static_cast<std::size_t>(k)].get().name; used.contains(name))
-                lines.add("const lanes " + name + " =", symbol::variable(element("q", k)) + c_ * y_[static_cast<std::size_t>(k)]);
-        return lines.text();
-    }
     /// One iteration of Newton's method for y, with g carried along to first order.
-    [[nodiscard]] std::string iteration(std::string const& in) const {
+    [[nodiscard]] std::string iteration(std::string const& in) {
         std::string const array = "[" + std::to_string(N) + "]";
-        lane_statements body(in);
-        auto const at = [this](int j, int k) { return static_cast<std::size_t>(j * N + k); };
+        auto body = statements(in);
         std::string declared = in + "lanes K" + array + array + ";\n";
         for (int k = 0; k < N; ++k) {
             auto const n = static_cast<std::size_t>(k);
-            if (not f_.is(0)) body.add("const lanes g" + std::to_string(k) + " =", node_.g[n]);
-            symbol const force = f_.is(0) ? symbol(0) : symbol::variable("g" + std::to_string(k));
-            body.add("const lanes r" + std::to_string(k) + " =", symbol::variable(element("p", k)) + f_ * force - node_.p[n]);
+            std::string const number = std::to_string(k);
+            if (not f_.is(0)) body.add_local("g" + number, node_.g[n]);
+            body.add_local("r" + number, variable(element("p", k)) + f_ * variable("g" + number) - node_.p[n]);
         }
         for (int j = 0; j < N; ++j)
             for (int k = 0; k < N; ++k)
-                if (is_there(at(j, k))) body.add("const lanes " + slope(j, k) + " =", D_[at(j, k)]);
+                if (has_slope(j, k)) body.add_local(slope(j, k), D_[at(j, k)]);
         std::vector<bool> K(static_cast<std::size_t>(N * N));
         for (int j = 0; j < N; ++j)
             for (int k = 0; k < N; ++k) {
-                symbol const D = is_there(at(j, k)) ? symbol::variable(slope(j, k)) : symbol(0);
-                symbol const slope_of_row = node_.pv[at(j, k)] + c_ * node_.pq[at(j, k)] - f_ * D;
-                K[at(j, k)] = j == k or not slope_of_row.is(0);
-                if (K[at(j, k)]) body.add(element("K", j, k) + " =", slope_of_row);
+                auto const element_of_K = slope_of_row(j, k, slope(j, k));
+                K[at(j, k)] = j == k or not element_of_K.is(0);
+                if (K[at(j, k)]) body.add(element("K", j, k) + " =", element_of_K);
             }
         std::string const formulas = body.text();
-        std::string text = declared + position(in, body.read()) + formulas;
+        auto used = body.read();
+        std::string text = declared + position(in, used) + formulas;
         std::string sum = "r0", rest = "size_of(r0)";
         for (int k = 1; k < N; ++k) {
             sum += " + r" + std::to_string(k);
@@ -102,19 +94,18 @@ private:
                 std::string const change = "change" + std::to_string(k);
                 std::string terms;
                 for (int m = 0; m < N; ++m)
-                    if (is_there(at(k, m))) terms += (terms.empty() ? "" : " + ") + slope(k, m) + " * " + element("d", m);
+                    if (has_slope(k, m)) terms += (terms.empty() ? "" : " + ") + slope(k, m) + " * " + element("d", m);
                 text += in + "const lanes " + change + " = " + (terms.empty() ? "all(0.0)" : terms) + ";\n";
                 text += in + gk + " = " + kept(gk, "g" + std::to_string(k) + (terms.empty() ? "" : " + " + change)) + ";\n";
             }
             text += in + yk + " = " + (linear_ ? dk : kept(yk, yk + " + " + dk)) + ";\n";
         }
-        return linear_ ? text : text + stop(in, rest, body.read());
+        return linear_ ? text : text + stop(in, rest, used);
     }
     /// When a lane is done: after a small correction the error is of the size of the rounding, and so it is where r is no more than that;
     /// in each component, or two rounds after it is so in all of them together.
     [[nodiscard]] std::string stop(std::string const& in, std::string const& rest, std::set<std::string> const& used) const {
-        using hilger::detail::filled;
-        std::string const f = f_.is(0) ? "" : " + size_of(" + f_.get().name + ") * ", both = one_ ? " && " : " & ";
+        std::string const f = f_.is(0) ? "" : " + size_of(" + name_of(f_) + ") * ", both = one_ ? " && " : " & ";
         std::string small, rounded;
         for (int k = 0; k < N; ++k) {
             std::string const n = std::to_string(k), g = f_.is(0) ? "" : f + "size_of(" + element("g", k) + ")", more = k > 0 ? both : "";
@@ -143,9 +134,9 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
              {"$negligible", has_constant_mass() and not f_.is(0) ? negligible(in, used) : ""},
              {"$in", in},
              {"$d", largest_of("d", N)},
-             {"$floor", hilger::detail::c_spelling::number(hilger::detail::square_root_of_epsilon<double>() / 2)},
+             {"$floor", c_number(hilger::detail::square_root_of_epsilon<double>() / 2)},
              {"$y", largest_of("y", N)},
-             {"$rounding", hilger::detail::c_spelling::number(4 * hilger::epsilon<double>())},
+             {"$rounding", c_number(4 * hilger::epsilon<double>())},
              {"$r", rest},
              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
              {"$most", std::to_string(most_rounds_in_lanes)}});
@@ -153,10 +144,10 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/step/small/one_node.hpp).
     [[nodiscard]] std::string negligible(std::string const& in, std::set<std::string> const& used) const {
-        std::string const c = c_.get().name, w = w_.get().name;
+        std::string const c = name_of(c_), w = name_of(w_);
         std::string text = in + "lanes relative = all(0.0);\n", each;
         for (int k = 0; k < N; ++k)
-            if (std::string const& x = x_[static_cast<std::size_t>(k)].get().name; used.contains(x)) {
+            if (std::string const x = name_of_x(k); used.contains(x)) {
                 std::string const n = "[" + std::to_string(k) + "]";
                 text += in + "relative = larger(size_of(" + c + " * d" + n + ") / (size_of(" + x + ") + size_of(" + c + " * y" + n +
                         ")), relative);\n";
@@ -165,15 +156,14 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
             std::string const n = std::to_string(k);
             each += (k > 0 ? " & " : "") +
                     ("(size_of(" + w + ") * relative * (size_of(g[" + n + "]) * relative + size_of(change" + n + ")) <= ") +
-                    hilger::detail::c_spelling::number(hilger::epsilon<double>() / 2) + " * (size_of(p[" + n + "]) + size_of(" + w +
-                    ") * size_of(g[" + n + "])))";
+                    c_number(hilger::epsilon<double>() / 2) + " * (size_of(p[" + n + "]) + size_of(" + w + ") * size_of(g[" + n + "])))";
         }
         return text + in + "each |= " + each + ";\n";
     }
     /// Where it took more than two rounds the root is one near the last velocity, or the lane is lost: is_near of hilger/newton/stop.hpp.
     /// The first velocity is that at the start, half a step from the second; and where forces vanish changes grow from nothing.
     [[nodiscard]] std::string nearness() const {
-        return hilger::detail::filled(R"(    if (known >= 2 && !are_all(~late)) {
+        return filled(R"(    if (known >= 2 && !are_all(~late)) {
         lanes change = {0}, last = {0}, earlier = {0}, speed = {0};
         for (int k = 0; k < $n; ++k) {
             change = larger(size_of(y[k] - before[0][k]), change);
@@ -185,25 +175,13 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
         *lost |= late & ~(change <= larger(2.0 * last, 0.125 * speed));
     }
 )",
-                                      {{"$n", std::to_string(N)}});
+                      {{"$n", std::to_string(N)}});
     }
-    [[nodiscard]] bool has_constant_mass() const {
-        auto const is_number = [](symbol const& f) { return f.op() == hilger::operation::number; };
-        return std::all_of(node_.pv.begin(), node_.pv.end(), is_number) and std::all_of(node_.gv.begin(), node_.gv.end(), is_number) and
-               std::all_of(node_.pq.begin(), node_.pq.end(), is_number);
-    }
-    [[nodiscard]] bool is_there(std::size_t k) const { return not D_[k].is(0); }
+    [[nodiscard]] bool has_constant_mass() const { return are_numbers(node_.pv) and are_numbers(node_.gv) and are_numbers(node_.pq); }
     [[nodiscard]] static std::string slope(int j, int k) { return "D" + std::to_string(j) + "_" + std::to_string(k); }
     /// What a lane that is done keeps while others go on.
     [[nodiscard]] std::string kept(std::string const& old, std::string const& made) const {
         return linear_ or one_ ? made : "either(done, " + old + ", " + made + ")";
-    }
-    /// Where the position is that at the end, g was not needed until now.
-    [[nodiscard]] std::string force_at_the_end() const {
-        lane_statements body("        ");
-        for (int k = 0; k < N; ++k) body.add(element("g", k) + " =", node_.g[static_cast<std::size_t>(k)]);
-        std::string const formulas = body.text();
-        return "    {\n" + position("        ", body.read()) + formulas + "    }\n";
     }
 
     std::string name_;

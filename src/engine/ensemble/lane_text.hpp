@@ -1,40 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the text of a step in lanes is put together from: statements, largest elements, elimination.
+// What the text of a step in lanes is put together from: largest elements, elimination.
 #pragma once
 
-#include "hilger/formula/c_step.hpp"
+#include "text/c_statements.hpp"
 
 namespace engine {
 
-using hilger::symbol;
-using hilger::detail::element;
+using hilger::detail::element, hilger::detail::filled, hilger::detail::c_number;
 
-/// Statements whose values are lanes, those of no variable too.
-class lane_statements {
-public:
-    explicit lane_statements(std::string indent, std::string letter = "u") : statements_(std::move(indent), std::move(letter)) {}
-    void add(std::string before, symbol const& value) { statements_.add(before + (is_constant(value) ? " (lanes){0} +" : ""), value); }
-    [[nodiscard]] std::string text() {
-        std::string all = statements_.text();
-        for (std::size_t at = 0; (at = all.find("const double ", at)) != std::string::npos;) all.replace(at, 13, "const lanes ");
-        return all;
-    }
-    [[nodiscard]] std::set<std::string> const& read() const { return statements_.read(); }
-
-private:
-    static bool is_constant(symbol const& f) {
-        if (f.op() == hilger::operation::number) return true;
-        if (f.op() == hilger::operation::variable) return false;
-        return is_constant(f.first()) and (not f.get().b or is_constant(f.second()));
-    }
-    hilger::c_statements statements_;
-};
-
-inline std::string largest_of(std::string const& array, int n) {
-    std::string text = "size_of(" + element(array, 0) + ")";
-    for (int k = 1; k < n; ++k) text = "larger(" + text + ", size_of(" + element(array, k) + "))";
-    return text;
-}
+inline std::string largest_of(std::string const& array, int n) { return hilger::detail::largest_in(array, n, "larger", "size_of"); }
 
 /// d becomes K^-1 d, with the rows of the largest pivots; `regular` says of which lanes. Elements that are not `there` are 0. Of one member
 /// rows are exchanged in a branch that is seldom taken, for what follows does not wait for it.
@@ -83,7 +57,7 @@ inline std::string elimination(int n, std::string const& in, bool one, std::vect
             if (is_there(k, j)) line(element("d", k) + " -= " + K(k, j) + " * " + element("d", j));
         line(element("d", k) + " *= over" + std::to_string(k));
     }
-    line("const mask regular = least > " + hilger::detail::c_spelling::number(n * hilger::epsilon<double>()) + " * most");
+    line("const mask regular = least > " + c_number(n * hilger::epsilon<double>()) + " * most");
     return text;
 }
 

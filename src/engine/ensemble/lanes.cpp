@@ -17,8 +17,6 @@ namespace engine {
 
 namespace {
 
-using hilger::symbol;
-
 /// How many doubles a register has, and what the compiler is told of the processor.
 struct registers {
     int width;
@@ -36,55 +34,35 @@ registers registers_here() {
     }
 }
 
-/// The Lagrangian or a force in symbols, with those that states bring as m[0], m[1], ...
-class of_members {
-public:
-    explicit of_members(std::vector<hilger::text::stated> const& formulas) : formulas_(formulas) {}
-    template <class V>
-    symbol value(std::size_t component, symbol const& t, V const& q, V const& v) const {
-        int const d = formulas_[component].words().dimension();
-        auto const position = [&](int k) { return k < d ? symbol(q(k)) : symbol::variable("m[" + std::to_string(k - d) + "]"); };
-        return formulas_[component].value(t, position, v);
-    }
-    [[nodiscard]] std::size_t size() const { return formulas_.size(); }
-    [[nodiscard]] bool reads_time() const {
-        return std::any_of(formulas_.begin(), formulas_.end(), [](auto const& f) { return f.reads(hilger::text::meaning::role::time); });
-    }
-
-private:
-    std::vector<hilger::text::stated> formulas_;
-};
-struct member_lagrangian : of_members {
-    using of_members::of_members;
-    symbol operator()(symbol const& t, vector<symbol> const& q, vector<symbol> const& v) const { return value(0, t, q, v); }
-};
-struct member_force : of_members {
-    using of_members::of_members;
-    vector<symbol> operator()(symbol const& t, vector<symbol> const& q, vector<symbol> const& v) const {
-        vector<symbol> f(static_cast<Eigen::Index>(size()));
-        for (std::size_t k = 0; k < size(); ++k) f(static_cast<Eigen::Index>(k)) = value(k, t, q, v);
-        return f;
-    }
-};
-/// Calls use(mechanics) with what of_members makes of it.
-template <class Use>
-auto with_members(problem const& what, Use const& use) {
-    member_lagrangian const L({what.lagrangian.formula()});
-    if (what.force) return use(hilger::problem<member_lagrangian, member_force>{L, member_force(what.force->formulas())});
-    return use(hilger::problem<member_lagrangian, hilger::no_force>{L, {}});
+/// The Lagrangian and a force as formulas, with the numbers that states bring as m[0], m[1], ...
+/// @throws hilger::error::no_formula where one of them compares
+hilger::detail::node_formulas formulas_of(problem const& what) {
+    using hilger::detail::named_graph;
+    int const d = what.lagrangian.formula().words().dimension();
+    auto const in = std::make_shared<named_graph>(d);
+    hilger::detail::tracing<double> const here(in->graph);
+    auto const value_of = [&](hilger::text::stated const& f) {
+        return f.value(
+            named_graph::argument(2 * d),
+            [&](int k) { return k < d ? named_graph::argument(k) : in->variable("m[" + std::to_string(k - d) + "]"); },
+            [&](int k) { return named_graph::argument(d + k); });
+    };
+    std::vector<hilger::detail::formula_node> force;
+    if (what.force)
+        for (auto const& f : what.force->formulas()) force.push_back(value_of(f));
+    return hilger::detail::differentiated(in, value_of(what.lagrangian.formula()), force);
 }
 
-template <class Mechanics>
-std::optional<one_node_parts> parts_of(Mechanics const& mechanics, std::string const& method, std::optional<double> const& lambda) {
-    symbol const h = symbol::variable("h"), one_over_h = symbol(1) / h;
-    if (lambda) return one_node_parts{{{1, 2, {symbol(1 - *lambda), symbol(*lambda)}, {-one_over_h, one_over_h}, {h}, {}, {}}}, {{0, 1}}};
-    auto const one = [&](auto const& flow) { return tableau_of(flow.embedding(), h); };
-    if (method == "order-one") return one_node_parts{{one(embed(mechanics, hilger::order_one))}, {{0, 1}}};
-    if (method == "order-one-left") return one_node_parts{{one(embed(mechanics, hilger::order_one_left))}, {{0, 1}}};
-    if (method == "mid-point") return one_node_parts{{one(embed(mechanics, hilger::mid_point))}, {{0, 1}}};
+std::optional<one_node_parts> parts_of(hilger::detail::named_graph& in, std::string const& method, std::optional<double> const& lambda) {
+    using number = hilger::detail::formula_node;
+    hilger::detail::tracing<double> const here(in.graph);
+    number const h = in.variable("h"), one_over_h = number(1) / h;
+    if (lambda) return one_node_parts{{{1, 2, {number(1 - *lambda), number(*lambda)}, {-one_over_h, one_over_h}, {h}, {}, {}}}, {{0, 1}}};
+    if (method == "order-one") return one_node_parts{{tableau_of(hilger::order_one, h)}, {{0, 1}}};
+    if (method == "order-one-left") return one_node_parts{{tableau_of(hilger::order_one_left, h)}, {{0, 1}}};
+    if (method == "mid-point") return one_node_parts{{tableau_of(hilger::mid_point, h)}, {{0, 1}}};
     auto const verlet = [&](auto const& shares) {
-        auto const first = embed(mechanics, hilger::order_one);
-        one_node_parts made{{one(first), one(adjoint(first))}, {}};
+        one_node_parts made{{tableau_of(hilger::order_one, h), tableau_of(hilger::order_one_left, h)}, {}};
         for (double const share : shares) made.parts.insert(made.parts.end(), {{0, share / 2}, {1, share / 2}});
         return made;
     };
@@ -145,16 +123,16 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         if (brought == 0) throw;
         return nullptr; // a factor that members bring with them
     }
-    std::string const text = with_members(what, [&](auto const& mechanics) -> std::string {
-        auto const parts = parts_of(mechanics, method, lambda);
-        if (not parts) return {};
+    std::string text;
+    try {
+        auto const formulas = formulas_of(what);
+        auto const parts = parts_of(*formulas.in, method, lambda);
+        if (not parts) return nullptr;
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
-        try {
-            return lanes_of(hilger::detail::evaluation_of<vector<double>>(mechanics, d), *parts, brought, width);
-        } catch (hilger::error::no_formula const&) { // it compares
-            return {};
-        }
-    });
+        text = lanes_of(formulas, *parts, brought, width);
+    } catch (hilger::error::no_formula const&) { // it compares
+        return nullptr;
+    }
     if (text.empty() or text.size() > (width == alone ? most_letters_for_one : most_letters)) return nullptr;
     auto const library = compiled(text, width == alone ? std::vector<std::string>{"-O3", "-w"} : registers_here().options);
     if (not library) return nullptr;

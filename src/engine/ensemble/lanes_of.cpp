@@ -1,44 +1,33 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/ensemble/lanes_of.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include "engine/ensemble/lane_language.hpp"
 #include "engine/ensemble/lane_part.hpp"
+#include "hilger/text/c_code.hpp"
 
 namespace engine {
 
 namespace {
 
-using hilger::detail::symbol_list;
+using node_list = std::vector<hilger::detail::formula_node>;
 
 /// The guess of a velocity is the polynomial through those of so many equal steps before, as far as there are; of other steps, through two.
 /// At an end of the step it is the last velocity, as in hilger/step/small/one_node.hpp: a polynomial may lie in the reach of another root.
 constexpr int guesses = 7;
 
-bool is_everywhere_smooth(symbol_list const& formulas) {
-    using enum hilger::operation;
-    std::set<hilger::formula const*> seen;
-    std::function<bool(symbol const&)> const good = [&](symbol const& f) {
-        if (f.get().is_leaf() or not seen.insert(&f.get()).second) return true;
-        switch (f.op()) {
-        case log:
-        case log1p:
-        case asin:
-        case acos:
-        case acosh:
-        case atanh:
-        case atan2:
-        case maximum:
-        case minimum:
-        case where:
-        case elsewhere:
-        case abs:
-        case sign:
-            return false;
-        default:
-            return good(f.first()) and (not f.get().b or good(f.second()));
-        }
-    };
-    return std::all_of(formulas.begin(), formulas.end(), good);
+bool is_everywhere_smooth(hilger::detail::node_formulas const& what) {
+    constexpr std::string_view others[] = {"log",   "slope_of_log", "log1p", "asin", "acos", "acosh",     "atanh",
+                                           "atan2", "max",          "min",   "abs",  "sign", "elsewhere", "where"};
+    node_list all{what.L};
+    for (auto const* list : {&what.g, &what.p, &what.gq, &what.gv, &what.pq, &what.pv}) all.insert(all.end(), list->begin(), list->end());
+    auto const& g = what.in->graph;
+    auto const nodes = hilger::detail::nodes_below(g, all);
+    return std::none_of(nodes.begin(), nodes.end(), [&](int k) {
+        return g[k].what != nullptr and std::find(std::begin(others), std::end(others), g[k].what->name) != std::end(others);
+    });
 }
 
 // The numbers of a state in their order; m is behind all else. Velocities are there twice, so that the last ones are always in a row.
@@ -133,13 +122,11 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of) {
     return static_cast<std::size_t>(dimension) * (2 + guesses * of.parts.size());
 }
 
-std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width) {
+std::string lanes_of(hilger::detail::node_formulas const& what, one_node_parts const& of, int brought, int width) {
     bool const one = width == 0;
-    using hilger::detail::filled;
-    int const N = what.dimension;
-    auto const here = what.at(symbol::variable("t"), hilger::detail::c_array("q", N), hilger::detail::c_array("y", N));
-    for (auto const& formulas : {symbol_list{here.L}, here.g, here.p, here.gq, here.gv, here.pq, here.pv})
-        if (not is_everywhere_smooth(formulas)) return {};
+    if (not is_everywhere_smooth(what)) return {};
+    auto& in = *what.in;
+    int const N = in.dimension;
     std::string const n = std::to_string(N);
     std::string text = language_of(width);
     struct solved {
@@ -147,17 +134,18 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
     };
     std::vector<solved> kinds;
     for (std::size_t k = 0; k < of.kinds.size(); ++k) {
-        lane_part const part(what, of.kinds[k], "part_" + std::to_string(k), one);
+        lane_part part(what, of.kinds[k], "part_" + std::to_string(k), one);
         text += '\n' + part.text(of.parts.size() <= 2);
         kinds.push_back({part.is_linear(), part.is_inside()});
     }
     text += "\nenum { parts = " + std::to_string(of.parts.size()) + ", guesses = " + std::to_string(guesses) +
             ", brought = " + std::to_string(brought) + " };\n" + polynomials();
-    lane_statements momenta("    ");
-    for (int k = 0; k < N; ++k) momenta.add(element("p", k) + " =", here.p[static_cast<std::size_t>(k)]);
-    lane_statements masses("    ", "of_mass");
+    for (int k = 0; k < N; ++k) in.names[static_cast<std::size_t>(k)] = {element("q", k)};
+    in.names[2 * static_cast<std::size_t>(N)] = {"t"};
+    hilger::detail::c_statements momenta(in, "    ", "u", "lanes"), masses(in, "    ", "of_mass", "lanes");
+    for (int k = 0; k < N; ++k) momenta.add(element("p", k) + " =", what.p[static_cast<std::size_t>(k)]);
     for (int j = 0; j < N; ++j)
-        for (int k = 0; k < N; ++k) masses.add(element("K", j, k) + " =", here.pv[static_cast<std::size_t>(j * N + k)]);
+        for (int k = 0; k < N; ++k) masses.add(element("K", j, k) + " =", what.pv[static_cast<std::size_t>(j * N + k)]);
     text += '\n' + hilger::detail::c_solve("mass", N) +
             filled(beginning, {{"$state", state_in}, {"$momenta", momenta.text()}, {"$masses", masses.text()}, {"$n", n}});
     std::string parts;
@@ -168,7 +156,7 @@ std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts
                                                           : last},
                                    {"$remember", is_linear ? "" : remember},
                                    {"$before", is_linear ? "" : ", newest, step > 0.0 ? i + 1 : 0"},
-                                   {"$share", hilger::detail::c_spelling::number(of.parts[k].share)},
+                                   {"$share", c_number(of.parts[k].share)},
                                    {"$part", std::to_string(k)},
                                    {"$kind", std::to_string(of.parts[k].kind)}});
     }

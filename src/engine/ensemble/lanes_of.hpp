@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "hilger/formula/of_nodes.hpp"
 #include "hilger/step/tableau.hpp"
+#include "hilger/text/formula.hpp"
 
 namespace engine {
 
-/// A step is a list of embeddings with one node, each over its share of the step. Formulas are in t, q[k], y[k], h, and the parameters m[k]
-/// of a member.
+/// A step is a list of embeddings with one node, each over its share of the step. Formulas have the variables h and m[k], the
+/// parameters of a member.
 struct one_node_parts {
-    std::vector<hilger::tableau<hilger::symbol>> kinds; ///< in h
+    std::vector<hilger::tableau<hilger::detail::formula_node>> kinds; ///< in h
     struct part {
         std::size_t kind;
         double share;
@@ -33,6 +33,6 @@ std::size_t size_in_lanes(int dimension, one_node_parts const& of);
 /// a formula has branches, or domains that its derivatives do not know of, as log(1 - q) with 1/(1 - q).
 /// Where `width` is 0 there is one member, all are plain numbers, functions those of the C library, masks branches, and q and p behind each
 /// step go to kept_q and kept_p, where these are not null.
-std::string lanes_of(hilger::detail::node_evaluation const& what, one_node_parts const& of, int brought, int width);
+std::string lanes_of(hilger::detail::node_formulas const& what, one_node_parts const& of, int brought, int width);
 
 } // namespace engine

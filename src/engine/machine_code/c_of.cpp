@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/machine_code/machine_code.hpp"
+#include "text/c_statements.hpp"
 
 namespace engine {
 
@@ -17,15 +18,10 @@ constexpr int most_lines = 20'000;
 
 std::string at(int place) { return "x[" + std::to_string(place) + "]"; }
 std::string in_loop(int place, bool moves) { return "x[" + std::to_string(place) + (moves ? " + i]" : "]"); }
-std::string written(std::string const& name, std::string const& a, std::string const& b, bool of_one) {
-    if (name == "-x") return "-" + a;
+std::string written(std::string const& name, std::string const& a, std::string const& b) {
     if (name == "slope_of_log") return '(' + a + " < 0 ? log(" + a + ") : 1 / " + a + ')';
     if (name == "over_norm") return '(' + b + " == 0 ? " + a + " * " + b + " : " + a + " / " + b + ')';
-    if (name.size() == 1) return a + ' ' + name + ' ' + b;
-    return name + '(' + a + (of_one ? ")" : ", " + b + ')');
-}
-bool is_of_one(std::string const& name) {
-    return name.size() > 1 and name != "pow" and name != "hypot" and name != "atan2" and name != "over_norm";
+    return hilger::detail::c_operation(name, {a}, {b}).text;
 }
 
 /// Rounds of operations that are one loop, or one that is lines.
@@ -101,7 +97,7 @@ private:
         all += "    for (int i = 0; i < " + std::to_string(t.count) + "; ++i) {\n";
         for (auto const& r : t.rounds) {
             std::string const local = 'v' + std::to_string(r.out), name = r.what->name;
-            all += "        const double " + local + " = " + written(name, operand(r.a), operand(r.b), is_of_one(name)) + ";\n";
+            all += "        const double " + local + " = " + written(name, operand(r.a), operand(r.b)) + ";\n";
             auto const first = is_stored_.begin() + r.out;
             if (std::find(first, first + r.count, true) != first + r.count)
                 all += "        " + in_loop(r.out, true) + " = " + local + ";\n";
@@ -113,7 +109,7 @@ private:
         for (int i = 0; i < r.count; ++i) {
             int const out = r.out + i;
             std::string const local = 'v' + std::to_string(out);
-            all += "    const double " + local + " = " + written(name, operand(r.a[i]), operand(r.b[i]), is_of_one(name)) + ";\n";
+            all += "    const double " + local + " = " + written(name, operand(r.a[i]), operand(r.b[i])) + ";\n";
             if (is_stored_[static_cast<std::size_t>(out)]) all += "    " + at(out) + " = " + local + ";\n";
             is_local_[static_cast<std::size_t>(out)] = true;
         }
@@ -152,7 +148,7 @@ std::string c_of_node(hilger::detail::evaluation<S> const& what, int d, std::vec
             what.for_each_round(p, [&](auto const& r) {
                 for (int i = 0; i < r.count; ++i) {
                     text += "    const " + scalar + "v" + std::to_string(r.out + i) + " = " +
-                            written(r.what->name, operand(r.a[i]), operand(r.b[i]), is_of_one(r.what->name)) + ";\n";
+                            written(r.what->name, operand(r.a[i]), operand(r.b[i])) + ";\n";
                     is_local[static_cast<std::size_t>(r.out + i)] = true;
                 }
             });

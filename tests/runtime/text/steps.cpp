@@ -3,10 +3,10 @@
 // without branches, in rationals and in double; the equation is the judge.
 #include <doctest/doctest.h>
 
-#include "hilger/formula/print.hpp"
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/text/embedding.hpp"
+#include "hilger/text/formula.hpp"
 #include "hilger/text/lagrangian.hpp"
 #include "support/random_lagrangian.hpp"
 
@@ -108,9 +108,8 @@ TEST_CASE("forces, the time, and what is printed") {
     CHECK(record(path).states == record(typed_path).states);
     CHECK(largest_residual(path) == 0);
 
-    auto const symbols = [](std::string const& name) { return [name](int k) { return symbol::variable(name, k); }; };
     std::ostringstream out;
-    out << L.formula().value(symbol::variable("t"), symbols("q"), symbols("v"));
+    out << formula_of(L.formula(), {{"q", "v", 2}}, "t");
     CHECK(out.str() == "(v₀² + v₁²)/2 − 0.25·(q₀² + q₁²) + q₀·t");
     CHECK(L.formula().reads(text::meaning::role::time));
     auto const flow = embed(lagrangian{L}, mid_point);

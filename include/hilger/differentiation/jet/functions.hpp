@@ -4,53 +4,24 @@
 
 #include <Eigen/Core>
 
+#include "hilger/differentiation/functions.hpp"
 #include "hilger/differentiation/jet/arithmetic.hpp"
-#include "hilger/differentiation/jet/comparisons.hpp"
 #include "hilger/differentiation/jet/pairs.hpp"
 #include "hilger/inlining.hpp"
 #include "hilger/scalar.hpp"
 
 namespace hilger {
 
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sin(jet<S, F, C, O> const& x) {
-    using std::cos, std::sin;
-    S const s = sin(x.value);
-    return chain_rule(x, s, S(cos(x.value)), S(-s));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> cos(jet<S, F, C, O> const& x) {
-    using std::cos, std::sin;
-    S const c = cos(x.value);
-    return chain_rule(x, c, S(-sin(x.value)), S(-c));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> tan(jet<S, F, C, O> const& x) {
-    using std::tan;
-    S const t = tan(x.value);
-    S const slope = S(1) + t * t;
-    return chain_rule(x, t, slope, S((t + t) * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> exp(jet<S, F, C, O> const& x) {
-    using std::exp;
-    S const e = exp(x.value);
-    return chain_rule(x, e, e, e);
-}
-namespace detail {
-/// 1/x where log(x) is a number, and what log says where it is none: only derivatives enter a step, and 1/x alone would lead it on.
-template <class S>
-HILGER_ALWAYS_INLINE inline S slope_of_log(S const& x) {
-    using std::log;
-    return x < S(0) ? S(log(x)) : S(S(1) / x);
-}
-} // namespace detail
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log(jet<S, F, C, O> const& x) {
-    using std::log;
-    S const i = detail::slope_of_log(x.value);
-    return chain_rule(x, S(log(x.value)), i, S(-i * i));
-}
+#define HILGER_JET_FUNCTION(function)                                                                                                      \
+    template <class S, int F, int C, int O>                                                                                                \
+    HILGER_ALWAYS_INLINE inline jet<S, F, C, O> function(jet<S, F, C, O> const& x) {                                                       \
+        using rule = detail::function##_function;                                                                                          \
+        S const y = rule::value(x.value), s = rule::slope(x.value, y);                                                                     \
+        return chain_rule(x, y, s, rule::bend(x.value, y, s));                                                                             \
+    }
+HILGER_FOR_EACH_FUNCTION(HILGER_JET_FUNCTION)
+#undef HILGER_JET_FUNCTION
+
 namespace detail {
 /// No derivative there, as at the bottom of a sum of squares.
 template <class S, int F, int C, int O, int... K>
@@ -67,100 +38,6 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sqrt(jet<S, F, C, O> const& x) {
     if (root == S(0)) [[unlikely]]
         if (detail::is_level(x, std::make_integer_sequence<int, C>{})) i = S(0);
     return chain_rule(x, root, i, S(i * i * i), S(S(1) / S(2)), S(S(-1) / S(2)));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sinh(jet<S, F, C, O> const& x) {
-    using std::cosh, std::sinh;
-    S const s = sinh(x.value);
-    return chain_rule(x, s, S(cosh(x.value)), s);
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> cosh(jet<S, F, C, O> const& x) {
-    using std::cosh, std::sinh;
-    S const c = cosh(x.value);
-    return chain_rule(x, c, S(sinh(x.value)), c);
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> tanh(jet<S, F, C, O> const& x) {
-    using std::tanh;
-    S const t = tanh(x.value);
-    S const slope = S(1) - t * t;
-    return chain_rule(x, t, slope, S(-(t + t) * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> asin(jet<S, F, C, O> const& x) {
-    using std::asin, std::sqrt;
-    S const slope = S(1) / S(sqrt(S(S(1) - x.value * x.value)));
-    return chain_rule(x, S(asin(x.value)), slope, S(x.value * slope * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> acos(jet<S, F, C, O> const& x) {
-    using std::acos, std::sqrt;
-    S const slope = S(-1) / S(sqrt(S(S(1) - x.value * x.value)));
-    return chain_rule(x, S(acos(x.value)), slope, S(x.value * slope * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atan(jet<S, F, C, O> const& x) {
-    using std::atan;
-    S const slope = S(1) / S(S(1) + x.value * x.value);
-    return chain_rule(x, S(atan(x.value)), slope, S(-(x.value + x.value) * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> asinh(jet<S, F, C, O> const& x) {
-    using std::asinh, std::sqrt;
-    S const slope = S(1) / S(sqrt(S(x.value * x.value + S(1))));
-    return chain_rule(x, S(asinh(x.value)), slope, S(-x.value * slope * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> acosh(jet<S, F, C, O> const& x) {
-    using std::acosh, std::sqrt;
-    S const slope = S(1) / S(S(sqrt(S(x.value - S(1)))) * S(sqrt(S(x.value + S(1))))); // no number where acosh is none
-    return chain_rule(x, S(acosh(x.value)), slope, S(-x.value * slope * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> atanh(jet<S, F, C, O> const& x) {
-    using std::atanh;
-    S const slope = (detail::slope_of_log(S(S(1) + x.value)) + detail::slope_of_log(S(S(1) - x.value))) / S(2);
-    return chain_rule(x, S(atanh(x.value)), slope, S((x.value + x.value) * slope * slope));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> cbrt(jet<S, F, C, O> const& x) {
-    using std::cbrt;
-    S const root = cbrt(x.value);
-    S const i = S(1) / root;
-    S const ii = i * i;
-    return chain_rule(x, root, ii, S(ii * ii * i), S(S(1) / S(3)), S(S(-2) / S(3)));
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> expm1(jet<S, F, C, O> const& x) {
-    using std::exp, std::expm1;
-    S const e = exp(x.value);
-    return chain_rule(x, S(expm1(x.value)), e, e);
-}
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> log1p(jet<S, F, C, O> const& x) {
-    using std::log1p;
-    S const i = detail::slope_of_log(S(S(1) + x.value));
-    return chain_rule(x, S(log1p(x.value)), i, S(-i * i));
-}
-namespace detail {
-/// 2 / sqrt(pi)
-template <class S>
-S two_over_root_of_pi() {
-    if constexpr (std::is_floating_point_v<S>)
-        return S(1.1283791670955125738961589031215451717L);
-    else {
-        using std::atan, std::sqrt;
-        static S const value = S(1) / S(sqrt(S(atan(S(1)))));
-        return value;
-    }
-}
-} // namespace detail
-template <class S, int F, int C, int O>
-HILGER_ALWAYS_INLINE inline jet<S, F, C, O> erf(jet<S, F, C, O> const& x) {
-    using std::erf, std::exp;
-    S const slope = detail::two_over_root_of_pi<S>() * S(exp(S(-x.value * x.value)));
-    return chain_rule(x, S(erf(x.value)), slope, S(-(x.value + x.value) * slope));
 }
 namespace detail {
 /// c g(x) where g' is a number and c r g'' is infinite: so is the second derivative by what x depends on, and by nothing else.

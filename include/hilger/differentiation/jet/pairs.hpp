@@ -1,13 +1,45 @@
 // SPDX-License-Identifier: BSL-1.0
-// Functions f(x, y) of two jets, or of a jet and a constant, by their five derivatives.
+// Two jets, or a jet and a constant: comparisons, and functions f(x, y) by their five derivatives.
 #pragma once
 
-#include "hilger/differentiation/jet/comparisons.hpp"
+#include "hilger/differentiation/comparisons.hpp"
+#include "hilger/differentiation/jet/arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
 
 namespace detail {
+
+/// The jet in the variables of both.
+template <class S, int F, int C, int G, int D, int O>
+struct pair_of_<jet<S, F, C, O>, jet<S, G, D, O>> : hull_<jet<S, F, C, O>, jet<S, G, D, O>> {};
+template <class S, int F, int C, int O, constant_for<S> K>
+struct pair_of_<jet<S, F, C, O>, K> {
+    using type = jet<S, F, C, O>;
+};
+template <class S, int F, int C, int O, constant_for<S> K>
+struct pair_of_<K, jet<S, F, C, O>> {
+    using type = jet<S, F, C, O>;
+};
+template <class S, class X>
+HILGER_ALWAYS_INLINE constexpr decltype(auto) value_in(X const& x) {
+    if constexpr (is_jet<X>)
+        return (x.value);
+    else
+        return S(x);
+}
+template <class X>
+HILGER_ALWAYS_INLINE constexpr bool reads_velocity(X const& x) {
+    if constexpr (is_jet<X>)
+        return x.on.v > 0;
+    else
+        return false;
+}
+template <class X, class Y>
+requires is_jet<pair_of<X, Y>> HILGER_ALWAYS_INLINE constexpr bool watched(relation how, X const& x, Y const& y) {
+    using S = typename pair_of<X, Y>::scalar_type;
+    return compared(holds<S>(how, value_in<S>(x), value_in<S>(y)), reads_velocity(x) or reads_velocity(y));
+}
 
 template <class S>
 struct derivatives_of_two {
@@ -35,9 +67,9 @@ HILGER_ALWAYS_INLINE constexpr Jet function_of_two(Jet const& x, Jet const& y, S
 
 /// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar. Its slopes at 0 are taken for 0, as those of sqrt(x x + y y).
 template <class X, class Y>
-HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const& y) {
+requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_of<X, Y> hypot(X const& x, Y const& y) {
     using std::hypot;
-    using both = detail::pair_of_jets<X, Y>;
+    using both = detail::pair_of<X, Y>;
     using S = typename both::scalar_type;
     both const a(x), b(y);
     S const r = hypot(a.value, b.value), by = r == S(0) ? S(1) : r, c = a.value / by, s = b.value / by;
@@ -45,9 +77,9 @@ HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> hypot(X const& x, Y const
 }
 /// The angle of (x, y), continuous across the axes where atan(y / x) is not.
 template <class X, class Y>
-HILGER_ALWAYS_INLINE inline detail::pair_of_jets<X, Y> atan2(Y const& y, X const& x) {
+requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_of<X, Y> atan2(Y const& y, X const& x) {
     using std::atan2, std::hypot;
-    using both = detail::pair_of_jets<X, Y>;
+    using both = detail::pair_of<X, Y>;
     using S = typename both::scalar_type;
     both const a(x), b(y);
     S const r = hypot(a.value, b.value);

@@ -94,17 +94,12 @@ struct multiple_of {
         }
     }
 };
-template <class S>
-bool makes_derivatives() {
-    auto const* g = formula_graph<S>::of_this_thread();
-    return g != nullptr and not g->has_values;
-}
 
 } // namespace detail
 
 template <class S>
 traced<S> operator-(traced<S> const& x) {
-    if (not x.is_constant() and detail::makes_derivatives<S>())
+    if (not x.is_constant() and traced<S>::is_written_out())
         if (detail::multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(S(-m.factor)) * m.rest;
     return detail::make_traced<detail::minus_of_traced>(x);
 }
@@ -118,7 +113,7 @@ traced<S> operator*(traced<S> const& x, traced<S> const& y) {
     if (y.is(1)) return x;
     if (x.is(-1) and not y.is_constant()) return -y;
     if (y.is(-1) and not x.is_constant()) return -x;
-    if (detail::makes_derivatives<S>()) {
+    if (traced<S>::is_written_out()) {
         if (x.is(0) or y.is(0)) return traced<S>(S(0));
         detail::multiple_of<S> const l(x), r(y);
         if (l.rest.node != x.node and not y.is_constant()) return traced<S>(l.factor) * (l.rest * y);
@@ -131,7 +126,7 @@ traced<S> operator*(traced<S> const& x, traced<S> const& y) {
 template <class S>
 traced<S> operator/(traced<S> const& x, traced<S> const& y) {
     if (y.is(1)) return x;
-    if (detail::makes_derivatives<S>()) {
+    if (traced<S>::is_written_out()) {
         if (x.is(0)) return x;
         if (detail::multiple_of<S> const m(x); not x.is_constant() and m.rest.node != x.node) return traced<S>(m.factor) * (m.rest / y);
     }
@@ -143,7 +138,7 @@ template <class S>
 traced<S> operator+(traced<S> const& x, traced<S> const& y) {
     if (x.is(0)) return y;
     if (y.is(0)) return x;
-    if (detail::makes_derivatives<S>() and not x.is_constant() and not y.is_constant()) {
+    if (traced<S>::is_written_out() and not x.is_constant() and not y.is_constant()) {
         detail::multiple_of<S> const l(x), r(y);
         if (l.rest.node == r.rest.node) return traced<S>(S(l.factor + r.factor)) * l.rest;
         if (not(l.factor == S(1)) and l.factor == r.factor) return traced<S>(l.factor) * (l.rest + r.rest);
@@ -156,7 +151,7 @@ template <class S>
 traced<S> operator-(traced<S> const& x, traced<S> const& y) {
     if (y.is(0)) return x;
     if (x.is(0) and not y.is_constant()) return -y;
-    if (detail::makes_derivatives<S>() and not y.is_constant()) return x + -y;
+    if (traced<S>::is_written_out() and not y.is_constant()) return x + -y;
     return detail::make_traced<detail::minus_traced>(x, y);
 }
 

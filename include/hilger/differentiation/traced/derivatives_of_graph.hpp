@@ -41,6 +41,11 @@ public:
                 if (graph_[p.base].on & by) add(p.base, traced<S>(S(p.exponent)) * adjoint * lowered(k, p.base));
                 continue;
             }
+            bool const is_choice = for_each_choice(n.what, operand(n.a), operand(n.b), [&](auto const& x, bool of_negative, auto const& y) {
+                for (auto const& [argument, d] : differentiator(graph_).all(y, by))
+                    add(argument, of_negative ? choice_traced<true>::of(x, adjoint * d) : choice_traced<false>::of(x, adjoint * d));
+            });
+            if (is_choice) continue;
             auto const [a, b] = n.what->pull_back(operand(n.a), operand(n.b), traced<S>::at(k, S(0)), adjoint);
             if (graph_[n.a].on & by) add(n.a, a);
             if (graph_[n.b].on & by) add(n.b, b);
@@ -49,6 +54,11 @@ public:
     }
 
 private:
+    std::vector<std::pair<int, traced<S>>> all(traced<S> const& of, std::uint8_t by) {
+        std::vector<std::pair<int, traced<S>>> list;
+        derivatives(of, by, [&](int argument, traced<S> const& d) { list.emplace_back(argument, d); });
+        return list;
+    }
     traced<S> operand(int k) const { return graph_.is_number(k) ? traced<S>(graph_.number(k)) : traced<S>::at(k, S(0)); }
     /// Node k is base^exponent.
     struct power {

@@ -7,8 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "hilger/differentiation/jet/functions.hpp"
-#include "hilger/differentiation/traced/comparisons.hpp"
+#include "hilger/differentiation/functions.hpp"
+#include "hilger/differentiation/traced/choices.hpp"
 
 namespace hilger {
 
@@ -17,29 +17,6 @@ namespace detail {
 struct function_of_one {
     static constexpr bool commutes = false;
 };
-} // namespace detail
-
-// A function and its derivative f'(x), in which y = f(x).
-#define HILGER_TRACED_FUNCTION(function, derivative, ...)                                                                                  \
-    namespace detail {                                                                                                                     \
-    struct function##_traced : function_of_one {                                                                                           \
-        static constexpr char const* name = #function;                                                                                     \
-        template <class S>                                                                                                                 \
-        static S value(S const& x, S const&) {                                                                                             \
-            using std::function;                                                                                                           \
-            return S(function(x));                                                                                                         \
-        }                                                                                                                                  \
-        template <class T>                                                                                                                 \
-        static std::pair<T, T> pull_back([[maybe_unused]] T const& x, T const&, [[maybe_unused]] T const& y, T const& adjoint) {           \
-            return {derivative, T(0)};                                                                                                     \
-        }                                                                                                                                  \
-    };                                                                                                                                     \
-    }                                                                                                                                      \
-    template <class S>                                                                                                                     \
-    traced<S> function(traced<S> const& x) {                                                                                               \
-        return detail::make_traced<detail::function##_traced>(x);                                                                          \
-    }
-namespace detail {
 /// x/y, and 0 where y is, but for an x without bounds: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of
 /// jets is.
 template <class S>
@@ -59,7 +36,7 @@ struct over_norm_traced {
 };
 template <class S>
 traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
-    if (makes_derivatives<S>() and not x.is_constant())
+    if (traced<S>::is_written_out() and not x.is_constant())
         if (multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(m.factor) * over_norm(m.rest, y);
     return make_traced<over_norm_traced>(x, y);
 }
@@ -102,6 +79,18 @@ T slope_of_root(T const& x, T const& root, T const& adjoint) {
     T const half = T(1) / T(2);
     return half * (is_never_negative(x) ? over_norm(adjoint, root) : adjoint / root);
 }
+struct sqrt_traced : function_of_one {
+    static constexpr char const* name = "sqrt";
+    template <class S>
+    static S value(S const& x, S const&) {
+        using std::sqrt;
+        return S(sqrt(x));
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& x, T const&, T const& y, T const& adjoint) {
+        return {slope_of_root(x, y, adjoint), T(0)};
+    }
+};
 struct slope_of_log_traced : function_of_one {
     static constexpr char const* name = "slope_of_log";
     template <class S>
@@ -113,31 +102,35 @@ struct slope_of_log_traced : function_of_one {
         return {-(adjoint * (y * y)), T(0)};
     }
 };
+template <class S>
+traced<S> slope_of_log(traced<S> const& x) {
+    return make_traced<slope_of_log_traced>(x);
+}
+/// A function of the table.
+template <class F>
+struct function_traced : function_of_one {
+    static constexpr char const* name = F::name;
+    template <class S>
+    static S value(S const& x, S const&) {
+        return F::value(x);
+    }
+    template <class T>
+    static std::pair<T, T> pull_back(T const& x, T const&, T const& y, T const& adjoint) {
+        return {adjoint * F::slope(x, y), T(0)};
+    }
+};
 } // namespace detail
-template <class S>
-traced<S> cos(traced<S> const& x);
-template <class S>
-traced<S> cosh(traced<S> const& x);
-HILGER_TRACED_FUNCTION(sin, adjoint* cos(x))
-HILGER_TRACED_FUNCTION(cos, -(adjoint* sin(x)))
-HILGER_TRACED_FUNCTION(tan, adjoint*(T(1) + y * y))
-HILGER_TRACED_FUNCTION(exp, adjoint* y)
-HILGER_TRACED_FUNCTION(log, adjoint* make_traced<slope_of_log_traced>(x))
-HILGER_TRACED_FUNCTION(sqrt, slope_of_root(x, y, adjoint))
-HILGER_TRACED_FUNCTION(sinh, adjoint* cosh(x))
-HILGER_TRACED_FUNCTION(cosh, adjoint* sinh(x))
-HILGER_TRACED_FUNCTION(tanh, adjoint*(T(1) - y * y))
-HILGER_TRACED_FUNCTION(asin, adjoint / sqrt(T(1) - x * x))
-HILGER_TRACED_FUNCTION(acos, -(adjoint / sqrt(T(1) - x * x)))
-HILGER_TRACED_FUNCTION(atan, adjoint / (T(1) + x * x))
-HILGER_TRACED_FUNCTION(asinh, adjoint / sqrt(x * x + T(1)))
-HILGER_TRACED_FUNCTION(acosh, adjoint / (sqrt(x - T(1)) * sqrt(x + T(1))))
-HILGER_TRACED_FUNCTION(atanh, adjoint*((make_traced<slope_of_log_traced>(T(1) + x) + make_traced<slope_of_log_traced>(T(1) - x)) / T(2)))
-HILGER_TRACED_FUNCTION(cbrt, adjoint / (T(3) * (y * y)))
-HILGER_TRACED_FUNCTION(expm1, adjoint* exp(x))
-HILGER_TRACED_FUNCTION(log1p, adjoint* make_traced<slope_of_log_traced>(T(1) + x))
-HILGER_TRACED_FUNCTION(erf, adjoint*(T(two_over_root_of_pi<typename T::scalar_type>()) * exp(-(x * x))))
+#define HILGER_TRACED_FUNCTION(function)                                                                                                   \
+    template <class S>                                                                                                                     \
+    traced<S> function(traced<S> const& x) {                                                                                               \
+        return detail::make_traced<detail::function_traced<detail::function##_function>>(x);                                               \
+    }
+HILGER_FOR_EACH_FUNCTION(HILGER_TRACED_FUNCTION)
 #undef HILGER_TRACED_FUNCTION
+template <class S>
+traced<S> sqrt(traced<S> const& x) {
+    return detail::make_traced<detail::sqrt_traced>(x);
+}
 
 namespace detail {
 struct hypot_traced {
@@ -204,15 +197,15 @@ struct exponential_traced {
 } // namespace detail
 
 template <class X, class Y>
-detail::traced_pair<X, Y> hypot(X const& x, Y const& y) {
-    using T = detail::traced_pair<X, Y>;
-    return detail::make_traced<detail::hypot_traced>(T(x), T(y));
-}
+    requires is_traced<detail::pair_of<X, Y>> detail::pair_of<X, Y> hypot(X const& x, Y const& y) {
+        using T = detail::pair_of<X, Y>;
+        return detail::make_traced<detail::hypot_traced>(T(x), T(y));
+    }
 template <class Y, class X>
-detail::traced_pair<Y, X> atan2(Y const& y, X const& x) {
-    using T = detail::traced_pair<Y, X>;
-    return detail::make_traced<detail::atan2_traced>(T(y), T(x));
-}
+    requires is_traced<detail::pair_of<Y, X>> detail::pair_of<Y, X> atan2(Y const& y, X const& x) {
+        using T = detail::pair_of<Y, X>;
+        return detail::make_traced<detail::atan2_traced>(T(y), T(x));
+    }
 /// x^n with a whole n is exact for every x; other powers need x > 0.
 template <class S, constant_beside<S> K>
 traced<S> pow(traced<S> const& x, K const& exponent) {

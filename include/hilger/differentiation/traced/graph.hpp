@@ -37,23 +37,6 @@ struct traced_operation {
 /// Which arguments a node depends on.
 enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2, on_time = 4 };
 
-/// What is compared.
-enum class relation : std::uint8_t { equal, less, less_or_equal, signs_differ };
-template <class S>
-bool holds(relation how, S const& x, S const& y) {
-    switch (how) {
-    case relation::equal:
-        return x == y;
-    case relation::less:
-        return x < y;
-    case relation::less_or_equal:
-        return x <= y;
-    case relation::signs_differ:
-        break;
-    }
-    return has_minus_sign(x) != has_minus_sign(y);
-}
-
 template <class S>
 class formula_graph {
 public:
@@ -69,8 +52,8 @@ public:
         bool outcome;
     };
 
-    /// The arguments are the first nodes: d positions, then d velocities, then the time.
-    explicit formula_graph(int d) {
+    /// The arguments are the first nodes: d positions, then d velocities, then the time. Others may follow.
+    explicit formula_graph(int d) : arguments_(arguments(d)) {
         for (int k = 0; k < 2 * d; ++k) nodes_.push_back({nullptr, -1, k, static_cast<std::uint8_t>(k < d ? on_position : on_velocity)});
         nodes_.push_back({nullptr, -1, 2 * d, on_time});
     }
@@ -97,9 +80,15 @@ public:
         }
         return slot;
     }
+    /// One more argument, by which nothing is differentiated. @returns its node
+    int new_argument() {
+        nodes_.push_back({nullptr, -1, arguments_++, on_nothing});
+        return size() - 1;
+    }
     void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
 
-    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made.
+    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made, nor for a formula that
+    /// is written out: that has no comparisons, and abs, min and max are operations of it (choices.hpp).
     bool has_values = true;
     static formula_graph*& of_this_thread() {
         static thread_local formula_graph* current = nullptr;
@@ -128,6 +117,7 @@ private:
         numbers_.push_back(x);
         return size() - 1;
     }
+    int arguments_;
     std::vector<node> nodes_;
     std::vector<S> numbers_;
     std::vector<guard> guards_;

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/jet.hpp"
 #include "hilger/differentiation/traced/graph.hpp"
 
@@ -33,8 +33,18 @@ public:
     /// Its node; a constant gets one.
     [[nodiscard]] int place() const { return node < 0 ? detail::formula_graph<S>::of_this_thread()->place_of(value) : node; }
 
+    /// Whether this thread's graph has no values: a formula is written out, or derivatives are made.
+    static bool is_written_out() {
+        auto const* g = detail::formula_graph<S>::of_this_thread();
+        return g != nullptr and not g->has_values;
+    }
+
     S value{};
     int node = -1;
+
+    // Those of two of them, before std::max and std::min of any type.
+    friend traced max(traced const& x, traced const& y) { return detail::extremum<true>(x, y); }
+    friend traced min(traced const& x, traced const& y) { return detail::extremum<false>(x, y); }
 
     template <class Y>
     traced& operator+=(Y const& y) {
@@ -80,7 +90,10 @@ void run_in_a_row(S* __restrict out, int count, S const* __restrict a, bool all_
 }
 template <class O, class S>
 std::pair<traced<S>, traced<S>> pull_back_of(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint) {
-    return O::pull_back(x, y, result, adjoint);
+    if constexpr (requires { O::pull_back(x, y, result, adjoint); })
+        return O::pull_back(x, y, result, adjoint);
+    else
+        return {}; // of a choice (choices.hpp): see differentiator
 }
 template <class O, class S>
 inline constexpr traced_operation<S> operation_object{O::name, O::commutes, &run_operation<O, S>, &run_in_a_row<O, S>, &pull_back_of<O, S>};

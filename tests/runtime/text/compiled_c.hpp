@@ -9,8 +9,8 @@
 #include <dlfcn.h>
 #include <doctest/doctest.h>
 
-#include "hilger/formula/c_code.hpp"
 #include "hilger/hilger.hpp"
+#include "hilger/text/c_code.hpp"
 #include "support/there.hpp"
 
 namespace hilger::testing {

@@ -195,7 +195,10 @@ TEST_CASE("the C says what it is") {
     CHECK(says("[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = 0"));
     CHECK(says("Δ½,₋[p∘] = [−∂H/∂q(p∘, q∘)]½,₋"));
     CHECK(says("position 0.5·(q_i + q_{i+1}), velocity (q_{i+1} − q_i)/h"));
-    CHECK(says("r[0] = v1 - v2 - 0.5 * (h * sin(x1) + h * sin(x2));\n"));
+    CHECK(says("        const double x = 0.5 * (q0[0] + q1[0]);\n        const double v = (q1[0] - q0[0]) / h;\n"
+               "        r[0] = v + -0.5 * (sin(x) * h);\n"));
+    CHECK(says("        r[0] += -0.5 * (sin(x) * h) - v;\n"));
+    CHECK(says("return v[0] * v[0] / 2.0 - (1.0 - cos(q[0]));\n"));
     CHECK_THROWS_WITH_AS((void)c_code(embed(pendulum, mid_point), "2 pendulums"),
                          "C names are letters, digits and _, and this one is \"2 pendulums\"", error::invalid_parameter);
 }
