@@ -26,7 +26,6 @@ public:
     using vector = Eigen::Matrix<S, rows, 1>;
     using unknown = std::conditional_t<U == 1, V, vector>;
     using derivatives = node_derivatives<V>;
-    static constexpr bool ends_alone = U == 1; ///< no control values inside the step
 
     explicit step_controls(V const& like)
         : moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)), B_(A_) {}
@@ -63,6 +62,13 @@ public:
             return (moved);
         else
             return moved_to(last);
+    }
+    /// The same as a vector, without a copy; of a number as that.
+    [[nodiscard]] decltype(auto) displacement() const {
+        if constexpr (U == 1)
+            return (moved);
+        else
+            return Eigen::Map<Eigen::Matrix<S, s::size, 1> const, 0, Eigen::InnerStride<U>>(moved.data() + last - 1, dimension());
     }
     /// U_m - q_i
     [[nodiscard]] V moved_to(int m) const {

@@ -28,8 +28,8 @@ class step_equation : public step_sizes<S, V, Extra, Controls> {
         controls::U, controls::row_of, controls::factor, controls::share;
 
 public:
-    using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved, controls::moved_to,
-        controls::put_sizes, controls::table, controls::unknowns;
+    using controls::adds_up, controls::dimension, controls::end, controls::displacement, controls::extra, controls::moved,
+        controls::moved_to, controls::put_sizes, controls::table, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S>;
     using of_state = Eigen::Matrix<S, s::size, 1>;

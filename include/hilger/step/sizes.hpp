@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the equation of one step (step/equation.hpp) is made of, in magnitudes: how large what it adds up is, what rounding does to it, and
-// how fast corrections with what of its derivative never changes shrink.
+// What the equation of one step (step/equation.hpp) is made of, in magnitudes: how large what it adds up is, and what rounding does to it.
 #pragma once
 
 #include <algorithm>
@@ -59,48 +58,6 @@ public:
             if constexpr (has_step_force<Extra>)
                 for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
         }
-    }
-    /// A bound of |K^-1 (r' - K)| for the constant part K of the derivative r', in the norm max_c |x_c| / weight_c: the rate at which
-    /// corrections with K shrink. And of what a correction changes in the momentum after the step, which is not less where dL/dq enters
-    /// with part of its weight only, or not at all. Negative where no diagonal says what it is.
-    [[nodiscard]] S contraction_rate(vector const& weight) {
-        vector diagonal = vector::Zero(unknowns()), constant = diagonal, other = diagonal;
-        auto const add = [&](int k, int b, int j, int m) {
-            bool const is_constant_block = nodes_[at(k)].places().constant[at(b)], of_force = b == block_qq or b == block_qv;
-            S const c = factor(k, b, j, m), whole = of_force ? t_.w(k) * (b == block_qq ? t_.a(k, m) : t_.b(k, m)) : c,
-                    most = std::max(S(magnitude(c)), S(magnitude(whole)));
-            for (auto const& e : nodes_[at(k)].places().entries[at(b)]) {
-                int const row = place_of(j + 1, e.row), column = place_of(m, e.column);
-                S const entry = tally<S>::second(nodes_[at(k)].value(e.place));
-                if (not is_constant_block)
-                    other(row) = other(row) + most * magnitude(entry) * weight(column);
-                else if (row == column)
-                    diagonal(row) = diagonal(row) + c * entry;
-                else
-                    constant(row) = constant(row) + magnitude(S(c * entry)) * weight(column);
-            }
-        };
-        for (int k = 0; k < t_.nodes; ++k)
-            for (int b = 0; b < blocks; ++b)
-                for (int j = 0; j < U; ++j)
-                    for (int m = 1; m <= U; ++m) add(k, b, j, m);
-        if constexpr (has_step_force<Extra>)
-            for (int c = 0; c < dimension(); ++c)
-                for (int j = 0; j < U; ++j) {
-                    int const row = place_of(j + 1, c), column = place_of(last, c);
-                    S const entry = share(j) * s::component(extra.slope, c);
-                    if (row == column)
-                        diagonal(row) = diagonal(row) - entry;
-                    else
-                        constant(row) = constant(row) + magnitude(entry) * weight(column);
-                }
-        S most(0);
-        for (int row = 0; row < unknowns(); ++row) {
-            S const least = magnitude(S(diagonal(row))) * weight(row) - constant(row);
-            if (not(S(0) < least)) return S(-1);
-            most = std::max(most, S(other(row) / least));
-        }
-        return most;
     }
     /// How much of its weight dL/dq has in the equation at most, beside that in the momentum after the step: what a correction changes
     /// there is as much larger as this is smaller.

@@ -102,8 +102,10 @@ private:
             int const d = shape<V>::dimension(q);
             auto const block = [&](block_number number) {
                 block_of<V> made = shape<V>::zero_block(d);
-                for (auto const& e : node.places().entries[number])
-                    shape<V>::entry(made, e.row, e.column) = tally<S>::second(node.value(e.place));
+                for (auto const& e : node.places().entries[number]) {
+                    auto& entry = shape<V>::entry(made, e.row, e.column);
+                    entry = entry + tally<S>::second(node.value(e.place)); // a model lists its terms
+                }
                 return made;
             };
             expansion<V> e{vector_like(q, [&](int k) { return node.by_q(k); }),
