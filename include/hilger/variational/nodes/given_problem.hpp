@@ -112,8 +112,9 @@ public:
     }
     bool list([[maybe_unused]] V const& q, [[maybe_unused]] V const& v, [[maybe_unused]] bool seconds, [[maybe_unused]] V& room,
               [[maybe_unused]] std::vector<S>& values, [[maybe_unused]] std::shared_ptr<derivative_places const>& places) const override {
-        if constexpr (is_listed<Problem, V>) list_model(what_.lagrangian, q, v, seconds, room, values, places);
-        return is_listed<Problem, V>;
+        constexpr bool lists = is_listed<Problem, V> and not Traces;
+        if constexpr (lists) list_model(what_.lagrangian, q, v, seconds, room, values, places);
+        return lists;
     }
     bool reads_time() const override { return reads_time_in<S, V>(what_.lagrangian) or is_timed<no_force, Force, S, V>; }
 

@@ -42,7 +42,7 @@ public:
     template <class S, class V, class Use>
     auto at(S const& t, V const& q, V const& v, wanted which, Use const& use) const {
         using node = traced_node<V>;
-        given<Problem, V> const what(what_);
+        given<Problem, V, is_traced_at<Problem, V>> const what(what_); // a formula, which is asked for all at once
         taking const here{kept_->is_taken};
         if (not here.is_mine) {
             node own;
@@ -102,10 +102,8 @@ private:
             int const d = shape<V>::dimension(q);
             auto const block = [&](block_number number) {
                 block_of<V> made = shape<V>::zero_block(d);
-                for (auto const& e : node.places().entries[number]) {
-                    auto& entry = shape<V>::entry(made, e.row, e.column);
-                    entry = entry + tally<S>::second(node.value(e.place)); // a model lists its terms
-                }
+                for (auto const& e : node.places().entries[number])
+                    shape<V>::entry(made, e.row, e.column) = tally<S>::second(node.value(e.place));
                 return made;
             };
             expansion<V> e{vector_like(q, [&](int k) { return node.by_q(k); }),
