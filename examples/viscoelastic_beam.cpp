@@ -6,10 +6,10 @@
 #include <iomanip>
 #include <iostream>
 
+#include "beam.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/models/beam.hpp"
 
 using namespace hilger;
 
@@ -18,7 +18,7 @@ int main() {
     double const relaxed = 1e6, unrelaxed = 50e6, relaxation_time = 1e-3, force = 0.01, t1 = 0.05; // Pa, s, N, s
     double const area = width * thickness, inertia = width * std::pow(thickness, 3) / 12;
 
-    auto const beam = cantilever(length, relaxed * inertia, density * area, 5);
+    auto const beam = beams::cantilever(length, relaxed * inertia, density * area, 5);
     auto const load = [&](double t) -> Eigen::VectorXd { return Eigen::VectorXd::Unit(10, beam.tip()) * force * std::min(t / t1, 1.0); };
     zener_structure const material{beam.mass, beam.stiffness, relaxed, unrelaxed, relaxation_time, fraction<1, 2>{}};
     auto const scheme = newmark<bdf<2>>(material, load); // G^alpha with average acceleration

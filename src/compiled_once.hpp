@@ -6,16 +6,13 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
-// What depends on the kind of numbers alone; the second is of numbers that have roots.
+// What depends on the kind of numbers alone.
 #define HILGER_ENGINES(how, S)                                                                                                             \
     how template class large_matrix<S>;                                                                                                    \
     how template class patterned_matrix<S>;                                                                                                \
     how template bool solve_positive_definite(Eigen::Matrix<S, -1, -1> const&, Eigen::Matrix<S, -1, 1>&);                                  \
     how template class evaluation<S>;                                                                                                      \
     how template traced_formula<S> derivatives_in(formula_graph<S>&, int, traced<S> const&, std::vector<traced<S>> const&, std::uint8_t);
-#define HILGER_ENGINES_WITH_ROOTS(how, S)                                                                                                  \
-    HILGER_ENGINES(how, S)                                                                                                                 \
-    how template class symmetric_matrix<S>;
 
 // Arithmetic of many digits: the second is of what is rounded.
 #define HILGER_ARITHMETIC(how, S)                                                                                                          \
@@ -55,7 +52,7 @@
 
 HILGER_NUMBERS(extern)
 namespace hilger::detail {
-HILGER_ENGINES_WITH_ROOTS(extern, double)
-HILGER_ENGINES_WITH_ROOTS(extern, float50)
+HILGER_ENGINES(extern, double)
+HILGER_ENGINES(extern, float50)
 HILGER_ENGINES(extern, Q)
 } // namespace hilger::detail

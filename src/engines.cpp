@@ -3,5 +3,5 @@
 #include "compiled_once.hpp"
 
 namespace hilger::detail {
-HILGER_ENGINES_WITH_ROOTS(, double)
+HILGER_ENGINES(, double)
 } // namespace hilger::detail

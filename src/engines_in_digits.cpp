@@ -3,5 +3,5 @@
 #include "compiled_once.hpp"
 
 namespace hilger::detail {
-HILGER_ENGINES_WITH_ROOTS(, float50)
+HILGER_ENGINES(, float50)
 } // namespace hilger::detail

@@ -29,7 +29,6 @@
 #include "hilger/variational/variation.hpp"
 
 // Lagrangians that are known
-#include "hilger/models/beam.hpp"
 #include "hilger/models/mechanical.hpp"
 
 // Flows and solutions

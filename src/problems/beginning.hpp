@@ -85,6 +85,6 @@ beginning<S> const& beginning_of(stated_problem const& what) {
 /// What compiled_once.hpp has not, for few programs need it.
 #define PROGRAM_ENGINES_IN_FLOAT(how)                                                                                                      \
     namespace hilger::detail {                                                                                                             \
-    HILGER_ENGINES_WITH_ROOTS(how, float)                                                                                                  \
+    HILGER_ENGINES(how, float)                                                                                                             \
     }
 PROGRAM_ENGINES_IN_FLOAT(extern)

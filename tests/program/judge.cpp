@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iostream>
 
+#include "../../examples/beam.hpp"
 #include "../../papers/bourdin_cresson_greff_inizan_2013/exact.hpp"
 #include "hilger/integrator/residual.hpp"
-#include "hilger/models/beam.hpp"
 #include "hilger/multiprecision.hpp"
 #include "hilger/trajectory/checkpoint.hpp"
 #include "outer_solar_system_data.hpp"
@@ -128,7 +128,8 @@ judgement of_oscillator(oscillator const& on, rows const& x, S const& epsilon) {
 judgement of_beam(rows const& x, S const& epsilon) {
     constexpr int elements = 5;
     S const relaxed = 1'000'000, unrelaxed = 50'000'000, width = S(25) / 1000, thickness = S(5) / 1000, density = 1000;
-    auto const beam = cantilever(S(S(15) / 100), S(relaxed * width * pow(thickness, 3) / 12), S(density * width * thickness), elements);
+    auto const beam =
+        beams::cantilever(S(S(15) / 100), S(relaxed * width * pow(thickness, 3) / 12), S(density * width * thickness), elements);
     Eigen::PermutationMatrix<Eigen::Dynamic> order(2 * elements);
     for (int k = 0; k < elements; ++k) order.indices()(2 * k) = k, order.indices()(2 * k + 1) = elements + k;
     matrix const M = order * beam.mass * order.transpose(), K = order * beam.stiffness * order.transpose();

@@ -9,8 +9,8 @@
 #include "hilger/inlining.hpp"
 #include "hilger/step/galerkin/step.hpp"
 #include "hilger/step/many_nodes.hpp"
+#include "hilger/step/mechanical.hpp"
 #include "hilger/step/small/one_node.hpp"
-#include "hilger/step/structured.hpp"
 #include "hilger/step/sum_of_embeddings.hpp"
 #include "hilger/trajectory/stepping.hpp"
 #include "hilger/variational/legendre.hpp"
@@ -99,8 +99,8 @@ public:
                 return detail::galerkin_step<problem_type, table, carried, S, V, Extra>(f.problem_, tableau_of(f.embedding_, h), h, like,
                                                                                         extra);
             else if constexpr (known)
-                return detail::structured<F, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian, like,
-                                                                                extra);
+                return detail::mechanical_step<F, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, f.problem_.lagrangian,
+                                                                                     like, extra);
             else if constexpr (small)
                 return detail::one_node<problem_type, facts_of<E>, carried, S, V, Extra>(tableau_of(f.embedding_, h), h, like, extra);
             else
@@ -159,10 +159,8 @@ public:
         }
         /// What a step is given: the problem with its type where derivatives in registers are compiled with it.
         HILGER_ALWAYS_INLINE static decltype(auto) what(flow const& f) {
-            if constexpr (inner or (small and not known))
+            if constexpr (inner or small or known)
                 return (f.problem_);
-            else if constexpr (known)
-                return (f.problem_.lagrangian);
             else
                 return detail::given<problem_type, V>(f.problem_);
         }

@@ -30,7 +30,6 @@ struct chain {
         for (index_type k = 1; k < d; ++k) sum = sum + energy(k, plain_t<decltype(q(0))>(q(k) - q(k - 1)));
         return plain_t<decltype(sum)>(sum + energy(d, plain_t<decltype(q(0))>(-q(d - 1))));
     }
-    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::tridiagonal; }
     void check(index_type) const {}
 
     /// g = dU/dq; `tension` is room for d + 1 numbers.
@@ -87,7 +86,6 @@ struct dense_potential {
     auto operator()(X const& q) const {
         return function(q);
     }
-    [[nodiscard]] static hessian_pattern pattern(index_type) { return hessian_pattern::dense; }
     void check(index_type) const {}
     template <class V, class Room>
     void gradient(V const& q, V& g, Room&) const {
@@ -102,7 +100,7 @@ struct dense_potential {
 };
 template <class U>
 concept structured_potential = requires(U const& u) {
-    { u.pattern(index_type{}) } -> std::same_as<hessian_pattern>;
+    u.check(index_type{});
 };
 } // namespace detail
 
@@ -150,12 +148,20 @@ public:
     template <class V>
     [[nodiscard]] V momentum(V const& q, V const& v) const {
         require_size(q.size());
+        V p = v;
+        put_momentum(v, p);
+        return p;
+    }
+    /// p = M v, into p, which is as long as v.
+    template <class V, class P>
+    void put_momentum(V const& v, P&& p) const {
+        using S = scalar_of<V>;
         if constexpr (is_matrix)
-            return mass_.template cast<scalar_of<V>>() * v;
+            p.noalias() = mass_.template cast<S>() * v;
         else if constexpr (requires { mass_.size(); })
-            return mass_.template cast<scalar_of<V>>().cwiseProduct(v);
+            p = mass_.template cast<S>().cwiseProduct(v);
         else
-            return v * scalar_of<V>(mass_);
+            p = v * S(mass_);
     }
     template <class V>
     [[nodiscard]] V velocity(V const& q, V const& p) const {
@@ -172,6 +178,17 @@ public:
             return p / scalar_of<V>(mass_);
     }
     [[nodiscard]] Mass const& mass() const { return mass_; }
+    /// put(j, k, x) for the entries j >= k of the mass of d components.
+    template <class S, class Put>
+    void put_mass(index_type d, Put const& put) const {
+        for (index_type j = 0; j < d; ++j)
+            if constexpr (is_matrix)
+                for (index_type k = 0; k <= j; ++k) put(j, k, S(mass_(j, k)));
+            else if constexpr (requires { mass_.size(); })
+                put(j, j, S(mass_(j)));
+            else
+                put(j, j, S(mass_));
+    }
     [[nodiscard]] wrapped const& potential() const { return potential_; }
 
 private:

@@ -12,7 +12,6 @@
 #include "hilger/differentiation/jet/vector.hpp"
 #include "hilger/error.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/linear/hessian_pattern.hpp"
 
 namespace hilger {
 
@@ -73,7 +72,6 @@ struct pair_potential {
         for (auto const& [a, b] : list) sum = result(sum + energy(k++, between<number>(q, a, b)));
         return sum;
     }
-    [[nodiscard]] static hessian_pattern pattern(index_type d) { return d <= 64 ? hessian_pattern::dense : hessian_pattern::sparse; }
     /// @throws error::outside_domain when a pair names a body that the state does not have; error::mismatch when a component is of none
     void check(index_type d) const {
         if (d % Dimension != 0)

@@ -84,19 +84,23 @@ private:
         x_ = best_;
         here_ = at(x_, r_);
     }
-    [[nodiscard]] newton_outcome lost() const { return here_.path.made > 0 ? newton_outcome::lost_between : newton_outcome::lost; }
+    [[nodiscard]] newton_outcome lost() const {
+        if (meets_nan_) return newton_outcome::not_finite;
+        return here_.path.made > 0 ? newton_outcome::lost_between : newton_outcome::lost;
+    }
     /// x a correction further, shortened where it has to be. @returns how the search ends, if it does
     std::optional<newton_outcome> advance(bool any_across) {
         branch_path whole_path;
-        bool meets_nan = false;
+        bool is_nan = meets_nan_ = false;
         share_ = here_.path.made > 0 ? S(1) : std::min(S(1), S(2) * share_);
         for (int made = 0; made < halvings; share_ = share_ / S(2), ++made) {
             y_ = x_ + d_ * share_;
             bool const half_way = how_ != corrections::followed or here_.path.made > 0 or is_small(d_) or contracts_half_way();
             point const there = at(y_, rest_);
             if (made == 0) whole_path = there.path;
-            meets_nan = not all_finite(rest_);
-            if (meets_nan) continue;
+            is_nan = not all_finite(rest_);
+            meets_nan_ = meets_nan_ or is_nan;
+            if (is_nan) continue;
             bool const contracts_there = there.path == here_.path and contracts_by(share_), contracts = contracts_there and half_way;
             if (contracts and share_ == S(1) and is_last()) return accept(there);
             if (is_rounding(rest_, there, 4) and (not contracts_there or here_.path.made > 0 or how_ <= corrections::smaller))
@@ -107,7 +111,7 @@ private:
             }
         }
         here_ = at(x_, r_); // only rounding errors are left, or there is a jump
-        if (meets_nan) return newton_outcome::not_finite;
+        if (is_nan) return newton_outcome::not_finite;
         if (whole_path == here_.path) return is_rounding(r_, here_, here_.path.made > 0 ? 64 : 4) ? newton_outcome::found : lost();
         return newton_outcome::between;
     }
@@ -154,6 +158,7 @@ private:
     X &x_, &r_;
     X best_, d_, left_, y_, rest_;
     S share_{1};
+    bool meets_nan_ = false; ///< the last correction had to be shortened for numbers that are not finite
     corrections how_;
     point here_{};
 };

@@ -5,7 +5,6 @@
 
 #include <limits>
 
-#include "hilger/history/component.hpp"
 #include "hilger/shape.hpp"
 
 namespace hilger::detail {
@@ -33,13 +32,6 @@ public:
         S const least = epsilon<S>() * most;
         for (int c = 0; c < count(); ++c)
             if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
-    }
-    [[nodiscard]] Vector const& weights() const { return weight_; }
-    /// For checkpoints.
-    template <class Visit>
-    void visit(Visit& each) {
-        memory::visit_components("weight", weight_, each);
-        memory::visit_components("inverse_weight", per_weight_, each);
     }
     [[nodiscard]] S size_of(Vector const& correction) const {
         return count() == 0 ? S(0) : S(correction.cwiseProduct(per_weight_).cwiseAbs().maxCoeff());

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSL-1.0
 // One step of an embedding in numbers: its tableau, the control values U_0 = q_i, U_1, ..., U_n of which the last is q_{i+1}, and at each
 // node the position A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. Unknown are U_1, ..., U_n;
-// those of one component stand together, so that couplings of neighbours stay a band.
+// those of one component stand together, so that couplings of neighbours stay a band. And in magnitudes, how large what their equation
+// (step/equation.hpp) adds up is, and what rounding does to it.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "hilger/step/force.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/tableau.hpp"
 #include "hilger/variational/nodes/node_derivatives.hpp"
 
 namespace hilger::detail {
 
-template <class S, class V, int Controls>
+template <class S, class V, class Extra, int Controls>
 class step_controls {
     using s = shape<V>;
 
@@ -26,10 +29,10 @@ public:
     using vector = Eigen::Matrix<S, rows, 1>;
     using unknown = std::conditional_t<U == 1, V, vector>;
     using derivatives = node_derivatives<V>;
-    static constexpr bool ends_alone = U == 1; ///< no control values inside the step
 
-    explicit step_controls(V const& like)
-        : moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)), B_(A_) {}
+    step_controls(V const& like, Extra extra_force)
+        : extra(std::move(extra_force)), moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)),
+          B_(A_) {}
     /// Steps of length h. @returns whether the nodes are others
     bool prepare(tableau<S> const& t, S const& h) {
         bool const others = nodes_.size() != static_cast<std::size_t>(t.nodes);
@@ -39,7 +42,7 @@ public:
         }
         t_ = t;
         h_ = h;
-        adds_up = reproduces_constants();
+        adds_up = t_.reproduces_constants();
         return others;
     }
     [[nodiscard]] S const& h() const { return h_; }
@@ -64,6 +67,13 @@ public:
         else
             return moved_to(last);
     }
+    /// The same as a vector, without a copy; of a number as that.
+    [[nodiscard]] decltype(auto) displacement() const {
+        if constexpr (U == 1)
+            return (moved);
+        else
+            return Eigen::Map<Eigen::Matrix<S, s::size, 1> const, 0, Eigen::InnerStride<U>>(moved.data() + last - 1, dimension());
+    }
     /// U_m - q_i
     [[nodiscard]] V moved_to(int m) const {
         V x = s::zero(dimension());
@@ -79,6 +89,63 @@ public:
                 for (int m = 1; m <= U; ++m) moved(place_of(m, c)) = s::component(v, c) * h_ * S(m) / S(U);
     }
 
+    /// The size of what the forces do in the step.
+    [[nodiscard]] S impulses() const {
+        S sum(0);
+        for (int k = 0; k < t_.nodes; ++k) {
+            S f(0);
+            for (int c = 0; c < dimension(); ++c) f = std::max(f, S(magnitude(nodes_[at(k)].by_q(c))));
+            sum = sum + magnitude(t_.w(k)) * f;
+        }
+        if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
+        return sum;
+    }
+    /// The size of what the residual is a sum of.
+    [[nodiscard]] S forces() const {
+        S sum = impulses();
+        for (int k = 0; k < t_.nodes; ++k) {
+            S m(0);
+            for (int c = 0; c < dimension(); ++c) m = std::max(m, S(magnitude(nodes_[at(k)].by_v(c))));
+            sum = sum + m;
+        }
+        return sum;
+    }
+    /// What each component of the residual is a sum of, in magnitudes. Where p_i is in it, it is of the size of what dL/dv adds.
+    void put_sizes(state<S, V> const& x, vector& sizes) const {
+        for (int j = 0; j < U; ++j) {
+            auto&& size = row_of(sizes, j);
+            for (int c = 0; c < dimension(); ++c) size(c) = j == 0 ? magnitude(s::component(x.p, c)) : S(0);
+            for (int k = 0; k < t_.nodes; ++k) {
+                S const wa = magnitude(S(t_.w(k) * t_.a(k, j))), wb = magnitude(S(t_.w(k) * t_.b(k, j)));
+                if (not(wa == S(0)))
+                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wa * magnitude(nodes_[at(k)].by_q(c));
+                if (j > 0)
+                    for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wb * magnitude(nodes_[at(k)].by_v(c));
+            }
+            if constexpr (has_step_force<Extra>)
+                for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
+        }
+    }
+    /// How much of its weight dL/dq has in the equation at most, beside that in the momentum after the step: what a correction changes
+    /// there is as much larger as this is smaller.
+    [[nodiscard]] S share_of_force() const {
+        S in_equation(0), in_momentum(0);
+        for (int k = 0; k < t_.nodes; ++k) {
+            in_momentum = std::max(in_momentum, S(magnitude(t_.w(k)) * magnitude(t_.a(k, last))));
+            for (int j = 0; j < U; ++j) in_equation = std::max(in_equation, S(magnitude(t_.w(k)) * magnitude(t_.a(k, j))));
+        }
+        return in_equation < in_momentum ? S(in_equation / in_momentum) : S(1);
+    }
+    /// What rounding of a position does to the residual, at most.
+    [[nodiscard]] S bends() const {
+        S most(0);
+        for (int k = 0; k < t_.nodes; ++k)
+            for (auto const& e : nodes_[at(k)].places().entries[block_qq])
+                if (S const size = magnitude(S(t_.w(k) * nodes_[at(k)].value(e.place))); is_finite(size) and most < size) most = size;
+        return most;
+    }
+
+    [[no_unique_address]] Extra extra;
     unknown moved;       ///< U_m - q_i
     bool adds_up = true; ///< constants have themselves as position and no velocity
 
@@ -87,7 +154,7 @@ protected:
     static constexpr int place_of(int m, int c) { return c * U + m - 1; }
     /// Component c of A_k and of B_k.
     [[nodiscard]] S position(state<S, V> const& x, int k, int c) const {
-        S sum = adds_up ? s::component(x.q, c) : S(s::component(x.q, c) * constant_at(k, &tableau<S>::a));
+        S sum = adds_up ? s::component(x.q, c) : S(s::component(x.q, c) * t_.of_constant(k, &tableau<S>::a));
         for (int m = 1; m <= U; ++m) sum = sum + t_.a(k, m) * component_of_moved(m, c);
         return sum;
     }
@@ -102,12 +169,7 @@ protected:
             }
         S sum = t_.b(k, 1) * component_of_moved(1, c);
         for (int m = 2; m <= U; ++m) sum = sum + t_.b(k, m) * component_of_moved(m, c);
-        return adds_up ? sum : S(sum + s::component(x.q, c) * constant_at(k, &tableau<S>::b));
-    }
-    [[nodiscard]] S constant_at(int k, S const& (tableau<S>::*of)(int, int) const) const {
-        S sum(0);
-        for (int m = 0; m < Controls; ++m) sum = sum + (t_.*of)(k, m);
-        return sum;
+        return adds_up ? sum : S(sum + s::component(x.q, c) * t_.of_constant(k, &tableau<S>::b));
     }
     [[nodiscard]] S const& component_of_moved(int m, int c) const {
         if constexpr (U == 1)
@@ -143,24 +205,36 @@ protected:
         return nodes_[at(k)].evaluate(what, t_.time(k, x.t, h_), A_, B_, which);
     }
 
+    /// The row j of all components.
+    struct strided {
+        vector& x;
+        int j;
+        S& operator()(int c) const { return x(c * U + j); }
+    };
+    static decltype(auto) row_of(vector& x, int j) {
+        if constexpr (U == 1)
+            return (x);
+        else
+            return strided{x, j};
+    }
+    /// What block `b` of node k is multiplied by in row j of the matrix, in the column of U_m.
+    [[nodiscard]] S factor(int k, int b, int j, int m) const {
+        S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, j) : t_.b(k, j));
+        return w * (b == block_qq or b == block_vq ? t_.a(k, m) : t_.b(k, m));
+    }
+    /// How much of the impulse of the extra force row j has.
+    [[nodiscard]] S share(int j) const {
+        if (U == 1) return h_ / S(2);
+        S sum(0);
+        for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * t_.a(k, j);
+        return sum;
+    }
     int d_;
     tableau<S> t_;
     S h_{0};
     std::vector<derivatives> nodes_;
 
 private:
-    /// sum_m a_km = 1 and sum_m b_km = 0 at every node, to rounding.
-    [[nodiscard]] bool reproduces_constants() const {
-        S const rounding = S(64) * epsilon<S>();
-        for (int k = 0; k < t_.nodes; ++k) {
-            S size_b(0);
-            for (int m = 0; m < Controls; ++m) size_b = size_b + magnitude(t_.b(k, m));
-            if (not(magnitude(S(constant_at(k, &tableau<S>::a) - S(1))) <= rounding) or
-                not(magnitude(constant_at(k, &tableau<S>::b)) <= rounding * size_b))
-                return false;
-        }
-        return true;
-    }
     V A_, B_;
 };
 

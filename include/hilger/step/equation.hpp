@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hilger/linear/patterned_matrix.hpp"
-#include "hilger/step/sizes.hpp"
+#include "hilger/step/controls.hpp"
 
 namespace hilger::detail {
 
@@ -21,15 +21,15 @@ namespace hilger::detail {
 enum class corrected { in_nothing, in_constants, in_all };
 
 template <class S, class V, class Extra = no_step_force, int Controls = 2>
-class step_equation : public step_sizes<S, V, Extra, Controls> {
+class step_equation : public step_controls<S, V, Extra, Controls> {
     using s = shape<V>;
-    using controls = step_sizes<S, V, Extra, Controls>;
+    using controls = step_controls<S, V, Extra, Controls>;
     using controls::at, controls::compute, controls::d_, controls::h_, controls::last, controls::nodes_, controls::place_of, controls::t_,
         controls::U, controls::row_of, controls::factor, controls::share;
 
 public:
-    using controls::adds_up, controls::dimension, controls::end, controls::ends_alone, controls::extra, controls::moved, controls::moved_to,
-        controls::put_sizes, controls::table, controls::unknowns;
+    using controls::adds_up, controls::dimension, controls::end, controls::displacement, controls::extra, controls::moved,
+        controls::moved_to, controls::put_sizes, controls::table, controls::unknowns;
     using typename controls::unknown, typename controls::vector;
     using matrix = patterned_matrix<S, s::size == Eigen::Dynamic ? s::size : s::size * U>;
     using of_state = Eigen::Matrix<S, s::size, 1>;

@@ -43,7 +43,7 @@ public:
         e_.prepare(t, h);
         if constexpr (looks_for_explicit) explicit_.prepare(t, e_.adds_up);
         steps_ = 0;
-        stiff_ = false;
+        stiff_ = not iterates_;
     }
     [[nodiscard]] S const& h() const { return e_.h(); }
     void guess(V const& v) {
@@ -63,15 +63,16 @@ public:
         memory::visit_components("velocity", velocity_, each);
         memory::visit_components("increment", e_.moved, each);
         past_.visit("past", each);
-        each("rate", rate_);
-        each("rate_holds_for", rate_holds_for_);
-        weighed_.visit(each);
         sums_.visit(each);
     }
 
     void advance(given_problem<V> const& problem, state<S, V>& x) {
         solve(problem, x);
-        sums_.add(e_, x, name);
+        if (not e_.adds_up)
+            for (int c = 0; c < dimension(); ++c) e_.increment(c) = e_.whole(c) - s::component(x.p, c);
+        sums_.add(x, e_.h(), e_.displacement(), e_.increment, name);
+        if (not e_.adds_up)
+            for (int c = 0; c < dimension(); ++c) s::component(x.p, c) = e_.whole(c);
     }
     /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
     /// them). The state is as it was; advance makes the step.
@@ -92,7 +93,6 @@ public:
         first_guess(steps_);
         // What a step that fails was led to is no guess for another one, and increments that may be anything were not kept.
         long long const steps = std::exchange(steps_, 0), made = e_.is_constant ? 0 : steps;
-        if (made == 0) forget_rate();
         if (not whole_corrections(problem, x, watch, made)) search(problem, x, watch.saw_any(), made);
         e_.gather(problem, x, correction_, corrected_);
         if (not e_.is_constant) past_.keep(e_.moved);
@@ -102,6 +102,11 @@ public:
     [[nodiscard]] auto const& gained() const { return e_.increment; }
     /// U_m - q_i of the last step, 0 < m < n.
     [[nodiscard]] V inside(int m) const { return e_.moved_to(m); }
+    /// For steps by Newton's method alone.
+    void do_not_iterate() {
+        iterates_ = false;
+        stiff_ = true;
+    }
     /// What is known of steps before the next one is forgotten, but for a velocity to guess with.
     void restart(V const& v) {
         steps_ = 0;
@@ -122,9 +127,7 @@ private:
     /// False where they do not do, and where L was seen to have branches: then a search has to be made.
     bool whole_corrections(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         if (e_.is_constant or (not stiff_ and e_.has_constant_mass)) {
-            bool const asks = asks_for_rate(made);
-            if (e_.evaluate(problem, x, asks ? wanted::with_seconds : wanted::first_order)) forget_rate();
-            if (not watch.saw_any() and iterate(problem, x, watch, asks)) return true;
+            if (iterate(problem, x, watch)) return true;
             if (watch.saw_any() or not is_finite(e_.residual)) return false;
             stiff_ = e_.has_constant_mass;
             first_guess(made);
@@ -133,10 +136,10 @@ private:
     }
     /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
     /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
-    bool iterate(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, bool asks) {
+    bool iterate(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
-            if (round > 0) (void)e_.evaluate(problem, x, wanted::first_order);
+            (void)e_.evaluate(problem, x, wanted::first_order);
             if (watch.saw_any()) return false;
             e_.put_residual(x);
             if (not is_finite(e_.residual)) {
@@ -153,12 +156,11 @@ private:
                 if (Compensated and round == 0) continue;
                 return true;
             }
-            if (round == 0) look_at_rate(x, asks);
+            if (round == 0) weigh(x, e_.constant_part);
             S const size = weighed_.size_of(correction_), floor = epsilon<S>();
-            // What is left is the rate times this correction, and the rate is the ratio of two corrections, or was bounded before.
+            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
-                (previous > S(0) and size * (size / previous) <= small() * e_.share_of_force()) or is_last(size) or
-                is_rounding_of(x, size, previous)) {
+                (previous > S(0) and size * (size / previous) <= small() * e_.share_of_force()) or is_rounding_of(x, size, previous)) {
                 corrected_ = corrected::in_constants; // the rate knows nothing of them
                 return true;
             }
@@ -167,26 +169,8 @@ private:
         }
         return false;
     }
-    void forget_rate() {
-        rate_ = S(-1);
-        rate_holds_for_ = 0;
-    }
     /// What is left of the equation where no correction follows, at most.
     static S small() { return epsilon<S>() * S(Compensated ? 1 : 128) / S(256); }
-    /// Whether a correction is the last one, by a rate that may have grown to four times what it was.
-    [[nodiscard]] bool is_last(S const& size) const { return rate_ >= S(0) and S(4) * rate_ * size <= small(); }
-    /// Weights and the rate of corrections change along a trajectory, slowly: where the rate is known they are those of some steps ago. It
-    /// is asked for less often where it does not help.
-    [[nodiscard]] bool asks_for_rate(long long made) const { return made > 0 and not e_.is_constant and rate_holds_for_ == 0; }
-    void look_at_rate(state<S, V> const& x, bool asks) {
-        if (rate_holds_for_ > 0) --rate_holds_for_;
-        if (asks or rate_ < S(0)) weigh(x, e_.constant_part);
-        if (not asks) return;
-        rate_ = e_.contraction_rate(weighed_.weights());
-        bool const helps = is_last(weighed_.size_of(correction_));
-        rate_holds_for_ = helps ? 8 : 64;
-        if (not helps) rate_ = S(-1);
-    }
     bool whole_newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
         bool singular = false;
@@ -294,11 +278,9 @@ private:
     equation e_;
     long long steps_ = 0; ///< of this length
     int guessed_ = 0;
-    bool stiff_ = false;
+    bool iterates_ = true, stiff_ = false;
     corrected corrected_ = corrected::in_nothing;
-    S rate_{-1};
-    int rate_holds_for_ = 0; ///< steps
-    V velocity_;             ///< to start from where there are no steps of this length
+    V velocity_; ///< to start from where there are no steps of this length
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;

@@ -39,14 +39,6 @@ public:
         } else
             v = inverse_.cwiseProduct(r);
     }
-    template <class Put>
-    void put(Put const& to) const {
-        if constexpr (is_matrix) {
-            for (index_type j = 0; j < matrix_.rows(); ++j)
-                for (index_type k = 0; k <= j; ++k) to(j, k, S(matrix_(j, k)));
-        } else
-            for (index_type j = 0; j < inverse_.size(); ++j) to(j, j, S(S(1) / inverse_(j)));
-    }
 
 private:
     static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };

@@ -12,6 +12,7 @@
 #include "hilger/inlining.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/state.hpp"
+#include "hilger/variational/problem.hpp"
 
 namespace hilger {
 
@@ -78,77 +79,54 @@ public:
         q_.visit(each);
         p_.visit(each);
     }
-    /// The state after a step whose equation is solved. @throws error::not_finite, and x is as it was
-    template <class Equation>
-    void add(Equation const& e, state<S, V>& x, char const* name) {
+    /// The state after a step of length h: q + moved, p + gained, of d numbers each. @throws error::not_finite, and x is as it was
+    template <class Moved, class Gained>
+    void add(state<S, V>& x, S const& h, Moved const& moved, Gained const& gained, char const* name) {
+        require_finite(x, moved, gained, name);
+        if constexpr (not Compensated and not s::is_scalar) {
+            x.q += moved;
+            x.p += gained;
+        } else
+            for (int c = 0; c < s::dimension(x.q); ++c) {
+                q_.add(s::component(x.q, c), S(component_of(moved, c)), c);
+                p_.add(s::component(x.p, c), S(component_of(gained, c)), c);
+            }
+        x.t = x.t + h;
+    }
+    /// The same of increments of q in two parts, moved(c) for component c, of which the second was cut off of the first.
+    template <class Moved, class Gained>
+    void add_in_parts(state<S, V>& x, S const& h, Moved const& moved, Gained const& gained) {
+        for (int c = 0; c < s::dimension(x.q); ++c) {
+            auto const [increment, more] = moved(c);
+            q_.add(s::component(x.q, c), increment, more, c);
+            p_.add(s::component(x.p, c), S(component_of(gained, c)), c);
+        }
+        x.t = x.t + h;
+    }
+    /// @throws error::not_finite where increments, finite or not, lead beyond the largest number
+    template <class Moved, class Gained>
+    static void require_finite(state<S, V> const& x, Moved const& moved, Gained const& gained, char const* name) {
+        if constexpr (std::numeric_limits<S>::is_exact) return;
         // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
-        if (not is_finite(all_of(e, x))) [[unlikely]]
-            refuse_overflow(e, x, name);
-        if constexpr (not Compensated and not s::is_scalar and Equation::ends_alone)
-            x.q += e.moved;
-        else
-            for (int c = 0; c < e.dimension(); ++c) q_.add(s::component(x.q, c), e.end(c), c);
-        if (not e.adds_up)
-            for (int c = 0; c < e.dimension(); ++c) s::component(x.p, c) = e.whole(c);
-        else if constexpr (not Compensated and not s::is_scalar)
-            x.p += e.increment;
-        else
-            for (int c = 0; c < e.dimension(); ++c) p_.add(s::component(x.p, c), e.increment(c), c);
-        x.t = x.t + e.h();
-    }
-
-private:
-    /// The sum of all positions and momenta after the step.
-    template <class Equation>
-    static S all_of(Equation const& e, state<S, V> const& x) {
-        if constexpr (s::size == Eigen::Dynamic and Equation::ends_alone)
-            if (e.adds_up) return total_in_rows(x.q, e.moved, x.p, e.increment);
-        return S(all_moved(e, x) + (e.adds_up ? total(x.p, e.increment) : total(e.whole, e.whole)));
-    }
-    /// The sum of all positions after the step.
-    template <class Equation>
-    static S all_moved(Equation const& e, state<S, V> const& x) {
-        if constexpr (Equation::ends_alone)
-            return total(x.q, e.moved);
-        else
-            return total(x.q, x.q) + e.moved.sum();
-    }
-    /// The sum of all components of four long vectors: several sums at once, for each addition waits for the one before it.
-    template <class A, class B, class C, class D>
-    static S total_in_rows(A const& a, B const& b, C const& c, D const& d) {
-        constexpr Eigen::Index at_once = 8;
-        Eigen::Index const n = a.size(), rest = n % at_once;
-        Eigen::Array<S, at_once, 1> sums = Eigen::Array<S, at_once, 1>::Zero();
-        auto const part = [](auto const& x, Eigen::Index k) { return x.template segment<at_once>(k).array(); };
-        for (Eigen::Index k = 0; k < n - rest; k += at_once) sums += (part(a, k) + part(b, k)) + (part(c, k) + part(d, k));
-        S sum = sums.sum();
-        for (Eigen::Index k = n - rest; k < n; ++k) sum = sum + ((a(k) + b(k)) + (c(k) + d(k)));
-        return sum;
-    }
-    /// @throws error::not_finite, unless it was the sum alone that overflowed
-    template <class Equation>
-    [[gnu::noinline, gnu::cold]] static void refuse_overflow(Equation const& e, state<S, V> const& x, char const* name) {
-        for (int c = 0; c < e.dimension(); ++c) {
-            S const q = s::component(x.q, c) + e.end(c), p = e.adds_up ? S(s::component(x.p, c) + e.increment(c)) : S(e.whole(c));
+        if (is_finite(total(x, moved, gained))) [[likely]]
+            return;
+        for (int c = 0; c < s::dimension(x.q); ++c) {
+            S const q = s::component(x.q, c) + component_of(moved, c), p = s::component(x.p, c) + component_of(gained, c);
             if (not is_finite(q) or not is_finite(p))
                 throw_newton_failure(name, newton_outcome::not_finite, x.q, with_first(x.q, S((q - q) + (p - p))));
         }
     }
-    template <class X>
-    static S const& component(X const& x, int c) {
-        if constexpr (std::same_as<X, S>)
-            return x;
-        else
-            return x(c);
-    }
-    /// The sum of all components of x and y, of which one may be a number and the other a vector of one.
-    template <class X, class Y>
-    static S total(X const& x, Y const& y) {
+
+private:
+    /// The sum of all positions and momenta after the step.
+    template <class Moved, class Gained>
+    static S total(state<S, V> const& x, Moved const& moved, Gained const& gained) {
         if constexpr (s::size == Eigen::Dynamic)
-            return S((x + y).sum());
+            return S(((x.q + moved) + (x.p + gained)).sum());
         else {
             S sum(0); // one by one: a vector of numbers that were just written one by one would wait for them
-            for (int c = 0; c < s::size; ++c) sum = sum + (component(x, c) + component(y, c));
+            for (int c = 0; c < s::size; ++c)
+                sum = sum + ((s::component(x.q, c) + component_of(moved, c)) + (s::component(x.p, c) + component_of(gained, c)));
             return sum;
         }
     }

@@ -29,6 +29,24 @@ struct tableau {
     [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
     [[nodiscard]] int part_of(int k) const { return part.empty() ? 0 : part[static_cast<std::size_t>(k)]; }
+    /// The position or the velocity at node k of the constant 1: of_constant(k, &tableau::a).
+    [[nodiscard]] S of_constant(int k, S const& (tableau::*of)(int, int) const) const {
+        S sum(0);
+        for (int m = 0; m < controls; ++m) sum = sum + (this->*of)(k, m);
+        return sum;
+    }
+    /// Whether constants have themselves as position and no velocity, to rounding.
+    [[nodiscard]] bool reproduces_constants() const {
+        S const rounding = S(64) * epsilon<S>();
+        for (int k = 0; k < nodes; ++k) {
+            S size_b(0);
+            for (int m = 0; m < controls; ++m) size_b = size_b + magnitude(b(k, m));
+            if (not(magnitude(S(of_constant(k, &tableau::a) - S(1))) <= rounding) or
+                not(magnitude(of_constant(k, &tableau::b)) <= rounding * size_b))
+                return false;
+        }
+        return true;
+    }
     /// The time of node k in a step from t to t + h: the position operator on the function t -> t.
     [[nodiscard]] S time(int k, S const& t, S const& h) const {
         return inside.empty() ? S(t + a(k, 1) * h) : S(t + inside[static_cast<std::size_t>(k)]);

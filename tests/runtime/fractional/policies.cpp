@@ -5,11 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include "../../../examples/beam.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
-#include "hilger/models/beam.hpp"
 #include "support/systems.hpp"
 
 namespace fractional_policies_tests {
@@ -84,7 +84,7 @@ TEST_CASE("the oscillator and the cantilever of Galucio, Deue, Dubois") {
             .along(uniform(0.0, 0.025, N), 0.0, 0.0);
     };
     auto const expected = oscillator(direct{});
-    auto const matrices = cantilever(0.15, 2.6e-4, 0.125, 5);
+    auto const matrices = beams::cantilever(0.15, 2.6e-4, 0.125, 5);
     auto const beam = [&](auto policy) {
         auto const load = [](double t) -> Eigen::VectorXd { return Eigen::VectorXd::Unit(10, 8) * 0.01 * std::min(20 * t, 1.0); };
         Eigen::VectorXd const rest = Eigen::VectorXd::Zero(10);

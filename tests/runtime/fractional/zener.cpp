@@ -9,16 +9,17 @@
 #include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
 
+#include "../../../examples/beam.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/hilger.hpp"
-#include "hilger/models/beam.hpp"
 #include "series.hpp"
 
 namespace fractional_zener_tests {
 
 using namespace hilger;
 using namespace hilger::testing;
+using namespace beams;
 
 namespace {
 

@@ -75,7 +75,9 @@ TEST_CASE("a hundred bodies on a line, far apart in the list: the Hessian is spa
     for (hilger::index_type k = 0; k < d; ++k) list.emplace_back(k, (k * 37 + 1) % d == k ? -1 : (k * 37 + 1) % d);
     Eigen::VectorXd const q = Eigen::VectorXd::LinSpaced(d, -1, 1), p = Eigen::VectorXd::LinSpaced(d, 0.5, 0);
     auto const sparse = mechanical(1.0, pairs<1>(list, spring));
-    REQUIRE(sparse.potential().pattern(d) == hessian_pattern::sparse);
+    int entries = 0;
+    sparse.potential().hessian(q, [&](auto const&...) { ++entries; });
+    REQUIRE(entries <= 3 * d);
     CHECK(defect(sparse, embed(sparse, mid_point).along(uniform(0.0, 0.8, 5), q, p), 0.8, 0.5) < 1e-12);
 }
 

@@ -17,12 +17,13 @@ template <class Problem, class Table, bool Compensated, class S, class V, class 
 class galerkin_step {
     using s = shape<V>;
     using forces = node_forces<Problem, Table, Compensated, S, V, Extra>;
+    using sums = state_sums<Compensated, S, V>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
     enum way : int { undecided, by_forces, by_equation };
 
 public:
     galerkin_step(Problem const& what, tableau<S> const& t, S const& h, V const& like, Extra const& extra = {})
-        : h_(h), d_(s::dimension(like)), forces_(what, h, like), equation_(t, h, like, extra), sum_q_(d_), sum_p_(d_) {}
+        : h_(h), d_(s::dimension(like)), forces_(what, h, like), equation_(t, h, like, extra), sums_(d_) {}
     void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
         if (way_ == by_forces) known_ = 0; // those at other distances do not continue
@@ -46,8 +47,7 @@ public:
             forces_.visit(each);
         else
             equation_.visit(each);
-        sum_q_.visit(each);
-        sum_p_.visit(each);
+        sums_.visit(each);
     }
 
     /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
@@ -96,46 +96,27 @@ private:
         if constexpr (forces::in_parts)
             add_in_parts(x);
         else
-            add(x, forces_.moved(), forces_.gained());
+            sums_.add(x, h_, forces_.moved(), forces_.gained(), equation_.name);
         known_ = 1;
     }
     /// h v_0 with what is cut off of the product: that leans where the digits of h repeat, as those of 0.1.
     void add_in_parts(state<S, V>& x) {
-        require_finite(x, forces_.moved(), forces_.gained());
-        for (int c = 0; c < d_; ++c) {
-            S straight{}, cut{}, moved{}, left{};
-            two_product(h_, component_of(forces_.velocity(), c), straight, cut);
-            two_sum(straight, component_of(forces_.curved(), c), moved, left);
-            sum_q_.add(s::component(x.q, c), moved, S(left + cut), c);
-            sum_p_.add(s::component(x.p, c), component_of(forces_.gained(), c), c);
-        }
-        x.t = x.t + h_;
+        sums::require_finite(x, forces_.moved(), forces_.gained(), equation_.name);
+        sums_.add_in_parts(
+            x, h_,
+            [&](int c) {
+                S straight{}, cut{}, moved{}, left{};
+                two_product(h_, component_of(forces_.velocity(), c), straight, cut);
+                two_sum(straight, component_of(forces_.curved(), c), moved, left);
+                return std::pair<S, S>(moved, S(left + cut));
+            },
+            forces_.gained());
     }
+    /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
     void finish_by_equation(Problem const& what, state<S, V>& x) {
         led_by_forces_ = false;
         equation_.solve(given<Problem, V>(what), x);
-        add(x, equation_.moved(), equation_.gained());
-    }
-    /// Finite increments may still lead beyond the largest number.
-    template <class P>
-    void require_finite(state<S, V> const& x, V const& to_q, P const& to_p) const {
-        if constexpr (exact) return;
-        S sum(0);
-        for (int c = 0; c < d_; ++c)
-            sum = sum +
-                  (overflow(S(s::component(x.q, c) + component_of(to_q, c))) + overflow(S(s::component(x.p, c) + component_of(to_p, c))));
-        if (not(sum == S(0))) [[unlikely]]
-            throw_newton_failure(equation_.name, newton_outcome::not_finite, x.q, with_first(to_q, sum));
-    }
-    /// The equations add up to p_{i+1} = p_i + h sum_k w_k dL/dq, which rounds better than d_2 L_h.
-    template <class P>
-    void add(state<S, V>& x, V const& to_q, P const& to_p) {
-        require_finite(x, to_q, to_p);
-        for (int c = 0; c < d_; ++c) {
-            sum_q_.add(s::component(x.q, c), component_of(to_q, c), c);
-            sum_p_.add(s::component(x.p, c), component_of(to_p, c), c);
-        }
-        x.t = x.t + h_;
+        sums_.add(x, h_, equation_.moved(), equation_.gained(), equation_.name);
     }
 
     S h_;
@@ -144,8 +125,7 @@ private:
     forces forces_;
     many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
     std::optional<V> start_; ///< the velocity that the first step begins with, where it is given
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_q_;
-    [[no_unique_address]] summation<Compensated, S, s::size> sum_p_;
+    [[no_unique_address]] sums sums_;
 };
 
 } // namespace hilger::detail

@@ -2,7 +2,7 @@
 // The derivatives of a Lagrangian, and of a force, at one node of a step, asked for where they are needed: of small states by jets, and of
 // callables that have derivatives of their own. Which second derivatives are zero, or constant, L's degrees in q and v say; nothing of the
 // kind is said of a callable that compares, as another branch may be another formula. Of one that is told the time none is constant, and
-// one that was zero until now may come: what a driven L compares is the time, and that is not seen.
+// one that was zero until now may come: what a driven L compares is the time, and that is not seen. A model lists what it has.
 #pragma once
 
 #include <memory>
@@ -27,9 +27,14 @@ public:
         int const d = s::dimension(q);
         branch_watch const watch;
         bool const is_first = values_.empty();
+        if (is_first) by_q_ = by_v_ = s::zero(d);
+        if (what.list(q, v, which == wanted::with_seconds, by_q_, values_, places_)) {
+            bool const meets_branches = not has_branches_ and watch.saw_any();
+            has_branches_ = has_branches_ or meets_branches;
+            return is_first or meets_branches;
+        }
         if (is_first) {
             values_.resize(static_cast<std::size_t>(2 * d + blocks * d * d), S(0));
-            by_q_ = by_v_ = s::zero(d);
             on_ = what.gradients(t, q, v, by_q_, by_v_);
             watch.forget(); // it is no part of the step
             says_all_ = not what.reads_time();

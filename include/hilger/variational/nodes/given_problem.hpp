@@ -6,6 +6,7 @@
 
 #include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/variational/nodes/gradients.hpp"
+#include "hilger/variational/nodes/model_list.hpp"
 #include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
@@ -36,6 +37,11 @@ public:
     /// As expand_at and gradients_at.
     [[nodiscard]] virtual node_table<V> expand(S const&, V const&, V const&) const { return {}; }
     virtual dependence gradients(S const&, V const&, V const&, V& /*by_q*/, V& /*by_v*/) const { return {}; }
+    /// Of a model: its derivatives as a list (model_list.hpp). False of any other L.
+    virtual bool list(V const&, V const&, bool /*seconds*/, V& /*room*/, std::vector<S>& /*values*/,
+                      std::shared_ptr<derivative_places const>& /*places*/) const {
+        return false;
+    }
     /// Whether L or the force takes the time, unless L says that it does not read it.
     [[nodiscard]] virtual bool reads_time() const { return true; }
     /// The Lagrangian with this number where there are several (step/sum_of_embeddings.hpp).
@@ -56,6 +62,12 @@ traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V con
         return as_jet<T>(value(what.lagrangian, time, x, y));
     });
 }
+
+/// Whether the problem is a model alone, of states that are vectors.
+template <class Problem, class V>
+inline constexpr bool is_listed = false;
+template <class F, class V>
+inline constexpr bool is_listed<problem<F, no_force>, V> = is_mechanical<F> and not shape<V>::is_scalar;
 
 template <class Problem, class V, bool Traces>
 class given_whole;
@@ -98,6 +110,12 @@ public:
         else
             return gradients_at(what_, t, q, v, by_q, by_v);
     }
+    bool list([[maybe_unused]] V const& q, [[maybe_unused]] V const& v, [[maybe_unused]] bool seconds, [[maybe_unused]] V& room,
+              [[maybe_unused]] std::vector<S>& values, [[maybe_unused]] std::shared_ptr<derivative_places const>& places) const override {
+        constexpr bool lists = is_listed<Problem, V> and not Traces;
+        if constexpr (lists) list_model(what_.lagrangian, q, v, seconds, room, values, places);
+        return lists;
+    }
     bool reads_time() const override { return reads_time_in<S, V>(what_.lagrangian) or is_timed<no_force, Force, S, V>; }
 
 protected:
@@ -106,7 +124,7 @@ protected:
 private:
     Problem const& what_;
 };
-template <class Problem, class V, bool Traces = is_traced_at<Problem, V>>
+template <class Problem, class V, bool Traces = is_traced_at<Problem, V> and not is_listed<Problem, V>>
 class given final : public given_whole<Problem, V, Traces> {
 public:
     using given_whole<Problem, V, Traces>::given_whole;

@@ -42,7 +42,7 @@ public:
     template <class S, class V, class Use>
     auto at(S const& t, V const& q, V const& v, wanted which, Use const& use) const {
         using node = traced_node<V>;
-        given<Problem, V> const what(what_);
+        given<Problem, V, is_traced_at<Problem, V>> const what(what_); // a formula, which is asked for all at once
         taking const here{kept_->is_taken};
         if (not here.is_mine) {
             node own;

@@ -9,7 +9,7 @@
 #include "hilger/error.hpp"
 #include "hilger/scalar.hpp"
 
-namespace hilger {
+namespace beams {
 
 /// Consistent mass and stiffness, 2 elements x 2 elements, symmetric.
 template <class S>
@@ -17,15 +17,15 @@ struct beam_matrices {
     using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     matrix mass, stiffness;
     /// The degree of freedom that is the deflection of the free end.
-    [[nodiscard]] index_type tip() const { return mass.rows() - 2; }
+    [[nodiscard]] hilger::index_type tip() const { return mass.rows() - 2; }
 };
 
-/// Length L, bending stiffness EI (force length^2), mass per length rho A. @throws error::invalid_parameter unless all are positive
+/// Length L, bending stiffness EI (force length^2), mass per length rho A. @throws hilger::error::invalid_parameter unless all are positive
 template <class S>
 beam_matrices<S> cantilever(S const& length, S const& bending_stiffness, S const& mass_per_length, int elements) {
     for (S const& x : {length, bending_stiffness, mass_per_length, S(elements)})
-        if (not is_finite(x) or not(S(0) < x))
-            error::raise<error::invalid_parameter>(
+        if (not hilger::is_finite(x) or not(S(0) < x))
+            hilger::error::raise<hilger::error::invalid_parameter>(
                 "length, bending stiffness, mass and number of elements of a beam are positive, and one of "
                 "them is ",
                 x);
@@ -33,7 +33,7 @@ beam_matrices<S> cantilever(S const& length, S const& bending_stiffness, S const
     // Deflection and slope at the left, then at the right; slopes times l.
     int const k[4][4] = {{12, 6, -12, 6}, {6, 4, -6, 2}, {-12, -6, 12, -6}, {6, 2, -6, 4}};
     int const m[4][4] = {{156, 22, 54, -13}, {22, 4, 13, -3}, {54, 13, 156, -22}, {-13, -3, -22, 4}};
-    index_type const d = 2 * elements;
+    hilger::index_type const d = 2 * elements;
     using matrix = typename beam_matrices<S>::matrix;
     beam_matrices<S> beam{matrix::Zero(d, d), matrix::Zero(d, d)};
     for (int e = 0; e < elements; ++e)
@@ -49,4 +49,4 @@ beam_matrices<S> cantilever(S const& length, S const& bending_stiffness, S const
     return beam;
 }
 
-} // namespace hilger
+} // namespace beams
