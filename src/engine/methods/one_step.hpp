@@ -103,6 +103,7 @@ public:
     [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
                                     std::stop_token const& stop) const override {
         for (vector<S> const* x : {&first, &last}) this->require_coordinates(*x);
+        if constexpr (not std::numeric_limits<S>::is_exact) require_regular(first, last, guess);
         hilger::ends_report<S> report;
         auto const x = this->solved_between(equation(), first, last, guess, stop, report);
         std::vector<vector<S>> p(static_cast<std::size_t>(x.size()), vector<S>::Zero(first.size()));
@@ -121,6 +122,18 @@ public:
     }
 
 private:
+    /// @throws hilger::error::not_finite where a part is singular on the first guess
+    void require_regular(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess) const {
+        std::vector<vector<S>> x(static_cast<std::size_t>(this->T_.size()), first);
+        if (guess.size() == x.size()) x = guess;
+        x.front() = first;
+        x.back() = last;
+        if (not hilger::detail::all_finite(first) or not hilger::detail::all_finite(last)) return; // which is said by who solves
+        if (guess.empty()) hilger::detail::put_first_guess(this->T_, x, 1, hilger::detail::straight_line{});
+        for_each_part([&](auto const& flow) {
+            hilger::detail::require_regular(hilger::detail::derivatives_at_nodes(flow.mechanics()), this->T_, x, 1);
+        });
+    }
     template <class Use>
     void for_each_part(Use const& use) const {
         auto const& how = this->flow_.embedding().parts;
