@@ -28,7 +28,7 @@ std::vector<method_entry> const& all_methods() {
         {"mid-point+", 2, embedding, {machine}, "the same with compensated sums"},
         {"theta:0.3", 1, embedding, {machine, digits, rationals}, "position and force at (1 - 0.3) q_i + 0.3 q_{i+1}"},
         {"verlet", 2, composition, {machine, digits, rationals}, "Stoermer and Verlet: explicit where L = v.Mv/2 - U(q)"},
-        {"blanes-moan-4", 4, composition, {machine}, "twelve steps of order-one and its adjoint"},
+        {"blanes-moan-4", 4, composition, {machine}, "steps of order-one and of its adjoint by turns"},
         {"kahan-li-8", 8, composition, {machine, digits}, "seventeen steps of verlet"},
         {"kahan-li-8+", 8, composition, {machine}, "the same with compensated sums"},
         {"gauss-2", 4, embedding, {machine}, "Galerkin's embedding with 2 Gauss nodes in a step"},
