@@ -6,6 +6,7 @@
 
 #include "engine/methods.hpp"
 #include "hilger/hilger.hpp"
+#include "hilger/text/embedding.hpp"
 #include "stated.hpp"
 
 using namespace hilger;
