@@ -9,6 +9,11 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
+// Checkpoints take their time to compile, and the Python package has no use for them.
+#ifndef ENGINE_KEEPS_CHECKPOINTS
+#define ENGINE_KEEPS_CHECKPOINTS true
+#endif
+
 namespace engine {
 
 template <class S, class Path>
@@ -17,8 +22,8 @@ class path_cursor final : public cursor<S> {
     using state_type = typename iterator::value_type;
     using V = std::remove_cvref_t<decltype(std::declval<state_type>().q)>;
     // What steps in rationals is short, and begins again.
-    static constexpr bool keeps =
-        not std::numeric_limits<S>::is_exact and requires(Path const& p, typename Path::checkpoint_type c, std::ostringstream out) {
+    static constexpr bool keeps = ENGINE_KEEPS_CHECKPOINTS and not std::numeric_limits<S>::is_exact and
+                                  requires(Path const& p, typename Path::checkpoint_type c, std::ostringstream out) {
         c.memory.visit(p.method(), out);
     };
 
