@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/methods.hpp"
 #include "extremes.hpp"
 #include "hilger/text/vocabulary.hpp"
 #include "hilger/version.hpp"
@@ -49,11 +50,12 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
 
     auto* scenes = app.add_subcommand("scenes", "list the scenes: what can be run");
+    auto* methods = app.add_subcommand("methods", "list the methods: order, definition, and the numbers that each is for");
     program::run_options run;
     auto* run_command = app.add_subcommand("run", "run a scene: rows, a summary and a picture; continues what was interrupted");
     run_command->add_option("scene", run.scene, "one of those that `hilger scenes` lists, or a file, my.toml")->required();
     run_command->add_option("--embedding", run.choice.embedding, "embedding or method, as order-one, mid-point, gauss-4");
-    run_command->add_option("--scalar", run.choice.scalar, "double, float, 50-digits, 100-digits");
+    run_command->add_option("--scalar", run.choice.scalar, "double, 50-digits, 100-digits");
     run_command->add_option("--steps", run.choice.steps, "number of steps")->transform(count());
     run_command->add_option("--history", run.choice.history, "exponentials, exponentials:TOLERANCE, blocks, direct");
     run_command->add_option("--every", run.every, "write a row at every so many points")->transform(count());
@@ -84,6 +86,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         if (*scenes) program::list_scenes(std::cout);
+        if (*methods) engine::list_methods(std::cout);
         if (*run_command) return run.ensemble.empty() ? program::run_scene(run) : program::run_ensemble(run);
         if (*trade_command) return program::run_trade(trade);
         if (*papers) return program::run_papers(about);

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
 # The command-line program.
-file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp engine/machine_code/*.cpp engine/ensemble/*.cpp
-  engine/methods/two_sided.cpp)
+file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
 # Scales of one step take no time, nor do proofs in rationals and what papers print; many digits have theirs in loops that are
 # compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
 # what is in several files the linker takes the first, which is the program's own.
-set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp
-  problems/boundary_walk.cpp problems/from_file.cpp problems/observed_in_file.cpp problems/summed_walk.cpp problems/stated.cpp)
+set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp problems/from_file.cpp
+  problems/newmark_in_50_digits.cpp problems/observed_in_file.cpp problems/stated.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
 add_executable(hilger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
@@ -18,7 +17,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_precompile_headers(hilger_not_optimised REUSE_FROM extremes)
   target_include_directories(hilger_not_optimised SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
   target_include_directories(hilger_not_optimised PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
-  target_link_libraries(hilger_not_optimised PRIVATE hilger_development hilger_text)
+  target_link_libraries(hilger_not_optimised PRIVATE hilger_development hilger_engine)
   target_link_libraries(hilger PRIVATE hilger_not_optimised)
   # Runs take the same time with -O3, and what is compiled here a sixth more.
   target_compile_options(hilger PRIVATE -O2)
@@ -35,7 +34,7 @@ target_sources(hilger PRIVATE ${sources})
 set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
 target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
-target_link_libraries(hilger PRIVATE hilger_development extremes hilger_text CLI11::CLI11 ${CMAKE_DL_LIBS})
+target_link_libraries(hilger PRIVATE hilger_development extremes hilger_engine CLI11::CLI11)
 # One more peer for hilger trade, where it is installed (libgsl-dev).
 find_package(GSL QUIET)
 if(GSL_FOUND)
@@ -46,40 +45,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ does not see that what Boost.odeint copies is not read before it is written.
   set_source_files_properties(scenes/peers.cpp PROPERTIES COMPILE_OPTIONS "-Wno-maybe-uninitialized;-Wno-uninitialized")
 endif()
-# What problems in files have in states of each small size, and in each number of digits, is a file of its own, for it takes its time. Of
-# many digits the time goes into loops over them.
-function(add_stated group name of text)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/stated/${name}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT ${text})
-  if(TARGET hilger_not_optimised AND of MATCHES "hilger")
-    target_sources(hilger_not_optimised PRIVATE ${source})
-    return()
-  endif()
-  # Where nothing is optimised, what they have in common takes longer than what they have not.
-  set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
-  target_sources(hilger PRIVATE ${source})
-endfunction()
-foreach(dimension IN ITEMS 1 2 3)
-  foreach(kind IN ITEMS "double;without_inner_points" "double;with_inner_points" "float;without_inner_points")
-    list(POP_FRONT kind number)
-    add_stated(small small_${dimension}_${kind}_in_${number} ${number}
-      "#include \"problems/stated_small.hpp\"\nPROGRAM_SMALL(${number}, ${dimension}, ${kind})\n")
-  endforeach()
-endforeach()
-foreach(number IN ITEMS double float hilger::float50 hilger::float100)
-  string(REPLACE hilger:: "" name ${number})
-  add_stated(in_numbers in_${name} ${number} "#include \"problems/in_numbers.hpp\"\nPROGRAM_IN_NUMBERS(${number})\n")
-endforeach()
-add_stated(in_numbers engines_in_float float "#include \"problems/beginning.hpp\"\nPROGRAM_ENGINES_IN_FLOAT()\n")
-foreach(number IN ITEMS double hilger::float50)
-  string(REPLACE hilger:: "" name ${number})
-  add_stated(memory memory_in_${name} ${number} "#include \"problems/memory_walk.hpp\"\nPROGRAM_WITH_MEMORY(${number})\n")
-  add_stated(in_numbers with_force_in_${name} ${number} "#include \"problems/in_numbers.hpp\"\nPROGRAM_WITH_FORCE(${number})\n")
-endforeach()
-set(large in_double in_float100 memory_in_double small_1_with_inner_points_in_double small_2_with_inner_points_in_double
-  small_3_with_inner_points_in_double)
-list(TRANSFORM large REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/stated/\\1.cpp")
-set_property(SOURCE ${large} scenes/peers.cpp APPEND PROPERTY COMPILE_OPTIONS ${less_memory})
+set_property(SOURCE scenes/peers.cpp APPEND PROPERTY COMPILE_OPTIONS ${less_memory})
 # Scenes in files travel inside the program, under their names with - for _.
 file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)
 set(texts)
@@ -92,6 +58,4 @@ foreach(problem IN LISTS problems)
 endforeach()
 file(CONFIGURE OUTPUT problems_in_files.hpp CONTENT
   "#include <utility>\ninline constexpr std::pair<char const*, char const*> problems_in_files[]{\n@texts@};\n" @ONLY)
-# Scenes have their methods in common.
-set_target_properties(hilger PROPERTIES UNITY_BUILD ${HILGER_UNITY_TESTS} UNITY_BUILD_MODE GROUP)
 install(TARGETS hilger COMPONENT program)

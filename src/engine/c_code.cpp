@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "hilger/text/c_code.hpp"
 
-#include "engine/methods/own.hpp"
+#include "engine/methods/lambda.hpp"
+#include "engine/motions.hpp"
 
 namespace engine {
 

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "engine/machine_code/machine_code.hpp"
-#include "engine/methods/summed.hpp"
+#include "engine/methods.hpp"
 #include "engine/motions.hpp"
 
 namespace engine {
 
-namespace {
-
-template <class S>
-[[noreturn]] void refuse(std::string const& method, char const* where) {
-    std::string known;
-    for (auto const& name : method_names<S>()) known += (known.empty() ? "" : ", ") + name;
-    hilger::error::raise<hilger::error::invalid_parameter>("there is no method '", method, "'", where, ": there are ", known);
-}
-
-} // namespace
-
-template <>
-std::vector<std::string> method_names<double>() {
-    return {"order-one", "order-one-left", "mid-point", "verlet",         "gauss-2",         "gauss-4",   "gauss-8",
-            "lobatto-3", "kahan-li-8",     "theta:0.3", "two-sided:0.75", "g-alpha-newmark", "gl-newmark"};
-}
-
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
     prepare_machine_code();
-    if (not what.besides.empty()) return summed(what, method, T);
-    if (auto made = by_newmark(what, method, T)) return made;
-    if (what.has_memory()) {
+    if (what.besides.empty())
+        if (auto made = by_newmark(what, method, T)) return made;
+    if (what.has_memory() and what.besides.empty()) {
         if (what.material)
             hilger::error::raise<hilger::error::invalid_parameter>(
                 "with a Zener material the method is g-alpha-newmark or gl-newmark, and not '", method, "'");
@@ -38,10 +21,9 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;
     if (auto made = embedded_with_inner_points(what, method, T)) return made;
-    if (auto made = embedded_with_numbers(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
     if (auto made = between_two_ends(what, method, T)) return made;
-    refuse<double>(method, "");
+    refuse_method(method, scalar_kind::machine, "double");
 }
 
 accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,

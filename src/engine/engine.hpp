@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // Problems that are known at run time only, solved by what is compiled once: a Lagrangian in text, forces and fractional damping beside it,
-// one of a list of methods, any scale, one of a few scalars. It is the library's engine and nothing else: flows of stated_lagrangian.
+// one of a list of methods (methods.hpp), any scale, one of a few scalars. It is the library's engine and nothing else: flows of
+// stated_lagrangian. Files, the command line and Python have it in common.
 #pragma once
 
 #include <functional>
+#include <iosfwd>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -46,6 +49,7 @@ struct points {
     S start{}, step{};
     hilger::index_type steps = 0;
     std::vector<S> given;
+    std::optional<S> last{}; ///< of equal steps, where it is known exactly
     [[nodiscard]] bool is_uniform() const { return given.empty(); }
     /// That of a uniform scale.
     [[nodiscard]] std::optional<S> equal_step() const { return is_uniform() ? std::optional(step) : std::nullopt; }
@@ -60,6 +64,14 @@ vector<S> as_vector(V const& x) {
         return vector<S>::Constant(1, S(x));
     else
         return x;
+}
+/// The same into a vector of that length.
+template <class S, class V>
+void put_into(vector<S>& to, V const& x) {
+    if constexpr (std::is_convertible_v<V, S>)
+        to(0) = x;
+    else
+        to = x;
 }
 enum class second_datum { velocity, momentum, next_position };
 /// q0, and v0, p0 or q1.
@@ -82,6 +94,33 @@ struct joined {
     std::string warning{};
 };
 
+/// What gets the states of a walk, one at a time; false ends it.
+template <class S>
+using keeper = std::function<bool(S const& t, vector<S> const& q, vector<S> const& p)>;
+
+/// A trajectory on its way along T.
+template <class S>
+class cursor {
+public:
+    cursor() = default;
+    cursor(cursor const&) = delete;
+    cursor& operator=(cursor const&) = delete;
+    virtual ~cursor() = default;
+    /// Advances by so many steps, or to the last point. `keep`, where there is one, gets each state that is reached.
+    /// @throws what steps throw; the cursor is then at its last good state
+    virtual void advance(hilger::index_type steps, keeper<S> const& keep) = 0;
+    void advance(hilger::index_type steps) { advance(steps, nullptr); }
+    /// The number of the point, from 0.
+    [[nodiscard]] virtual hilger::index_type number() const = 0;
+    [[nodiscard]] virtual engine::state<S> state() const = 0;
+    /// A velocity near that of the state.
+    [[nodiscard]] virtual vector<S> velocity() const = 0;
+    /// Writes everything that the rest of the walk depends on. @returns false where nothing is written, because there is a memory
+    virtual bool save(std::ostream& out) const = 0;
+    /// Continues from what save has written. @throws hilger::error::unreadable, hilger::error::mismatch
+    virtual void load(std::istream& in, std::string const& source) = 0;
+};
+
 /// A problem with its method on its scale.
 template <class S>
 class motion {
@@ -90,9 +129,14 @@ public:
     motion(motion const&) = delete;
     motion& operator=(motion const&) = delete;
     virtual ~motion() = default;
+    /// A cursor at the first point of T. It does not depend on the motion any more. @throws what the first step throws
+    [[nodiscard]] virtual std::unique_ptr<cursor<S>> begin(initial<S> const& from) const = 0;
     /// The states at the points of T, one at a time, until `keep` returns false. @throws what steps throw
-    virtual void walk(initial<S> const& from,
-                      std::function<bool(S const& t, vector<S> const& q, vector<S> const& p)> const& keep) const = 0;
+    void walk(initial<S> const& from, keeper<S> const& keep) const {
+        auto const at = begin(from);
+        auto const [t, q, p] = at->state();
+        if (keep(t, q, p)) at->advance(std::numeric_limits<hilger::index_type>::max(), keep);
+    }
     /// The points of T.
     [[nodiscard]] virtual std::vector<S> times() const = 0;
     /// The positions that join two ends, near `guess`, one for each point of T, and their momenta; without a guess the straight line is
@@ -106,8 +150,6 @@ public:
     /// @throws hilger::error::invalid_parameter where it has none
     [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions, std::vector<vector<S>> const& momenta,
                                      bool absolute) const = 0;
-    /// The discrete Euler-Lagrange equation and Hamiltonian system, or what the method is called.
-    [[nodiscard]] virtual std::string equation(bool latex) const = 0;
     /// H(p, q) = p v - L at a state, with the velocity near the given one where several have its momentum.
     [[nodiscard]] virtual S energy(state<S> const& x, vector<S> const& near) const = 0;
     /// The state at t between two neighbouring ones, of order 4. @throws hilger::error::invalid_parameter with a memory, which is no part
@@ -125,9 +167,12 @@ std::unique_ptr<motion<hilger::Q>> make_motion(problem const&, std::string const
 template <>
 std::unique_ptr<motion<hilger::float50>> make_motion(problem const&, std::string const&, points<hilger::float50> const&);
 
-/// Names of methods, for errors and completion.
-template <class S>
-std::vector<std::string> method_names();
+template <>
+std::unique_ptr<motion<hilger::float100>> make_motion(problem const&, std::string const&, points<hilger::float100> const&);
+
+/// The discrete Euler-Lagrange equation and Hamiltonian system of a method, without forces, on equal steps or on any; or what the method is
+/// called. @throws hilger::error::invalid_parameter, hilger::error::unreadable
+std::string equation_of_method(problem const& what, std::string const& method, bool uniform, bool latex);
 
 /// A motion over [a, b] to a wanted accuracy.
 struct accurate {

@@ -5,7 +5,7 @@ namespace engine {
 
 template <>
 std::unique_ptr<motion<hilger::float50>> make_motion(problem const& what, std::string const& method, points<hilger::float50> const& T) {
-    return made_in(what, method, T, "50 digits", "verlet, gauss-8, kahan-li-8, ");
+    return motion_in_digits(what, method, T);
 }
 
 } // namespace engine

@@ -5,7 +5,7 @@ namespace engine {
 
 template <>
 std::unique_ptr<motion<hilger::Q>> make_motion(problem const& what, std::string const& method, points<hilger::Q> const& T) {
-    return made_in(what, method, T, "rationals", "verlet, ");
+    return motion_in_digits(what, method, T);
 }
 
 } // namespace engine

@@ -2,10 +2,8 @@
 // The motion of one flow on one kind of scale, behind the interface of all.
 #pragma once
 
-#include <sstream>
-
-#include "engine/engine.hpp"
-#include "hilger/hilger.hpp"
+#include "engine/any_scale.hpp"
+#include "engine/path_cursor.hpp"
 
 namespace engine {
 
@@ -41,18 +39,59 @@ inline constexpr bool starts_from_two_positions = false;
 template <class F, class Force, class E, hilger::sums Sums>
 inline constexpr bool starts_from_two_positions<hilger::flow<F, Force, E, Sums>> = hilger::controls_of<E> == 2;
 
-template <class S, class Flow, class Scale>
-class motion_of : public motion<S> {
-public:
-    motion_of(Flow flow, Scale T, std::string name)
-        : flow_(std::move(flow)), derivatives_(hilger::detail::derivatives_of(flow_)), energy_(hilger::energy(lagrangian())),
-          T_(std::move(T)), name_(std::move(name)) {}
+/// A cursor from the same initial values by other means, of which a motion has as many as are faster; or nothing.
+template <class S>
+using beginning_by = std::function<std::unique_ptr<cursor<S>>(initial<S> const&)>;
 
-    void walk(initial<S> const& from, std::function<bool(S const&, vector<S> const&, vector<S> const&)> const& keep) const override {
-        along(from, [&](auto const& path) {
-            for (auto const& x : path)
-                if (not keep(x.t, x.q, x.p)) return;
-        });
+/// What is asked of a state alone. The formulas are traced once.
+template <class S, class Mechanics>
+class motion_of_mechanics : public motion<S> {
+public:
+    explicit motion_of_mechanics(Mechanics const& what) : derivatives_(what), energy_(hilger::energy(what.lagrangian)) {}
+    [[nodiscard]] S energy(state<S> const& x, vector<S> const& near) const override {
+        return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}, near);
+    }
+    [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
+        for (vector<S> const* z : {&x.q, &x.p, &y.q, &y.p}) require_coordinates(*z);
+        hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
+        auto const z = hilger::dense_step<S, vector<S>>(derivatives_, from, to)(t);
+        return {z.t, z.q, z.p};
+    }
+
+protected:
+    void require_coordinates(vector<S> const& x) const {
+        if (int const d = derivatives_.what().lagrangian.formula().words().dimension(); x.size() != d)
+            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
+    }
+
+private:
+    hilger::detail::kept_derivatives<Mechanics> derivatives_;
+    decltype(hilger::energy(std::declval<Mechanics const&>().lagrangian)) energy_;
+};
+
+template <class Flow>
+auto const& mechanics_of(Flow const& flow) {
+    if constexpr (has_memory<Flow>)
+        return flow.undamped().mechanics();
+    else
+        return flow.mechanics();
+}
+template <class S, class Flow>
+using motion_of_mechanics_of = motion_of_mechanics<S, std::remove_cvref_t<decltype(mechanics_of(std::declval<Flow const&>()))>>;
+
+template <class S, class Flow, class Scale>
+class motion_of : public motion_of_mechanics_of<S, Flow> {
+public:
+    motion_of(Flow flow, Scale T, std::string name, beginning_by<S> faster = {})
+        : motion_of_mechanics_of<S, Flow>(mechanics_of(flow)), flow_(std::move(flow)), T_(std::move(T)), name_(std::move(name)),
+          faster_(std::move(faster)) {}
+
+    [[nodiscard]] std::unique_ptr<cursor<S>> begin(initial<S> const& from) const override {
+        if (faster_)
+            if (auto made = faster_(from)) return made;
+        std::unique_ptr<cursor<S>> made;
+        along(from, [&](auto path) { made = cursor_along<S>(std::move(path)); });
+        return made;
     }
     [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
     [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
@@ -68,7 +107,7 @@ public:
     [[nodiscard]] S residual(initial<S> const& from, std::vector<vector<S>> const& positions, std::vector<vector<S>> const& momenta,
                              bool absolute) const override {
         for (auto const* all : {&positions, &momenta})
-            for (vector<S> const& x : *all) require_coordinates(x);
+            for (vector<S> const& x : *all) this->require_coordinates(x);
         if constexpr (is_judged_by_states<Flow, S, Scale>) {
             hilger::recording<S, vector<S>, Scale> run{{}, {}, T_};
             for (std::size_t i = 0; i < positions.size(); ++i)
@@ -81,30 +120,11 @@ public:
         } else
             refuse("has no equation in the positions at the points of T alone");
     }
-    [[nodiscard]] std::string equation(bool latex_wanted) const override {
-        if constexpr (has_equation<Flow, Scale> and std::same_as<S, double>) {
-            auto const EL = equation_of(flow_, T_);
-            std::ostringstream out;
-            if (latex_wanted)
-                out << latex(EL);
-            else
-                out << EL << hamiltonian_form(EL);
-            return out.str();
-        } else
-            return name_;
-    }
-    [[nodiscard]] S energy(state<S> const& x, vector<S> const& near) const override {
-        return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}, near);
-    }
     [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
         if constexpr (has_memory<Flow>)
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
-        else {
-            for (vector<S> const* z : {&x.q, &x.p, &y.q, &y.p}) require_coordinates(*z);
-            hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
-            auto const z = hilger::dense_step<S, vector<S>>(derivatives_, from, to)(t);
-            return {z.t, z.q, z.p};
-        }
+        else
+            return motion_of_mechanics_of<S, Flow>::between_states(x, y, t);
     }
 
 private:
@@ -120,22 +140,11 @@ private:
             refuse(has_memory<Flow> ? "starts from q0 and v0 or p0 where there is fractional damping, and not from two positions"
                                     : "starts from q0 and v0 or p0, and not from two positions");
     }
-    static auto const& lagrangian_of(Flow const& flow) {
-        if constexpr (has_memory<Flow>)
-            return flow.undamped().mechanics().lagrangian;
-        else
-            return flow.mechanics().lagrangian;
-    }
-    [[nodiscard]] auto const& lagrangian() const { return lagrangian_of(flow_); }
     [[noreturn]] void refuse(char const* why) const {
         hilger::error::raise<hilger::error::invalid_parameter>("the method ", name_, " ", why);
     }
 
 protected:
-    void require_coordinates(vector<S> const& x) const {
-        if (int const d = lagrangian().formula().words().dimension(); x.size() != d)
-            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
-    }
     template <class Equation>
     [[nodiscard]] auto solved_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
                                       std::vector<vector<S>> const& guess, std::stop_token const& stop,
@@ -154,42 +163,20 @@ protected:
         return values;
     }
     Flow flow_;
-
-private:
-    // Their formulas are traced once.
-    decltype(hilger::detail::derivatives_of(std::declval<Flow const&>())) derivatives_;
-    decltype(hilger::energy(lagrangian_of(std::declval<Flow const&>()))) energy_;
-
-protected:
     Scale T_;
 
 private:
     std::string name_;
+    beginning_by<S> faster_;
 };
 
 template <class S, class Flow>
-std::unique_ptr<motion<S>> on_scale(Flow const& flow, points<S> const& T, std::string const& name) {
-    if (T.is_uniform()) {
-        auto const scale = hilger::uniform(T.start, T.step, T.steps);
-        return std::make_unique<motion_of<S, Flow, std::remove_cvref_t<decltype(scale)>>>(flow, scale, name);
-    }
-    if constexpr (has_memory<Flow>)
-        hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for uniform scales");
-    else {
-        hilger::time_scale<S> const scale(T.given);
-        return std::make_unique<motion_of<S, Flow, hilger::time_scale<S>>>(flow, scale, name);
-    }
-}
-
-/// Calls use(scale) with the scale of these points; in rationals all scales are of one kind.
-template <class S, class Use>
-auto with_scale(points<S> const& T, Use const& use) {
-    if (not T.is_uniform()) return use(hilger::time_scale<S>(T.given));
-    auto const equal = hilger::uniform(T.start, T.step, T.steps);
-    if constexpr (std::numeric_limits<S>::is_exact)
-        return use(hilger::time_scale<S>(elements_of<S>(equal)));
-    else
-        return use(equal);
+std::unique_ptr<motion<S>> motion_by(Flow const& flow, points<S> const& T, std::string const& name, beginning_by<S> faster = {}) {
+    if constexpr (has_memory<Flow>) {
+        if (not T.is_uniform()) hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for uniform scales");
+        return std::make_unique<motion_of<S, Flow, hilger::uniform_scale<S>>>(flow, uniform_scale_of(T), name, std::move(faster));
+    } else
+        return std::make_unique<motion_of<S, Flow, any_scale<S>>>(flow, any_scale<S>(T), name, std::move(faster));
 }
 
 /// Calls use(mechanics) with the Lagrangian, or with it and the force.
@@ -199,13 +186,16 @@ auto with_mechanics(problem const& what, Use const& use) {
     return use(free_problem{what.lagrangian, {}});
 }
 
+/// Motions by the methods of one kind, each compiled in a file of its own; nothing for a method of another kind.
 using made = std::unique_ptr<motion<double>>;
 made embedded_in_one_step(problem const& what, std::string const& method, points<double> const& T);
 made embedded_with_inner_points(problem const& what, std::string const& method, points<double> const& T);
-made embedded_with_numbers(problem const& what, std::string const& method, points<double> const& T);
 made between_two_ends(problem const& what, std::string const& method, points<double> const& T);
 made composed(problem const& what, std::string const& method, points<double> const& T);
-made by_newmark(problem const& what, std::string const& method, points<double> const& T);
 made damped(problem const& what, std::string const& method, points<double> const& T);
+template <class S>
+std::unique_ptr<motion<S>> by_newmark(problem const& what, std::string const& method, points<S> const& T);
+extern template std::unique_ptr<motion<double>> by_newmark(problem const&, std::string const&, points<double> const&);
+extern template std::unique_ptr<motion<hilger::float50>> by_newmark(problem const&, std::string const&, points<hilger::float50> const&);
 
 } // namespace engine

@@ -101,11 +101,10 @@ public:
         observe(file_, words, what, s);
         s.stated = std::make_shared<stated_problem const>(what);
         s.begin = [stated = s.stated, name = s.name, embeddings = s.embeddings](configuration const& c) {
-            auto begun = begin_stated(*stated, c);
-            if (not begun)
+            if (not has_method(*stated, c))
                 hilger::error::raise<hilger::error::invalid_parameter>("the scene ", name, " has no ", c.embedding, " in ", c.scalar,
                                                                        ", and has ", listed_in(*stated, c, embeddings));
-            return begun;
+            return begin_stated(*stated, c);
         };
         return s;
     }
@@ -114,10 +113,9 @@ private:
     /// Which of the embeddings there are in the scalar of c.
     static std::string listed_in(stated_problem const& what, configuration c, std::vector<std::string> const& embeddings) {
         std::string text;
-        c.steps = 1;
         for (auto const& e : embeddings) {
             c.embedding = e;
-            if (begin_stated(what, c)) text += (text.empty() ? "" : ", ") + e;
+            if (has_method(what, c)) text += (text.empty() ? "" : ", ") + e;
         }
         return text;
     }

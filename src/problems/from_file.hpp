@@ -52,27 +52,21 @@ struct stated_problem {
 scene scene_from_file(std::string const& path);
 /// The same of what stands in a file of this name.
 scene scene_from_text(std::string_view content, std::string const& path);
-/// The methods and the scalars that a stated problem can be run with, and its way along T; nothing where the scalar has not the method.
+/// The methods and the scalars that a stated problem can be run with.
 std::vector<std::string> embeddings_of(stated_problem const& what);
 std::vector<std::string> scalars_of(stated_problem const& what, std::vector<std::string> const& embeddings);
+/// Whether there is the method of c in its scalar.
+bool has_method(stated_problem const& what, configuration const& c);
 /// Whether a method that is no name is one of numbers or operators, theta:0.3 or integral(L(q, Delta_plus[q])), that the problem has.
 /// @throws hilger::error::unreadable, hilger::error::invalid_parameter where something in it is wrong
 bool has_embedding(stated_problem const& what, std::string const& method);
 /// @throws hilger::error::invalid_parameter that says why it is no linear structure with one fractional term or material
 void require_structure(engine::problem const& of);
+/// Its way along T. @throws what methods and steps throw
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c);
-/// Of structures that remember, by Newmark's scheme; of what is damped; of parts read in different ways; of what is given at both ends.
-template <class S>
-std::unique_ptr<walk> begin_with_memory(stated_problem const& what, configuration const& c);
-extern template std::unique_ptr<walk> begin_with_memory<double>(stated_problem const&, configuration const&);
-extern template std::unique_ptr<walk> begin_with_memory<hilger::float50>(stated_problem const&, configuration const&);
-std::unique_ptr<walk> begin_damped(stated_problem const& what, configuration const& c);
-std::unique_ptr<walk> begin_summed(stated_problem const& what, configuration const& c);
-/// Whether a method is one for each of several parts, "mid-point + order-one"; and the same, once it is looked at.
+/// Whether a method is one for each of several parts of the Lagrangian, "mid-point + order-one".
 /// @throws hilger::error::invalid_parameter where one of them is no embedding in one step, or there are not as many as parts
-bool names_parts(stated_problem const& what, std::string const& method);
 bool is_for_parts(stated_problem const& what, std::string const& method);
-std::unique_ptr<walk> begin_between(stated_problem const& what, configuration const& c);
 /// What digits of a number spell, rounded to what S has. @throws hilger::error::invalid_parameter beyond its largest number
 template <class S = double>
 S number_of(std::string const& digits) {

@@ -31,8 +31,6 @@ public:
     [[nodiscard]] virtual std::string row() const = 0;
     /// Position at this point, all components.
     [[nodiscard]] virtual std::vector<hilger::float100> position() const = 0;
-    /// All of it in double; no momenta where there are none.
-    [[nodiscard]] virtual engine::state<double> state() const = 0;
     /// The largest amounts by which what should be constant has changed, at the points where row() was asked for.
     [[nodiscard]] virtual std::vector<double> drift() const = 0;
     /// Writes all that the rest depends on; false where a walk is repeated from its start instead, because it has a memory.

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSL-1.0
+// What a file states, as motions of the engine.
+#include <iostream>
+
 #include "engine/machine_code/machine_code.hpp"
+#include "engine/methods.hpp"
 #include "engine/methods/newmark.hpp"
-#include "engine/motions.hpp"
-#include "stated_walk.hpp"
+#include "engine/methods/one_step.hpp"
+#include "engine/methods/two_sided.hpp"
+#include "parts.hpp"
+#include "solution_walk.hpp"
 
 namespace program {
 
 namespace {
+
+using hilger::float100;
+using hilger::float50;
 
 bool has_structure(engine::problem const& of) {
     try {
@@ -16,27 +25,84 @@ bool has_structure(engine::problem const& of) {
         return false;
     }
 }
+engine::scalar_kind kind_of(std::string const& scalar) {
+    return scalar == "double" ? engine::scalar_kind::machine : engine::scalar_kind::digits;
+}
+bool contains(std::vector<std::string> const& names, std::string const& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+std::vector<std::string> methods_in(stated_problem const& what, engine::scalar_kind numbers) {
+    auto names = engine::method_names(what.of, numbers, not what.last.empty());
+    if (what.of.has_memory() and not what.of.material and not has_structure(what.of)) std::erase_if(names, engine::is_newmark);
+    return names;
+}
+
+template <class S>
+engine::points<S> points_in(stated_problem const& what, hilger::index_type steps) {
+    hilger::interval<S> const ends{number_of<S>(what.start), number_of<S>(what.end)};
+    return {ends.a, hilger::uniform(ends, steps).h(), steps, {}, ends.b};
+}
+template <class S>
+std::unique_ptr<engine::motion<S>> motion_in(stated_problem const& what, configuration const& c) {
+    auto [of, method] = read_by(what, c.embedding);
+    of.history = c.history;
+    auto const T = points_in<S>(what, c.steps);
+    if constexpr (std::same_as<S, float50>)
+        if (auto made = engine::by_newmark(of, method, T)) return made;
+    return engine::make_motion<S>(of, method, T);
+}
+
+/// What one walk leaves for the next one.
+template <class S>
+struct walked_before {
+    configuration by;
+    std::unique_ptr<engine::motion<S>> motion;
+    std::shared_ptr<observation<S> const> seen;
+};
+template <class S>
+std::unique_ptr<walk> begin_in(stated_problem const& what, configuration const& c) {
+    auto& kept = what.known[typeid(S)];
+    if (not kept) kept = std::make_shared<walked_before<S>>();
+    auto& known = *static_cast<walked_before<S>*>(kept.get());
+    if (not known.motion or not(known.by == c)) {
+        known.motion = motion_in<S>(what, c);
+        known.by = c;
+    }
+    if constexpr (std::same_as<S, double>)
+        if (not what.last.empty()) {
+            auto made = known.motion->between(numbers_of(what.q), numbers_of(what.last));
+            if (not made.warning.empty()) std::cerr << "warning: " << made.warning << '\n';
+            return std::make_unique<solution_walk>(known.motion->times(), std::move(made.q), what.observed);
+        }
+    if (not known.seen) known.seen = std::make_shared<observation<S> const>(what);
+    auto at = known.motion->begin({numbers_of<S>(what.q), engine::second_datum::velocity, numbers_of<S>(what.v)});
+    return std::make_unique<stated_walk<S>>(known.seen, std::move(at));
+}
 
 } // namespace
 
 void require_structure(engine::problem const& of) { engine::structure_of_problem<double>(of).require_valid(); }
 
 std::vector<std::string> embeddings_of(stated_problem const& what) {
-    if (not what.last.empty()) return {"order-one", "mid-point"};
-    if (what.of.material) return {"g-alpha-newmark", "gl-newmark"};
-    if (what.of.has_memory())
-        return has_structure(what.of) ? std::vector<std::string>{"mid-point", "g-alpha-newmark", "gl-newmark"}
-                                      : std::vector<std::string>{"mid-point"};
-    if (what.of.force) return {"order-one", "mid-point", "gauss-4"};
-    return {method_names.begin(), method_names.end()};
+    auto names = methods_in(what, engine::scalar_kind::machine);
+    if (contains(scalars_of(what, names), "50-digits"))
+        for (std::string const& name : methods_in(what, engine::scalar_kind::digits))
+            if (not contains(names, name)) names.push_back(name);
+    return names;
 }
 std::vector<std::string> scalars_of(stated_problem const& what, std::vector<std::string> const& embeddings) {
     if (not what.last.empty()) return {"double"};
-    if (what.of.has_memory() and std::none_of(embeddings.begin(), embeddings.end(), engine::is_newmark)) return {"double"};
-    if (what.of.has_memory() or what.of.force) return {"double", "50-digits"};
-    return {"double", "float", "50-digits", "100-digits"};
+    if (not what.of.has_memory()) return {"double", "50-digits", "100-digits"};
+    if (std::none_of(embeddings.begin(), embeddings.end(), engine::is_newmark)) return {"double"};
+    return {"double", "50-digits"};
 }
 
+bool is_for_parts(stated_problem const& what, std::string const& method) {
+    if (not names_parts(what, method)) return false;
+    auto const [sum, first] = read_by(what, method);
+    (void)engine::embeddings_in_one_step<double>(sum, first, {0, 1, 1, {}});
+    return true;
+}
 bool has_embedding(stated_problem const& what, std::string const& method) {
     if (engine::is_newmark(method) and what.last.empty() and what.of.has_memory()) {
         require_structure(what.of);
@@ -50,11 +116,11 @@ bool has_embedding(stated_problem const& what, std::string const& method) {
     }
     return not what.of.has_memory() and engine::lambda_of<double>(what.of, method, 1.0).has_value();
 }
-
-engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) {
-    auto const T = hilger::uniform(hilger::interval<double>{number_of(what.start), number_of(what.end)}, steps);
-    return {T.min(), T.h(), steps, {}};
+bool has_method(stated_problem const& what, configuration const& c) {
+    return contains(methods_in(what, kind_of(c.scalar)), c.embedding) or has_embedding(what, c.embedding);
 }
+
+engine::points<double> points_of(stated_problem const& what, hilger::index_type steps) { return points_in<double>(what, steps); }
 
 engine::walker walker_of_member(stated_problem const& what, engine::problem const& one, configuration const& c) {
     stated_problem its(one);
@@ -63,41 +129,13 @@ engine::walker walker_of_member(stated_problem const& what, engine::problem cons
     auto const words = std::make_shared<hilger::text::vocabulary const>(one.lagrangian.formula().words());
     for (auto const& part : what.parts)
         its.parts.emplace_back(hilger::text::stated(part.formula().formula(), words, part.formula().source()));
-    return [its, c](engine::initial<double> const& from, auto const& keep) {
-        stated_problem mine = its;
-        mine.known[typeid(beginning<double>)] = std::make_shared<beginning<double>>(beginning_from<double>(mine, from.q0, from.other));
-        auto const path = begin_stated(mine, c);
-        if (not path) hilger::error::raise<hilger::error::invalid_parameter>("there is no ", c.embedding, " for the members");
-        for (hilger::index_type i = 0;; ++i) {
-            auto const x = path->state();
-            if (not keep(x.t, x.q, x.p) or i == c.steps) return;
-            path->advance(1);
-        }
-    };
+    return engine::walker_of(motion_in<double>(its, c));
 }
 
 std::unique_ptr<walk> begin_stated(stated_problem const& what, configuration const& c) {
-    engine::prepare_machine_code();
-    if (not what.last.empty()) return begin_between(what, c);
-    if (names_parts(what, c.embedding)) return begin_summed(what, c);
-    bool const in_50_digits = c.scalar == "50-digits";
-    if (engine::is_newmark(c.embedding))
-        return in_50_digits ? begin_with_memory<hilger::float50>(what, c) : begin_with_memory<double>(what, c);
-    if (what.of.has_memory()) return begin_damped(what, c);
-    if (what.of.force) return in_50_digits ? begin_with_force<hilger::float50>(what, c) : begin_with_force<double>(what, c);
-    if (in_50_digits) return begin_in_numbers<hilger::float50>(what, c);
-    if (c.scalar == "100-digits") return begin_in_numbers<hilger::float100>(what, c);
-    bool const has_inner_points = c.embedding.starts_with("gauss-");
-    auto const in = [&]<class S>(S) {
-        return engine::with_small_size(what.of.lagrangian.formula().words().dimension(), [&]<int D>(std::integral_constant<int, D>) {
-            if constexpr (D > 0) {
-                if (not has_inner_points) return begin_small<S, D, method_kind::without_inner_points>(what, c);
-                if constexpr (std::same_as<S, double>) return begin_small<S, D, method_kind::with_inner_points>(what, c);
-            }
-            return begin_in_numbers<S>(what, c); // Galerkin in float too, which nobody takes for its speed
-        });
-    };
-    return c.scalar == "float" ? in(float()) : in(double());
+    if (c.scalar == "50-digits") return begin_in<float50>(what, c);
+    if (c.scalar == "100-digits") return begin_in<float100>(what, c);
+    return begin_in<double>(what, c);
 }
 
 } // namespace program

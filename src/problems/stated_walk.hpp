@@ -1,77 +1,90 @@
 // SPDX-License-Identifier: BSL-1.0
-// Systems in text, along the trajectories that all others have, in any scalar.
+// The walk of a problem of a file: a cursor of the engine with what is looked at.
 #pragma once
 
-#include <array>
-#include <string>
+#include <iomanip>
+#include <sstream>
 
-#include "beginning.hpp"
-#include "engine/methods/lambda.hpp"
-#include "engine/small_lagrangian.hpp"
-#include "hilger/hilger.hpp"
-#include "hilger/multiprecision.hpp"
-#include "hilger/text/embedding.hpp"
-#include "path_walk.hpp"
+#include "observation.hpp"
+#include "scene.hpp"
 
 namespace program {
 
-inline constexpr std::array method_names{"order-one",   "mid-point", "mid-point+", "verlet",  "blanes-moan-4", "kahan-li-8",
-                                         "kahan-li-8+", "gauss-4",   "gauss-6",    "gauss-8", "gauss-16"};
+template <class S>
+std::string digits_of(S const& x) {
+    std::ostringstream out;
+    out << std::setprecision(std::numeric_limits<S>::max_digits10) << x;
+    return out.str();
+}
 
-/// Methods of two kinds, which are compiled apart where that takes its time: with points inside the steps, and with none.
-enum class method_kind { without_inner_points, with_inner_points };
+template <class S>
+class stated_walk final : public walk {
+public:
+    stated_walk(std::shared_ptr<observation<S> const> seen, std::unique_ptr<engine::cursor<S>> at)
+        : seen_(std::move(seen)), at_(std::move(at)), first_(at_->state()), first_velocity_(at_->velocity()) {}
 
-/// Calls use(flow) with the method of that name on L, where it is of that kind and the scalar has it.
-template <method_kind Kind, class S, class L, class Use>
-void with_method(std::string const& name, L const& l, Use const& use) {
-    using namespace hilger;
-    constexpr bool is_double = std::is_same_v<S, double>, many_digits = not std::is_floating_point_v<S>;
-    if constexpr (Kind == method_kind::with_inner_points) {
-        if constexpr (is_double) {
-            if (name == "gauss-6") use(embed(l, galerkin<6, gauss>));
-            if (name == "gauss-8") use(embed(l, galerkin<8, gauss>));
+    void advance(hilger::index_type steps) override { at_->advance(steps); }
+    [[nodiscard]] hilger::index_type number() const override { return at_->number(); }
+    [[nodiscard]] std::string row() const override {
+        auto const& start = start_of_all();
+        auto const x = at_->state();
+        auto const near = at_->velocity();
+        std::string text = digits_of(x.t);
+        for (auto const* part : {&x.q, &x.p})
+            for (S const& component : *part) text += ',' + digits_of(component);
+        auto const now = seen_->constants(x, near);
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            auto const change = static_cast<double>(S(now[k] - start[k]));
+            largest_[k] = std::max(largest_[k], std::abs(change));
+            text += ',' + digits_of(change);
         }
-        if constexpr (many_digits) {
-            if (name == "gauss-16") use(embed(l, galerkin<16, gauss>));
-        } else if (name == "gauss-4")
-            use(embed(l, galerkin<4, gauss>));
-    } else {
-        if constexpr (not std::is_same_v<S, float100>) { // what is compiled there takes its time
-            if (name == "mid-point") use(embed(l, mid_point));
-        }
-        if constexpr (is_double) {
-            if (name == "order-one") use(embed(l, order_one));
-            if (name == "mid-point+") use(embed(l, mid_point, compensated));
-            if (name == "verlet") use(stoermer_verlet(l));
-            if (name == "blanes-moan-4") use(compose_with_adjoint(blanes_moan<4>, embed(l, order_one)));
-            if (name == "kahan-li-8+") use(compose(kahan_li<8>, stoermer_verlet(l, compensated)));
-        }
-        if constexpr (is_double or many_digits)
-            if (name == "kahan-li-8") use(compose(kahan_li<8>, stoermer_verlet(l)));
+        for (S const& shown : seen_->shown(x, near)) text += ',' + digits_of(shown);
+        return text;
     }
-}
-template <class S, class L, class Use>
-void with_method(std::string const& name, L const& l, Use const& use) {
-    with_method<method_kind::without_inner_points, S>(name, l, use);
-    with_method<method_kind::with_inner_points, S>(name, l, use);
-}
+    [[nodiscard]] std::vector<hilger::float100> position() const override {
+        auto const q = at_->state().q;
+        return {q.begin(), q.end()};
+    }
+    [[nodiscard]] std::vector<double> drift() const override {
+        (void)start_of_all();
+        return largest_;
+    }
+    bool save(std::ostream& out) const override {
+        (void)start_of_all();
+        std::ostringstream rest;
+        if (not at_->save(rest)) return false;
+        for (double const x : largest_) out << std::hexfloat << x << '\n';
+        out << rest.str();
+        return true;
+    }
+    void load(std::istream& in, std::string const& source) override {
+        (void)start_of_all();
+        for (double& x : largest_) {
+            std::string word;
+            std::getline(in, word);
+            char* end = nullptr;
+            x = std::strtod(word.c_str(), &end);
+            if (word.empty() or *end != '\0')
+                hilger::error::raise<hilger::error::unreadable>(source, " is damaged: '", word, "' is no number");
+        }
+        at_->load(in, source);
+    }
 
-/// Calls use(flow) with the method that is chosen on what moves, L or with a force, where it has a number in it, as theta:0.3 and
-/// embeddings in text have.
-template <class S, class Mechanics, class Use>
-void with_number(engine::problem const& of, beginning<S> const& begin, configuration const& c, Mechanics const& mechanics, Use const& use) {
-    if (auto const lambda = engine::lambda_of<S>(of, c.embedding, begin.step(c.steps)))
-        use(hilger::embed(mechanics, hilger::text::embedding_at(*lambda)));
-}
-/// The walk of a free problem of D coordinates, with states of that size, in double or, without inner points, float, by a method of that
-/// kind.
-template <class S, int D, method_kind Kind>
-std::unique_ptr<walk> begin_small(stated_problem const& what, configuration const& c);
-
-/// In states of any size, compiled once for each S (in_numbers.hpp); with a force, in double and 50 digits.
-template <class S>
-std::unique_ptr<walk> begin_in_numbers(stated_problem const& what, configuration const& c);
-template <class S>
-std::unique_ptr<walk> begin_with_force(stated_problem const& what, configuration const& c);
+private:
+    /// What is observed at the first point. It is looked at when somebody asks for rows: that may take longer than to walk.
+    std::vector<S> const& start_of_all() const {
+        if (not start_) {
+            start_ = seen_->constants(first_, first_velocity_);
+            largest_.assign(start_->size(), 0);
+        }
+        return *start_;
+    }
+    std::shared_ptr<observation<S> const> seen_;
+    std::unique_ptr<engine::cursor<S>> at_;
+    engine::state<S> first_;
+    engine::vector<S> first_velocity_;
+    mutable std::optional<std::vector<S>> start_;
+    mutable std::vector<double> largest_;
+};
 
 } // namespace program

@@ -12,6 +12,7 @@ namespace bindings {
 /// How numbers come from Python and go there.
 template <class S>
 struct crossing {
+    using word_type = std::string; ///< of one number
     using given = std::vector<std::string>;
     static engine::vector<S> vector_of(given const& digits) {
         engine::vector<S> x(static_cast<Eigen::Index>(digits.size()));
@@ -36,6 +37,7 @@ struct crossing {
 };
 template <>
 struct crossing<double> {
+    using word_type = double;
     using given = py::array_t<double, py::array::c_style | py::array::forcecast>;
     static engine::vector<double> vector_of(given const& x) { return Eigen::Map<engine::vector<double> const>(x.data(), x.size()); }
     static double number(double x) { return x; }
@@ -49,6 +51,16 @@ struct crossing<double> {
     }
     static py::object word(double x) { return py::float_(x); }
 };
+
+/// From (start, step, steps), or from (points,).
+template <class S>
+engine::points<S> points_from(py::tuple const& T) {
+    using with = crossing<S>;
+    auto const number = [&](std::size_t k) { return with::number(T[k].cast<typename with::word_type>()); };
+    if (T.size() == 3) return {number(0), number(1), T[2].cast<hilger::index_type>(), {}};
+    auto const all = with::vector_of(T[0].cast<typename with::given>());
+    return {S(0), S(0), all.size() - 1, std::vector<S>(all.begin(), all.end())};
+}
 
 inline engine::second_datum datum_named(std::string const& what) {
     using engine::second_datum;

@@ -64,12 +64,8 @@ py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const&
 
 void add_ensembles(py::module_& m) {
     py::class_<engine::cast>(m, "Cast")
-        .def(py::init(
-            [](engine::problem const& what, std::string const& method, bool in_lanes, double start, double step, hilger::index_type steps) {
-                return cast_of(what, method, in_lanes, {start, step, steps, {}});
-            }))
-        .def(py::init([](engine::problem const& what, std::string const& method, bool in_lanes, std::vector<double> const& points) {
-            return cast_of(what, method, in_lanes, {0, 0, static_cast<hilger::index_type>(points.size()) - 1, points});
+        .def(py::init([](engine::problem const& what, std::string const& method, bool in_lanes, py::tuple const& T) {
+            return cast_of(what, method, in_lanes, points_from<double>(T));
         }))
         .def_property_readonly("lanes", [](engine::cast const& all) { return all.together ? all.together->width() : 1; });
     m.def("walk_all", &walk_all);

@@ -3,6 +3,7 @@
 #include "crossing.hpp"
 #include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
+#include "engine/methods.hpp"
 #include "hilger/trajectory/events.hpp"
 #include "looking.hpp"
 
@@ -70,19 +71,14 @@ template <class S>
 void add_motion(py::module_& m, char const* name) {
     using with = crossing<S>;
     using given = typename with::given;
-    using number = std::conditional_t<std::is_same_v<S, double>, double, std::string>;
+    using number = typename with::word_type;
     using motion = engine::motion<S>;
     auto const state_of = [](number const& t, given const& q, given const& p) {
         return engine::state<S>{with::number(t), with::vector_of(q), with::vector_of(p)};
     };
     py::class_<motion>(m, name)
-        .def(py::init(
-            [](engine::problem const& what, std::string const& method, number const& start, number const& step, hilger::index_type steps) {
-                return engine::make_motion<S>(what, method, {with::number(start), with::number(step), steps, {}});
-            }))
-        .def(py::init([](engine::problem const& what, std::string const& method, given const& points) {
-            auto const all = with::vector_of(points);
-            return engine::make_motion<S>(what, method, {S(0), S(0), all.size() - 1, std::vector<S>(all.data(), all.data() + all.size())});
+        .def(py::init([](engine::problem const& what, std::string const& method, py::tuple const& T) {
+            return engine::make_motion<S>(what, method, points_from<S>(T));
         }))
         .def("walk", &walk<S>)
         .def("times", [](motion const& path) { return with::array(path.times(), 0); })
@@ -111,7 +107,6 @@ void add_motion(py::module_& m, char const* name) {
                  py::gil_scoped_acquire const here;
                  return with::word(worst);
              })
-        .def("equation", &motion::equation)
         .def("energy", [state_of](motion const& path, number const& t, given const& q, given const& p,
                                   given const& near) { return with::word(path.energy(state_of(t, q, p), with::vector_of(near))); })
         .def_static("fraction_at_zero",
@@ -130,8 +125,9 @@ void add_motion(py::module_& m, char const* name) {
 /// The same as walk, which makes the first step where one is needed, by steps that are machine code as a whole; None where there are none,
 /// or one fails.
 py::object walk_in_whole_steps(engine::motion<double> const& path, engine::problem const& what, std::string const& method,
-                               engine::points<double> const& T, crossing<double>::given const& q0, std::string const& other_is,
+                               py::tuple const& points, crossing<double>::given const& q0, std::string const& other_is,
                                crossing<double>::given const& other, py::object const& progress) {
+    auto const T = points_from<double>(points);
     auto const from = initial_of<double>(q0, other_is, other);
     auto const alone = [&] { return [&](auto const& start, auto const& keep) { path.walk(start, keep); }; };
     std::optional<engine::states_in_whole_steps> made;
@@ -155,19 +151,7 @@ void add_motions(py::module_& m) {
     add_motion<double>(m, "Motion");
     add_motion<hilger::Q>(m, "ExactMotion");
     add_motion<hilger::float50>(m, "MotionIn50Digits");
-    m.def("walk_in_whole_steps", [](engine::motion<double> const& path, engine::problem const& what, std::string const& method,
-                                    std::tuple<double, double, hilger::index_type> const& T, crossing<double>::given const& q0,
-                                    std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {
-        auto const [start, step, steps] = T;
-        return walk_in_whole_steps(path, what, method, {start, step, steps, {}}, q0, other_is, other, progress);
-    });
-    m.def("walk_in_whole_steps", [](engine::motion<double> const& path, engine::problem const& what, std::string const& method,
-                                    std::tuple<std::vector<double>> const& T, crossing<double>::given const& q0,
-                                    std::string const& other_is, crossing<double>::given const& other, py::object const& progress) {
-        auto const& given = std::get<0>(T);
-        return walk_in_whole_steps(path, what, method, {0, 0, static_cast<hilger::index_type>(given.size()) - 1, given}, q0, other_is,
-                                   other, progress);
-    });
+    m.def("walk_in_whole_steps", &walk_in_whole_steps);
     m.def("set_machine_code", [](std::string const& how) {
         using engine::machine_code;
         if (how != "on" and how != "off" and how != "at once")
@@ -175,7 +159,14 @@ void add_motions(py::module_& m) {
         engine::set_machine_code(how == "on" ? machine_code::on : how == "off" ? machine_code::off : machine_code::at_once);
     });
     m.def("formulas_in_machine_code", &engine::formulas_in_machine_code);
-    m.attr("methods") = engine::method_names<double>();
+    py::list methods;
+    for (auto const& one : engine::all_methods()) methods.append(one.name);
+    m.attr("methods") = methods;
+    m.def("list_of_methods", [] {
+        std::ostringstream out;
+        engine::list_methods(out);
+        return out.str();
+    });
     m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
                                  crossing<double>::given const& v0, double wanted, double longest_step) {
         auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);

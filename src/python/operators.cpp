@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Operators on T that Python composes, and embeddings made of them.
 #include "crossing.hpp"
-#include "engine/methods/own.hpp"
+#include "engine/methods/lambda.hpp"
+#include "hilger/function/function.hpp"
+#include "hilger/scale/time_scale.hpp"
 
 namespace bindings {
 

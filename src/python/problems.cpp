@@ -70,6 +70,7 @@ void add_problems(py::module_& m) {
         .def_readwrite("history", &engine::problem::history)
         .def("dimension", [](engine::problem const& p) { return p.lagrangian.formula().words().dimension(); })
         .def("written", &written)
+        .def("equation", &engine::equation_of_method)
         .def("c_code", &engine::c_code_of);
 }
 

@@ -64,7 +64,7 @@ class Ensemble(unittest.TestCase):
         two, one = np.ones((4, 2)), np.ones((4, 1))
         none = np.empty((4, 0))
         for lanes in (False, True):
-            cast = h._core.Cast(EL._stated(), "mid-point", lanes, 0.0, 0.1, 3)
+            cast = h._core.Cast(EL._stated(), "mid-point", lanes, (0.0, 0.1, 3))
             for q0, v0, parameters in ((one, two, none), (two, one, none)):
                 with self.assertRaisesRegex(h.Mismatch, "a member has 2 coordinates and brings 0 parameters"):
                     h._core.walk_all(cast, q0, "v0", v0, parameters, 1, 1, None)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """What is written wrongly is said in one sentence; what is clear is taken."""
 
+import contextlib
+import io
 import unittest
 from decimal import Decimal
 from fractions import Fraction
@@ -112,6 +114,14 @@ class Refused(unittest.TestCase):
         self.says(TypeError, "q0 is made of real numbers", lambda: h.solve_many(EL, q0=np.array([1 + 2j, 0]), v0=[0.0, 0.0]))
         self.says(TypeError, "a function on T is made of real numbers, and (1+0j) is none", lambda: h.apply(h.sigma, lambda t: np.exp(1j * t), T))
         self.says(TypeError, "a scale, as h.uniform(0, 0.1, 100), was expected, and here is [0, 1, 2]", lambda: h.apply(h.sigma, [0, 1, 4], [0, 1, 2]))
+
+    def test_list_of_methods(self):
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            h.methods()
+        names = [line.split()[0] for line in said.getvalue().splitlines()[:-1]]
+        self.assertEqual(names, list(h._core.methods))
+        for name in names:
+            self.assertEqual(h.variation(L, T, name).method.name, name)
 
     def test_problems(self):
         self.says(h.InvalidParameter, "determine a solution, and here is q0 with nothing", lambda: h.solve(EL, q0=1.0))

@@ -4,14 +4,15 @@
 namespace engine {
 
 made embedded_with_inner_points(problem const& what, std::string const& method, points<double> const& T) {
-    return with_mechanics(what, [&](auto const& mechanics) -> made {
-        auto const by = [&](auto const& how) { return embedded_small_by(mechanics, how, T, method); };
-        if (method == "gauss-2") return by(hilger::galerkin<2, hilger::gauss>);
-        if (method == "gauss-4") return by(hilger::galerkin<4, hilger::gauss>);
-        if (method == "gauss-8") return by(hilger::galerkin<8, hilger::gauss>);
-        if (method == "lobatto-3") return by(hilger::galerkin<3, hilger::lobatto>);
-        return nullptr;
-    });
+    auto const by = [&](auto const& how) {
+        return motion_by_making(what, method, T, [how](auto const& L) { return hilger::embed(L, how); });
+    };
+    if (method == "gauss-2") return by(hilger::galerkin<2, hilger::gauss>);
+    if (method == "gauss-4") return by(hilger::galerkin<4, hilger::gauss>);
+    if (method == "gauss-6") return by(hilger::galerkin<6, hilger::gauss>);
+    if (method == "gauss-8") return by(hilger::galerkin<8, hilger::gauss>);
+    if (method == "lobatto-3") return by(hilger::galerkin<3, hilger::lobatto>);
+    return nullptr;
 }
 
 } // namespace engine

@@ -31,5 +31,15 @@ std::optional<S> lambda_of(problem const& what, std::string const& method, std::
         hilger::error::raise<hilger::error::invalid_parameter>("theta takes a number between 0 and 1, and here is ", method.substr(6));
     return lambda;
 }
+/// The same of embeddings in one step that have a name, too.
+template <class S>
+std::optional<S> lambda_in_one_step(problem const& what, std::string const& method, std::optional<S> const& h = {}) {
+    if (method == "order-one") return S(0);
+    if (method == "order-one-left") return S(1);
+    if (method == "mid-point") return S(S(1) / S(2));
+    return lambda_of<S>(what, method, h);
+}
+/// The problem of one Lagrangian of a sum alone.
+inline problem alone(problem::summand const& part) { return {part.lagrangian, {}, {}}; }
 
 } // namespace engine

@@ -3,7 +3,8 @@
 // material - by Newmark's scheme.
 #pragma once
 
-#include "engine/engine.hpp"
+#include "engine/methods/histories.hpp"
+#include "engine/motions.hpp"
 #include "engine/second_degree.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/zener.hpp"
@@ -108,6 +109,62 @@ auto taken_by(Scheme const& scheme, vector<S> const& x) {
         return x(0);
     else
         return x;
+}
+
+/// The motion of a structure, on equal steps.
+template <class S>
+class structure_motion final : public motion<S> {
+public:
+    structure_motion(problem what, std::string method, points<S> const& T)
+        : what_(std::move(what)), method_(std::move(method)), structure_(what_), energy_(hilger::energy(what_.lagrangian)),
+          T_(uniform_scale_of(T)) {
+        structure_.require_valid();
+    }
+
+    [[nodiscard]] std::unique_ptr<cursor<S>> begin(initial<S> const& from) const override {
+        if (from.is == second_datum::next_position) refuse("starts from q0 and v0 or p0, and not from two positions");
+        std::unique_ptr<cursor<S>> made;
+        with_history(what_.history, T_.steps(), [&](auto const& policy) {
+            structure_.with_scheme(method_, policy, [&](auto const& scheme) {
+                auto const q = taken_by<S>(scheme, from.q0), other = taken_by<S>(scheme, from.other);
+                auto const p = from.is == second_datum::momentum ? other : scheme.momentum(T_.point(0), q, other);
+                made = cursor_along<S>(scheme.along(T_, q, p));
+            });
+        });
+        return made;
+    }
+    [[nodiscard]] std::vector<S> times() const override { return elements_of<S>(T_); }
+    [[nodiscard]] joined<S> between(vector<S> const&, vector<S> const&, std::vector<vector<S>> const&,
+                                    std::stop_token const&) const override {
+        refuse("is solved from initial values");
+    }
+    [[nodiscard]] S residual(initial<S> const&, std::vector<vector<S>> const&, std::vector<vector<S>> const&, bool) const override {
+        refuse("has no discrete Euler-Lagrange equation");
+    }
+    [[nodiscard]] S energy(state<S> const& x, vector<S> const&) const override {
+        return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p});
+    }
+    [[nodiscard]] state<S> between_states(state<S> const&, state<S> const&, S const&) const override {
+        refuse("has a memory, which is no part of a state: there is nothing between the points of T");
+    }
+
+private:
+    [[noreturn]] void refuse(char const* why) const {
+        hilger::error::raise<hilger::error::invalid_parameter>("the method ", method_, " ", why);
+    }
+    problem what_;
+    std::string method_;
+    structure_of_problem<S> structure_;
+    decltype(hilger::energy(std::declval<hilger::text::stated_lagrangian const&>())) energy_;
+    hilger::uniform_scale<S> T_;
+};
+
+/// @throws hilger::error::invalid_parameter
+template <class S>
+std::unique_ptr<motion<S>> by_newmark(problem const& what, std::string const& method, points<S> const& T) {
+    if (not is_newmark(method)) return nullptr;
+    if (not T.is_uniform()) hilger::error::raise<hilger::error::invalid_parameter>("the method ", method, " is for uniform scales");
+    return std::make_unique<structure_motion<S>>(what, method, T);
 }
 
 } // namespace engine

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)): it is
 // solved between two ends.
+#include "engine/methods/two_sided.hpp"
 #include "engine/motions.hpp"
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
@@ -10,17 +11,13 @@ namespace engine {
 namespace {
 
 class two_sided : public motion<double> {
-    [[nodiscard]] auto derived() const {
-        constexpr hilger::unknown q;
-        return variation(nabla_integral(hilger::lagrangian{L_}(q, hilger::Delta_minus(alpha_)[q]), T_));
-    }
+    [[nodiscard]] auto derived() const { return two_sided_equation(L_, alpha_, T_); }
 
 public:
     two_sided(hilger::text::stated_lagrangian L, double alpha, points<double> const& T)
-        : L_(std::move(L)), alpha_(alpha), T_(hilger::uniform(T.start, T.step, T.steps)) {}
+        : L_(std::move(L)), alpha_(alpha), T_(uniform_scale_of(T)) {}
 
-    void walk(initial<double> const&,
-              std::function<bool(double const&, vector<double> const&, vector<double> const&)> const&) const override {
+    [[nodiscard]] std::unique_ptr<cursor<double>> begin(initial<double> const&) const override {
         refuse("it looks to both ends, and initial values do not determine its solution: give q0 and qN");
     }
     [[nodiscard]] std::vector<double> times() const override { return elements_of<double>(T_); }
@@ -37,15 +34,6 @@ public:
         auto const x = hilger::function_on(T_, positions);
         return absolute ? largest_residual(derived(), x) : relative_residual(derived(), x);
     }
-    [[nodiscard]] std::string equation(bool latex_wanted) const override {
-        auto const EL = derived();
-        std::ostringstream out;
-        if (latex_wanted)
-            out << latex(EL);
-        else
-            out << EL;
-        return out.str();
-    }
     [[nodiscard]] double energy(state<double> const&, vector<double> const&) const override { refuse("it has no energy at a point"); }
     [[nodiscard]] state<double> between_states(state<double> const&, state<double> const&, double const&) const override {
         refuse("there is nothing between the points of T");
@@ -57,19 +45,16 @@ private:
     }
     hilger::text::stated_lagrangian L_;
     double alpha_;
-    decltype(hilger::uniform(0.0, 1.0, 1)) T_;
+    hilger::uniform_scale<double> T_;
 };
 
 } // namespace
 
 made between_two_ends(problem const& what, std::string const& method, points<double> const& T) {
-    if (not method.starts_with("two-sided:")) return nullptr;
-    auto const alpha = hilger::text::number_in<double>(method.substr(10));
-    if (not alpha)
-        hilger::error::raise<hilger::error::invalid_parameter>("an order is a number, as in two-sided:0.75, and not '", method, "'");
+    if (not is_two_sided(method)) return nullptr;
     if (not T.is_uniform() or what.force)
         hilger::error::raise<hilger::error::invalid_parameter>("the two-sided fractional equation is for uniform scales, without forces");
-    return std::make_unique<two_sided>(what.lagrangian, *alpha, T);
+    return std::make_unique<two_sided>(what.lagrangian, order_of_two_sides(method), T);
 }
 
 } // namespace engine

@@ -41,6 +41,7 @@ from .equations import (
     gl_newmark,
     kahan_li_8,
     lobatto_3,
+    methods,
     midpoint,
     order_one,
     order_one_left,

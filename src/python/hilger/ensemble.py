@@ -134,7 +134,7 @@ def solve_many(
     if stride > 0:
         kept = -(-equation.scale.steps // stride) + 1
         require_room(2 * members * kept * d, f"{kept} states of each of {members} members", "a larger `every` keeps fewer of them")
-    cast = _core.Cast(problem, equation.method.name, lanes, *equation._points())
+    cast = _core.Cast(problem, equation.method.name, lanes, equation._points())
     rank, ranks = (0, 1) if comm is None else (comm.Get_rank(), comm.Get_size())
     share = slice(members * rank // ranks, members * (rank + 1) // ranks)
     threads = threads or (os.cpu_count() or 1 if comm is None else 1)

@@ -43,8 +43,13 @@ gl_newmark = Method("gl-newmark")
 """The same with the weights of Grünwald and Letnikov: of order one."""
 
 
+def methods() -> None:
+    """Print all methods: name, order, definition, and the numbers that each is for. variation(L, T, "blanes-moan-4") takes any of these names."""
+    print(_core.list_of_methods(), end="")
+
+
 def gauss(nodes: int) -> Method:
-    """Galerkin's embedding with 2, 4 or 8 Gauss nodes in a step: of order 4, 8 or 16. gauss(8) is there in 50 digits too, as what to
+    """Galerkin's embedding with 2, 4, 6 or 8 Gauss nodes in a step: of order 4, 8, 12 or 16. In 50 digits there are gauss(8) and gauss(16), to
     compare others with."""
     return Method(f"gauss-{nodes}")
 
@@ -206,7 +211,7 @@ class Equation:
 
     def _motion(self, history: str = "direct"):
         made = {"double": _core.Motion, "exact": _core.ExactMotion, "50 digits": _core.MotionIn50Digits}[self.scale.kind()]
-        return made(self._stated(history), self.method.name, *self._points())
+        return made(self._stated(history), self.method.name, self._points())
 
     def _points(self) -> tuple:
         T = self.scale
@@ -216,11 +221,11 @@ class Equation:
     def _written(self, latex: bool) -> str:
         if self.method in (g_alpha_newmark, gl_newmark):
             try:
-                return self._motion().equation(latex)
+                return self._stated().equation(self.method.name, isinstance(self.scale, Uniform), latex)
             except _core.InvalidParameter as why:  # what is missing may be added yet
                 return f"{self.method.name}: {why}\n"
         undamped = replace(self, dampings=(), forces=(), material=None)
-        return undamped._motion().equation(latex)
+        return undamped._stated().equation(self.method.name, isinstance(self.scale, Uniform), latex)
 
     def __repr__(self) -> str:
         more = "".join(f"beside ∂L/∂q: {', '.join(map(repr, f.components))}\n" for f in self.forces)
