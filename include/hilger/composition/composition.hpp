@@ -12,7 +12,7 @@
 #include <optional>
 #include <tuple>
 
-#include "hilger/composition/by_turns.hpp"
+#include "hilger/composition/sequential_composition.hpp"
 #include "hilger/composition/splitting.hpp"
 
 namespace hilger {
@@ -92,7 +92,7 @@ public:
 
     private:
         /// Made when they are needed, in a place of their own.
-        using turns = detail::by_turns<S, V, Parts, Flows...>;
+        using turns = detail::sequential_composition<S, V, Parts, Flows...>;
         struct in_turns_of {
             std::optional<turns> flows;
             std::optional<std::pair<state<S, V>, V>> start;
@@ -122,7 +122,7 @@ public:
             return x;
         }
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
-        detail::in_its_place<flows_in_turns> turns_;
+        detail::boxed<flows_in_turns> turns_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.

@@ -27,12 +27,12 @@ inline constexpr bool of_one_problem<backwards<Parts>> = of_one_problem<Parts>;
 
 /// Which kicks and drifts a flow is made of, where it is: leaves are flows of order one or their adjoints.
 template <class Flow>
-struct turns {
+struct kick_drift_sequence {
     static constexpr bool possible = false;
 };
 template <class F, class E, sums Sums>
     requires(facts_of<E>.one_node and (facts_of<E>.at_start or facts_of<E>.at_end))
-struct turns<flow<F, no_force, E, Sums>> {
+struct kick_drift_sequence<flow<F, no_force, E, Sums>> {
     static constexpr bool possible = true, compensated = Sums == sums::compensated;
     static constexpr bool starts_with_kick = facts_of<E>.at_start;
     static constexpr std::array<bool, 2> is_kick{starts_with_kick, not starts_with_kick};
@@ -44,30 +44,32 @@ struct turns<flow<F, no_force, E, Sums>> {
     }
 };
 template <class Parts, class First, class... Others>
-    requires((sizeof...(Others) == 0 or of_one_problem<Parts>)and turns<First>::possible and (turns<Others>::possible and ...))
-struct turns<composed_flow<Parts, First, Others...>> {
-    static constexpr bool possible = true, compensated = turns<First>::compensated;
-    static constexpr bool starts_with_kick = turns<First>::starts_with_kick;
+    requires((sizeof...(Others) == 0 or of_one_problem<Parts>)and kick_drift_sequence<First>::possible and
+             (kick_drift_sequence<Others>::possible and ...))
+struct kick_drift_sequence<composed_flow<Parts, First, Others...>> {
+    static constexpr bool possible = true, compensated = kick_drift_sequence<First>::compensated;
+    static constexpr bool starts_with_kick = kick_drift_sequence<First>::starts_with_kick;
     static constexpr std::size_t flows = 1 + sizeof...(Others);
     /// Of each kick and drift, in the order in which they are made.
     static constexpr auto is_kick = [] {
-        constexpr std::size_t in_turn = turns<First>::is_kick.size() + (turns<Others>::is_kick.size() + ... + 0);
+        constexpr std::size_t in_turn =
+            kick_drift_sequence<First>::is_kick.size() + (kick_drift_sequence<Others>::is_kick.size() + ... + 0);
         std::array<bool, Parts::size / flows * in_turn> kinds{};
         std::size_t k = 0;
         auto const add = [&](auto const& of_flow) {
             for (bool const kick : of_flow) kinds[k++] = kick;
         };
-        while (k < kinds.size()) add(turns<First>::is_kick), (add(turns<Others>::is_kick), ...);
+        while (k < kinds.size()) add(kick_drift_sequence<First>::is_kick), (add(kick_drift_sequence<Others>::is_kick), ...);
         return kinds;
     }();
-    using problem_type = typename turns<First>::problem_type;
+    using problem_type = typename kick_drift_sequence<First>::problem_type;
     template <class S, class Use>
     static void each(composed_flow<Parts, First, Others...> const& f, S const& h, Use const& use) {
         auto const parts = whole<S>(f.parts());
         for (std::size_t k = 0; k < Parts::size; k += flows)
             std::apply(
                 [&, j = k](auto const&... flow) mutable {
-                    (turns<std::remove_cvref_t<decltype(flow)>>::each(flow, S(parts[j++] * h), use), ...);
+                    (kick_drift_sequence<std::remove_cvref_t<decltype(flow)>>::each(flow, S(parts[j++] * h), use), ...);
                 },
                 f.flows());
     }
@@ -76,7 +78,7 @@ struct turns<composed_flow<Parts, First, Others...>> {
 /// What one trajectory of such a composition remembers.
 template <class Flow, class S, class V>
 class splitting {
-    using of = turns<Flow>;
+    using of = kick_drift_sequence<Flow>;
     using Problem = typename of::problem_type;
     using parts = split_parts<Problem, S, V>;
     static constexpr bool large = parts::has_whole_vectors;
@@ -214,8 +216,8 @@ private:
 enum class kicks_and_drifts { no, perhaps, always };
 template <class Flow, class S, class V>
 inline constexpr kicks_and_drifts splits = [] {
-    if constexpr (turns<Flow>::possible) {
-        using F = decltype(turns<Flow>::problem_type::lagrangian);
+    if constexpr (kick_drift_sequence<Flow>::possible) {
+        using F = decltype(kick_drift_sequence<Flow>::problem_type::lagrangian);
         if (is_mechanical<F>) return kicks_and_drifts::always;
         if (may_split<F, S, V>) return kicks_and_drifts::perhaps;
     }

@@ -11,11 +11,11 @@
 namespace hilger::detail {
 
 template <class Reading>
-spelled letter_of_polynomial(bool is_slope, bool is_adjoint) {
+notation letter_of_polynomial(bool is_slope, bool is_adjoint) {
     std::string const n = std::to_string(Reading::degree);
-    spelled s{"Π" + subscript(Reading::degree) + (is_slope ? "′" : "") + (is_adjoint ? "*" : ""),
-              "\\Pi_{" + n + "}" +
-                  (is_slope or is_adjoint ? "^{" + std::string(is_slope ? "\\prime" : "") + (is_adjoint ? "*" : "") + "}" : "")};
+    notation s{"Π" + subscript(Reading::degree) + (is_slope ? "′" : "") + (is_adjoint ? "*" : ""),
+               "\\Pi_{" + n + "}" +
+                   (is_slope or is_adjoint ? "^{" + std::string(is_slope ? "\\prime" : "") + (is_adjoint ? "*" : "") + "}" : "")};
     auto const where = [](print_style style) { return written_domain(domain<typename Reading::to>{}, style); };
     s = with_bracket(s);
     s.terminal_note = "Π" + subscript(Reading::degree) + "[f] = the polynomial of degree " + n + " through f on each step, on " +

@@ -21,8 +21,8 @@ template <class V>
 void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
     using S = scalar_of<V>;
     auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
-    V const first = at(begin - 1), way = at(end) - first;
-    for (index_type j = begin; j < end; ++j) at(j) = first + way * (S(j - begin + 1) / S(end - begin + 1));
+    V const first = at(begin - 1), displacement = at(end) - first;
+    for (index_type j = begin; j < end; ++j) at(j) = first + displacement * (S(j - begin + 1) / S(end - begin + 1));
 }
 /// T with its steps in proportion, so that it ends after a part of the time. @throws error::invalid_scale where no step is left
 template <class S>

@@ -34,11 +34,11 @@ void put_first_guess_inside(Root const& T, std::vector<V>& x, index_type parts) 
 template <class Root, class V>
 void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, straight_line) {
     using S = scalar_of<V>;
-    V const first = x.front(), way = x.back() - first;
+    V const first = x.front(), displacement = x.back() - first;
     S const start(T.point(0)), length(T.point(T.steps()) - T.point(0));
     for (index_type i = 1; i < T.steps(); ++i) {
         S const share = Root::is_uniform ? S(S(i) / S(T.steps())) : S(S(T.point(i) - start) / length);
-        x[static_cast<std::size_t>(parts * i)] = first + way * share;
+        x[static_cast<std::size_t>(parts * i)] = first + displacement * share;
     }
     put_first_guess_inside(T, x, parts);
 }

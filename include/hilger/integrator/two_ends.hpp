@@ -69,8 +69,8 @@ std::vector<V> on_straight_lines(Root const& T, std::vector<V> const& x, index_t
     for (index_type j = 0, i = 0; j < other.steps(); ++j) {
         S const t = other.element(j);
         while (i + 2 < T.size() and T.element(i + 1) <= t) ++i;
-        V const way = at(i + 1) - at(i);
-        made[static_cast<std::size_t>(parts * j)] = at(i) + way * S((t - T.element(i)) / (T.element(i + 1) - T.element(i)));
+        V const displacement = at(i + 1) - at(i);
+        made[static_cast<std::size_t>(parts * j)] = at(i) + displacement * S((t - T.element(i)) / (T.element(i + 1) - T.element(i)));
     }
     return made;
 }

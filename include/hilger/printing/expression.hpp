@@ -13,7 +13,7 @@ namespace hilger {
 enum class print_style { terminal, latex };
 
 /// How something is written, and what a reader has to be told about it ("" when nothing).
-struct spelled {
+struct notation {
     std::string terminal, latex;
     std::string terminal_note{}, latex_note{};
 
@@ -41,7 +41,7 @@ struct written_part {
         marked       ///< inner after: q_o, and (inner) after where inner is longer than a name
     };
     kind is = kind::name;
-    spelled before{}, after{};
+    notation before{}, after{};
     std::shared_ptr<expression const> inner{};  ///< none in a name
     std::shared_ptr<written_part const> next{}; ///< the next factor
 };
@@ -61,7 +61,7 @@ class expression {
     using part = written_term::part;
 
 public:
-    static expression name(spelled as, bool has_sign = false) {
+    static expression name(notation as, bool has_sign = false) {
         expression e;
         e.terms_.emplace_back().what = made({has_sign ? kind::signed_name : kind::name, std::move(as)});
         return e;
@@ -89,12 +89,12 @@ public:
         }
         return e;
     }
-    [[nodiscard]] expression times_constant(spelled const& c) const {
+    [[nodiscard]] expression times_constant(notation const& c) const {
         expression e = *this;
         for (auto& t : e.terms_) t.constants = before(t.constants, c);
         return e;
     }
-    [[nodiscard]] expression times_weight(spelled const& w) const {
+    [[nodiscard]] expression times_weight(notation const& w) const {
         expression e = *this;
         for (auto& t : e.terms_) t.weights = before(t.weights, w);
         return e;
@@ -104,10 +104,10 @@ public:
         return a;
     }
     /// before[this]after; the constants of a single term stand before it all.
-    [[nodiscard]] expression in_brackets(spelled before, spelled after) const {
+    [[nodiscard]] expression in_brackets(notation before, notation after) const {
         return enclosed({kind::bracketed, std::move(before), std::move(after)});
     }
-    [[nodiscard]] expression marked(spelled mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
+    [[nodiscard]] expression marked(notation mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
     /// Without what stands around a single term.
     [[nodiscard]] expression without_brackets() const { return opened(terms_[0]); }
     /// Without the mark `mark` on whole terms: where the text says by itself which points are meant.
@@ -146,7 +146,7 @@ public:
 
 private:
     static part made(written_part p) { return std::make_shared<written_part const>(std::move(p)); }
-    static part before(part const& others, spelled const& factor) { return made({kind::name, factor, {}, {}, others}); }
+    static part before(part const& others, notation const& factor) { return made({kind::name, factor, {}, {}, others}); }
     static void add_note(std::string const& note, std::vector<std::string>& notes) {
         bool is_known = note.empty();
         for (auto const& known : notes) is_known = is_known or known == note;
@@ -193,7 +193,7 @@ private:
         text += what.after.in(s);
     }
     /// Whether a mark on it needs no brackets.
-    static bool may_be_marked(expression const& e, spelled const& mark) {
+    static bool may_be_marked(expression const& e, notation const& mark) {
         if (e.terms_.size() != 1 or not e.terms_[0].is_plain()) return false;
         auto const is = e.terms_[0].what->is;
         return is == kind::name or is == kind::marked or (mark.terminal[0] == '|' and is == kind::bracketed);

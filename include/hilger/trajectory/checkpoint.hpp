@@ -38,7 +38,7 @@ template <class Path>
 inline constexpr bool goes_by_its_history = has_history<std::remove_cvref_t<decltype(std::declval<Path>().method())>>;
 /// The length of the step that tells problems apart at a point of `path`: of the one after it, or at the end of T of the one before.
 template <class Path>
-auto telling_step(Path const& path, index_type i) {
+auto fingerprint_step(Path const& path, index_type i) {
     auto const& T = path.scale();
     return T.domain().base.step(T.root(), i < T.last() ? i : std::max(i - 1, T.first()));
 }
@@ -72,7 +72,7 @@ template <class Path>
 void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkpoint_type point) {
     detail::line_writer writer{{detail::checkpoint_version, detail::scalar_line<decltype(point.at.t)>()}};
     detail::visit_checkpoint(point, path.method(), writer);
-    auto const h = detail::telling_step(path, point.number);
+    auto const h = detail::fingerprint_step(path, point.number);
     auto next = detail::step_from(path, point, h);
     writer("step", next ? h : decltype(h)(0));
     if (next) {
@@ -95,7 +95,7 @@ typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& pat
     reader.require(detail::checkpoint_version);
     reader.require(detail::scalar_line<decltype(point.at.t)>());
     detail::visit_checkpoint(point, path.method(), reader);
-    auto const own = detail::telling_step(path, point.number);
+    auto const own = detail::fingerprint_step(path, point.number);
     auto h = own;
     auto then = point.at;
     reader("step", h);

@@ -106,7 +106,7 @@ private:
 
 /// What a trajectory of `method` remembers where another memory does, as far as it shows it.
 template <class S, class V, class Memory, class Method>
-Memory taken_over(Memory from, Method const& method, S const& h, V const& like) {
+Memory transfer_memory(Memory from, Method const& method, S const& h, V const& like) {
     if constexpr (requires(line_writer each) { from.visit(method, each); }) {
         line_writer write;
         from.visit(method, write);

@@ -43,11 +43,13 @@ public:
     /// step_failure with the last good state.
     template <time_scale_like Scale, class X, class Y>
     auto along(Scale const& T, X const& q0, Y const& p0) const {
-        return walked<X, Y>(T, [&]<class V>(std::type_identity<V>) { return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)}; });
+        return make_trajectory<X, Y>(T, [&]<class V>(std::type_identity<V>) {
+            return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)};
+        });
     }
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_velocity<W> const& from) const {
-        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+        return make_trajectory<W, W>(T, [&]<class V>(std::type_identity<V>) {
             V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
             detail::require_same_dimension(q0, v0, "the initial position and velocity");
             V p0 = self().momentum(T.min(), q0, v0);
@@ -68,7 +70,7 @@ public:
         static_assert(says_momentum, "two positions say which momentum a step of an embedding begins with; with fractional damping, and of "
                                      "structures, a trajectory begins at {.q0 = ..., .v0 = ...}");
         if constexpr (says_momentum)
-            return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+            return make_trajectory<W, W>(T, [&]<class V>(std::type_identity<V>) {
                 scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
                 V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
                 detail::require_same_dimension(q0, q1, "the first two positions");
@@ -120,7 +122,7 @@ private:
     /// The trajectory from the position and momentum, and perhaps velocity, that begin(type) makes of what was given, an X and a Y; or
     /// nothing, after a sentence that says why.
     template <class X, class Y, class Scale, class Begin>
-    auto walked(Scale const& T, Begin const& begin) const {
+    auto make_trajectory(Scale const& T, Begin const& begin) const {
         using S = scalar_on<Scale>;
         using V = detail::given_state_t<S, X>;
         using F = typename detail::mechanics_of<Method>::lagrangian;

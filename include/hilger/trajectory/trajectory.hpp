@@ -172,7 +172,7 @@ public:
         detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
         if (from.number < T_.last()) {
             S const h = step(from.number);
-            auto own = detail::taken_over(from.memory, method_, h, from.at.q);
+            auto own = detail::transfer_memory(from.memory, method_, h, from.at.q);
             if constexpr (detail::has_history<Method>) // the other one knows its orders and coefficients
                 detail::require_same_step(
                     own, [&](auto const&, auto const&) { return from.memory; }, method_, from.at, h);

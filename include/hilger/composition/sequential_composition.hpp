@@ -18,22 +18,22 @@ class composed_flow;
 namespace detail {
 /// A value in a place of its own: what holds it can be in registers.
 template <class T>
-class in_its_place : public std::unique_ptr<T> {
+class boxed : public std::unique_ptr<T> {
 public:
-    in_its_place() : std::unique_ptr<T>(std::make_unique<T>()) {}
-    in_its_place(in_its_place const& other) : std::unique_ptr<T>(std::make_unique<T>(*other)) {}
-    in_its_place& operator=(in_its_place const& other) {
+    boxed() : std::unique_ptr<T>(std::make_unique<T>()) {}
+    boxed(boxed const& other) : std::unique_ptr<T>(std::make_unique<T>(*other)) {}
+    boxed& operator=(boxed const& other) {
         **this = *other;
         return *this;
     }
-    in_its_place(in_its_place&&) = default;
-    in_its_place& operator=(in_its_place&&) = default;
+    boxed(boxed&&) = default;
+    boxed& operator=(boxed&&) = default;
 };
 
 /// What a composition remembers whose flows take turns: one memory for each part, whose steps have one length, c_k h, and whose guesses are
 /// made from its own steps.
 template <class S, class V, class Parts, class... Flows>
-class by_turns {
+class sequential_composition {
     using composed = composed_flow<Parts, Flows...>;
     static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
     using all = std::index_sequence_for<Flows...>;
@@ -41,7 +41,7 @@ class by_turns {
     using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
 
 public:
-    by_turns(composed const& f, S const& h, V const& like)
+    sequential_composition(composed const& f, S const& h, V const& like)
         : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
     }
     /// The velocity that the first step begins with: the parts of that step begin with the one of the part before.
