@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Everything hilger throws. One type for each thing a caller can do about it; what() is one sentence that says what was wrong
-// and what is accepted.
+// The exceptions of hilger, one type for each remedy that a caller has; what() is one sentence that names the fault and what is accepted.
 #pragma once
 
 #include <charconv>

@@ -15,11 +15,11 @@
 // Scales, functions on them, operators between those, adjoints and equality of operators
 #include "hilger/calculus.hpp"
 
-// How a Lagrangian is read on a scale: order one, mid-point, theta, Galerkin, your own
+// Embeddings of a Lagrangian on a scale: order one, mid-point, theta, Galerkin, your own
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/galerkin.hpp"
 
-// From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and how they are written
+// From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and their notation
 #include "hilger/variational/action.hpp"
 #include "hilger/variational/lagrangian.hpp"
 #include "hilger/variational/legendre.hpp"
@@ -29,7 +29,7 @@
 #include "hilger/variational/sum_of_actions.hpp"
 #include "hilger/variational/variation.hpp"
 
-// Lagrangians that are known
+// Standard Lagrangians
 #include "hilger/models/beam.hpp"
 #include "hilger/models/mechanical.hpp"
 
@@ -40,7 +40,7 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
-// Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
+// Histories as sums of exponentials; fractional damping, and problems with values at both ends
 #include "hilger/boundary/extrapolation.hpp"
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
@@ -50,7 +50,7 @@
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
 
-// Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
+// Trajectories recorded, interpolated, stopped at events, checkpointed, and measured
 #include "hilger/fractional/residual.hpp"
 #include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/residual.hpp"

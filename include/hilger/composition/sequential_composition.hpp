@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A composition as its flows make it, part after part of each step, where it is not made of kicks and drifts (splitting.hpp).
+// A composition by its flows, part after part of each step, where it does not consist of kicks and drifts (splitting.hpp).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ template <parts_of_a_step Parts, class... Flows>
 class composed_flow;
 
 namespace detail {
-/// A value in a place of its own: what holds it can be in registers.
+/// A value on the heap, so that its owner can live in registers.
 template <class T>
 class boxed : public std::unique_ptr<T> {
 public:
@@ -30,8 +30,7 @@ public:
     boxed& operator=(boxed&&) = default;
 };
 
-/// What a composition remembers whose flows take turns: one memory for each part, whose steps have one length, c_k h, and whose guesses are
-/// made from its own steps.
+/// The memory of a composition by its flows: one for each part, whose steps have the length c_k h and give its first guesses.
 template <class S, class V, class Parts, class... Flows>
 class sequential_composition {
     using composed = composed_flow<Parts, Flows...>;
@@ -44,7 +43,7 @@ public:
     sequential_composition(composed const& f, S const& h, V const& like)
         : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
     }
-    /// The velocity that the first step begins with: the parts of that step begin with the one of the part before.
+    /// The initial velocity of the first step; each later part of that step begins with the mean velocity of the part before.
     void start_with(composed const& f, state<S, V> const& x, V const& v) {
         begin_part(std::get<0>(f.flows()), std::get<0>(memories_)[0], x, v);
     }
@@ -108,7 +107,7 @@ private:
     numbers parts_;
     S h_;
     numbers lengths_;
-    /// Inside the step: handed over when its last part is made.
+    /// The state inside the step, returned after its last part.
     state<S, V> x_;
     std::tuple<of_a_turn<Flows>...> memories_;
     bool has_begun_ = false; ///< a step was made

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How the operators of a Galerkin embedding are written:
+// The notation of the operators of a Galerkin embedding:
 //   P3[q], P3'[q]        the polynomial of degree 3 through q on each step, and its derivative, at the nodes of the integral
 //   P3*[f], P3'*[f]      their adjoints
 // with the capital letter pi for P.

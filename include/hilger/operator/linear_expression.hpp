@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Which operator a symbolic expression applies to its unknown: operator_of(Delta_o_plus[extend[q]]) is Delta_o_plus * extend.
+// The operator that a symbolic expression applies to its unknown: operator_of(Delta_o_plus[extend[q]]) is Delta_o_plus * extend.
 #pragma once
 
 #include "hilger/function/unknown.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A linear expression as it is written: a sum of terms, each with a rational factor, constants, weights that depend on t, and what they
-// multiply. One expression has two spellings, for a terminal and for LaTeX, so that both name the same operators.
+// A linear expression in notation: a sum of terms, each with a rational factor, constants, weights that depend on t, and an argument. An
+// expression carries both notations, for a terminal and for LaTeX, so that they name the same operators.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace hilger {
 
 enum class print_style { terminal, latex };
 
-/// How something is written, and what a reader has to be told about it ("" when nothing).
+/// A symbol for a terminal and in LaTeX, each with a note that explains it ("" when none).
 struct notation {
     std::string terminal, latex;
     std::string terminal_note{}, latex_note{};
@@ -32,7 +32,7 @@ inline std::string subscript(int n) {
 
 class expression;
 
-/// A part of a term: what it multiplies, or a factor before that. Expressions share parts, which never change.
+/// A part of a term: its argument, or a factor before that. Expressions share parts, which never change.
 struct written_part {
     enum class kind {
         name,        ///< q
@@ -67,7 +67,7 @@ public:
         return e;
     }
     [[nodiscard]] bool is_name() const { return terms_.size() == 1 and terms_[0].is_plain() and terms_[0].what->is == kind::name; }
-    /// What stands before a single term in brackets that no weight multiplies; "" elsewhere.
+    /// The opening bracket of a single term that no weight multiplies; else "".
     [[nodiscard]] std::string bracket() const {
         return terms_.size() == 1 and not terms_[0].weights and terms_[0].what->is == kind::bracketed ? terms_[0].what->before.terminal
                                                                                                       : "";
@@ -108,9 +108,9 @@ public:
         return enclosed({kind::bracketed, std::move(before), std::move(after)});
     }
     [[nodiscard]] expression marked(notation mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
-    /// Without what stands around a single term.
+    /// A single term without its brackets.
     [[nodiscard]] expression without_brackets() const { return opened(terms_[0]); }
-    /// Without the mark `mark` on whole terms: where the text says by itself which points are meant.
+    /// Without the mark `mark` on whole terms, where the context names the points.
     [[nodiscard]] expression without(std::string const& mark) const {
         expression e;
         for (auto const& t : terms_)
@@ -133,7 +133,7 @@ public:
         }
         return text.empty() ? "0" : text;
     }
-    /// What the reader has to be told, each once.
+    /// The notes, each once.
     void collect_notes(print_style s, std::vector<std::string>& notes) const {
         for (auto const& t : terms_)
             for (auto const& first : {t.constants, t.weights, t.what})
@@ -161,7 +161,7 @@ private:
     }
     [[nodiscard]] expression enclosed(written_part around) const {
         expression e;
-        if (terms_.empty()) return e; // an operator makes zero of zero
+        if (terms_.empty()) return e; // operators map zero to zero
         auto inner = *this;
         auto& t = e.terms_.emplace_back();
         if (terms_.size() == 1) {

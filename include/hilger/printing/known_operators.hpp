@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The operators that have names in the papers. An operator that equals one of them up to a rational factor, on as many points, is written
-// by its name, however it was composed.
+// as that one, however it was composed.
 #pragma once
 
 #include "hilger/printing/words.hpp"

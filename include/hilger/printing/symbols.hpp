@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How numbers, families of points, weights and domains are written, for a terminal and in LaTeX.
+// The notation of numbers, families of points, weights and domains, for a terminal and in LaTeX.
 #pragma once
 
 #include <iomanip>
@@ -11,7 +11,7 @@
 
 namespace hilger::detail {
 
-/// A number with as many digits as bring it back.
+/// Digits that are read back as the number.
 template <class C>
 std::string written_number(C const& c) {
     if constexpr (std::integral<C>)
@@ -27,10 +27,10 @@ std::string written_number(C const& c) {
     } else
         return "c";
 }
-/// -2.5 in a formula: the sign of a term stands by itself.
+/// 2.5 for -2.5: the sign of a term is written separately.
 inline std::string without_sign(std::string const& number) { return number.substr(number.starts_with('-') ? 1 : 0); }
 
-/// lambda: 1/2 is a half, 3/7 is 3/7, and what is known at run time is its value, where it is known here.
+/// lambda as a fraction, or as a number where it is known at run time.
 template <class Lambda>
 notation written_lambda(Lambda const& lambda) {
     if constexpr (requires { Lambda::denominator; }) {
@@ -50,7 +50,7 @@ notation written_lambda(Lambda const& lambda) {
     }
 }
 
-/// What stands at the foot of sigma, Delta, ... on Base: nothing on T.
+/// The subscript of sigma, Delta, ... on Base: none on T.
 inline notation foot(nodes) { return {"", ""}; }
 template <class Lambda>
 notation foot(between<Lambda> const& base) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How each operator that is not made of others is written around the name of a function, and the means.
+// The notation of each elementary operator around the name of a function, and of the means.
 #pragma once
 
 #include "hilger/operator/fractional.hpp"
@@ -26,7 +26,7 @@ notation shift_sign(Base const& base, side which) {
     return which == side::plus ? letter("σ", "\\sigma", foot(base)) : letter("ρ", "\\rho", foot(base));
 }
 inline expression extended(expression const& f, notation const& circle) { return f.marked({circle.terminal, "_{" + circle.latex + "}"}); }
-/// f at the points of Base alone. What was extended to them by zero is itself there, and nothing elsewhere.
+/// f restricted to the points of Base. A function that was extended by zero from them is itself there; one from other points is zero.
 template <class Base>
 expression restricted_to_points(expression const& f, Base const& base) {
     if (std::string const bracket = f.bracket(); bracket.starts_with("ι"))
@@ -72,7 +72,7 @@ expression step_weighted_mean(expression const& f, Lambda const& lambda) {
     return f.in_brackets({"[", "\\left["}, mean);
 }
 
-/// An operator that is not made of others.
+/// The notation of an elementary operator.
 template <class Base, class From, class To>
 expression written_alone(identity_on<Base, From, To> const&, expression const& f) {
     return f;
@@ -154,7 +154,7 @@ expression written_alone(fractional_difference<G, Order, Side> const& a, express
     return with_symbol(f, {(plain ? "Δ" : name) + (up ? "₊" : "₋") + "^" + order,
                            (plain ? std::string("\\Delta") : "\\mathrm{" + name + "}") + "_{" + (up ? "+" : "-") + "}^{" + shown + "}"});
 }
-/// An operator of the user's.
+/// A user's operator, by its name.
 template <class A>
 expression written_alone(A const&, expression const& f) {
     std::string const name(A::name().text().view());
