@@ -54,7 +54,7 @@ struct unreadable : exception {
 struct singular : exception {
     using exception::exception;
 };
-/// Ends that determine what lies between them to less than half of the digits, as those that are half a period of an oscillator apart.
+/// Ends that determine the values between them to less than half of the digits, as half a period of an oscillator apart.
 struct ill_conditioned : exception {
     using exception::exception;
 };

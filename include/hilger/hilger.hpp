@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // hilger: time-scale calculus as a language. This file is the table of contents. Each folder knows those before it only:
 //   scale, function, operator, adjoint, printing      the calculus
-//   history, embedding                                how memory is summed up; how a Lagrangian is read on a scale
-//   linear, differentiation, newton                   what equations are solved with
+//   history, embedding                                histories of fractional differences; embeddings of a Lagrangian
+//   linear, differentiation, newton                   linear algebra, derivatives, Newton's method
 //   models, variational                               Lagrangians; actions, their variations, Legendre maps
-//   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
+//   step, trajectory, integrator, composition         one step of an equation, trajectories, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
 //   formula                                           Lagrangians as symbols and as C
 //   text                                              Lagrangians that are known at run time only: hilger/text/lagrangian.hpp, hilger::text

@@ -93,7 +93,7 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
     }
 }
 
-/// Sets of instructions: what every processor of its kind has; AVX2 and fused products; AVX-512 (F and DQ) beside these.
+/// Sets of instructions: the baseline of every x86-64; AVX2 and fused products; AVX-512 (F and DQ) beside these.
 enum class instructions { baseline, avx2, avx512 };
 
 /// The instruction set of this processor, determined once: for the loops of histories and transforms here (without AVX-512, whose loops are

@@ -103,6 +103,7 @@ template <linear_map A>
 struct on_uniform {
     A op;
 };
+/// A, to be compared on uniform scales: uniformly(A) == B.
 template <linear_map A>
 constexpr auto uniformly(A a) {
     return on_uniform<A>{std::move(a)};

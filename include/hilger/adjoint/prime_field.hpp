@@ -9,6 +9,7 @@
 
 namespace hilger {
 
+/// An element of the field; integers convert to their residues.
 class prime_field {
 public:
     static constexpr std::uint64_t prime = 1'425'089'352'415'399'919;
@@ -19,6 +20,7 @@ public:
         : residue_(n < 0 ? prime - reduce(-static_cast<std::uint64_t>(n)) : reduce(static_cast<std::uint64_t>(n))) {
         if (residue_ == prime) residue_ = 0;
     }
+    /// The residue of n.
     static constexpr prime_field residue(std::uint64_t n) {
         prime_field x;
         x.residue_ = reduce(n);

@@ -32,6 +32,7 @@ std::vector<S> error_exponents(S const& alpha, int count) {
     return exponents;
 }
 
+/// The result of extrapolated().
 template <class Root, class V>
 struct extrapolated_solution {
     decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
@@ -40,7 +41,7 @@ struct extrapolated_solution {
 
 /// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error, each with its report.
 /// @throws error::invalid_parameter when alpha < 1 and x(t_0) is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
-///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is what to solve for; and as solve
+///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is the unknown to take; and as solve
 template <class F, class Order, ordered_scalar S, class V>
 auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>>> const& equation,
                   boundary_values<V> const& ends, std::vector<S> const& exponents, boundary_options const& options = {}) {

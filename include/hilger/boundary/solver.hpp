@@ -12,6 +12,7 @@
 
 namespace hilger {
 
+/// Options of two-sided problems.
 struct boundary_options {
     int most_iterations = 50;    ///< of Newton's method, for one equation
     int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution

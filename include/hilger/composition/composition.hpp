@@ -23,6 +23,7 @@ concept has_a_problem = requires {
 };
 } // namespace detail
 
+/// The composition of Flows over the Parts of a step; see compose().
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     static_assert(Parts::size % sizeof...(Flows) == 0, "each flow of a composition has the same number of parts of the step");

@@ -111,9 +111,10 @@ struct outer_and_middle_parts {
         return c;
     }
 };
+/// From order Order - 2, by three steps, the middle one backwards.
 template <int Order>
 inline constexpr outer_and_middle_parts<Order, 2> triple_jump{};
-/// All five are smaller than the step.
+/// From order Order - 2, by five steps, each shorter than the whole.
 template <int Order>
 inline constexpr outer_and_middle_parts<Order, 4> suzuki{};
 

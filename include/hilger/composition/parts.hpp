@@ -27,6 +27,7 @@ struct shares {
         return {Fractions::template as<S>()...};
     }
 };
+/// Two halves of a step.
 inline constexpr shares<fraction<1, 2>, fraction<1, 2>> halves{};
 
 /// The parts C from the last to the first.

@@ -72,7 +72,7 @@ constexpr auto theta_of() {
 /// The lambda-embedding, lambda = P/Q in ]0, 1[. The velocity is Delta_o_plus[q_o] on T_lambda, one difference by lemma 1 of Cresson-Safi.
 template <int P, int Q>
 inline constexpr auto theta = detail::theta_of<P, Q>();
-/// The same for a lambda known at run time only. @throws error::invalid_parameter outside 0 < lambda < 1.
+/// The same for a lambda known at run time only. @throws error::invalid_parameter when lambda is outside ]0, 1[.
 template <class S>
 constexpr auto theta_at(S const& lambda) {
     using number = std::conditional_t<std::is_integral_v<S>, double, S>;

@@ -60,6 +60,7 @@ struct quadrature {
     std::vector<W> node, weight;
 };
 
+/// Gauss-Legendre quadrature, all nodes inside of the step.
 struct gauss {
     static constexpr char const* name = "Gauss";
     static constexpr fixed_text letter{"G"};
@@ -83,6 +84,7 @@ struct gauss {
     }
 };
 
+/// Lobatto quadrature, with nodes at both ends of the step.
 struct lobatto {
     static constexpr char const* name = "Lobatto";
     static constexpr fixed_text letter{"L"};

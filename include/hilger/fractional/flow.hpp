@@ -13,6 +13,7 @@
 
 namespace hilger {
 
+/// A flow with a reading of fractional damping; see embed(). Exists on uniform T only.
 template <class Flow, class Reading>
 class damped_flow : public stepping<damped_flow<Flow, Reading>> {
 public:
@@ -112,6 +113,7 @@ public:
     auto step(state<S, V> const&, S const&) const {
         return detail::no_single_step<S>();
     }
+    /// p = dL/dv(t, q, v)
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
         return undamped_.momentum(t, q, v);

@@ -26,6 +26,7 @@ namespace hilger {
 /// The end of a step to which the impulse of a damping belongs.
 enum class damping_at { start, end, both };
 
+/// Options of with_fractional_impulses.
 struct impulse_options {
     damping_at at = damping_at::start;
     initial_history history = initial_history::caputo;

@@ -3,7 +3,7 @@
 // acceleration. With the momentum p = M u' and the total force r = M u'' it reads
 //   M (u_{n+1} - u_n) = h p_n + h^2 ((1/2 - beta) r_n + beta r_{n+1}),   p_{n+1} = p_n + (h/2) (r_n + r_{n+1}),
 // r_n being the load f(t_n) less the internal force, in which fractional derivatives have the weights of any generating function. The
-// unknown of a step is the increment u_{n+1} - u_n, which is also what histories are given, and the sums of positions and momenta are
+// unknown of a step is the increment u_{n+1} - u_n, which is also the argument of histories, and the sums of positions and momenta are
 // compensated: differences of positions, whose rounding grows like n^2, are nowhere formed. A load with jumps at its switching_times(a, b)
 // keeps the order two (fractional/switched_load.hpp). u_0 and u'_0 need not be zero, and no start-up step is needed: with weights of order
 // two the order is two for all alpha in ]0, 2[.
@@ -26,6 +26,7 @@ inline constexpr fraction<1, 6> linear_acceleration{};
 inline constexpr fraction<1, 12> fox_goodwin{};
 inline constexpr fraction<0> central_difference{};
 
+/// Newmark's method for a structure under a load; see newmark(). Exists on uniform T only.
 template <generating_function G, class Structure, class Load, class Beta, class Policy>
 class newmark_flow : public stepping<newmark_flow<G, Structure, Load, Beta, Policy>> {
     using B = decltype(Structure::mass);
@@ -44,7 +45,7 @@ public:
         using s = detail::shape<V>;
 
     public:
-        /// @throws error::singular when M + beta h^2 (K + what memory adds to it) is
+        /// @throws error::singular when M + beta h^2 (K + the part of the history) is
         memory(newmark_flow const& f, S const& h, V const& like)
             : h_(h), load_(h), response_(f.structure_, f.policy_, h, like), A_(matrix_of_a_step(f), "the matrix of a Newmark step"),
               r_(zero_like(like)), d_(r_), u_(r_), by_(r_), zero_(r_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {}

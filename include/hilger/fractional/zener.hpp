@@ -8,11 +8,11 @@
 //   c_a = omega(0)^alpha tau^alpha / (h^alpha + omega(0)^alpha tau^alpha);
 // (10) omits omega(0)^alpha, (3/2)^alpha for G^alpha: as printed, its relaxation time is 2 tau / 3. The material is unstrained before t_0:
 // q_a(t_0) = 0, whatever q(t_0) is. Its q then jumps at t_0, and q_a begins like (t - t_0)^alpha. The order is two all the same. With z =
-// e^{-sh} the weights of order two and Newmark's sums (1 + z) / (2 (1 - z)) are what they stand for but for a factor 1 + O((sh)^2), s^alpha
-// and 1/(sh); so are the transforms of the sequences t_n and, halved at t_0, 1 of a motion and a load. The error at a fixed t is an
-// integral of e^{st} times that over a contour with s of the size of 1/t, however rough the beginning is. But q_a = 0 at t_0 leaves of the
-// jump the sequence 0, 1, 1, ..., and z / (1 - z) = 1/(sh) - 1/2 + O(sh) is of order one. Hence half of the jump more at t_1 (Lubich's
-// correction of the first weights): z / (1 - z) + z / 2 = 1/(sh) + O(sh).
+// e^{-sh} the weights of order two and Newmark's sums (1 + z) / (2 (1 - z)) equal s^alpha and 1/(sh) up to a factor 1 + O((sh)^2); so are
+// the transforms of the sequences t_n and, halved at t_0, 1 of a motion and a load. The error at a fixed t is an integral of e^{st} times
+// that over a contour with s of the size of 1/t, however rough the beginning is. But q_a = 0 at t_0 leaves of the jump the sequence 0, 1,
+// 1, ..., and z / (1 - z) = 1/(sh) - 1/2 + O(sh) is of order one. Hence half of the jump more at t_1 (Lubich's correction of the first
+// weights): z / (1 - z) + z / 2 = 1/(sh) + O(sh).
 #pragma once
 
 #include "hilger/fractional/structure.hpp"

@@ -92,6 +92,7 @@ public:
     }
     /// The scale the function lives on, as a view.
     [[nodiscard]] constexpr auto scale() const { return derived_scale(self().root(), self().domain()); }
+    /// f[i], unchecked.
     [[nodiscard]] constexpr auto element(index_type i) const { return plain_t<decltype(self().get(i))>(self().get(i)); }
     [[nodiscard]] constexpr index_type first() const { return self().domain().first(self().root()); }
     [[nodiscard]] constexpr index_type last() const { return self().domain().last(self().root()); }

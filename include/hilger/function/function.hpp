@@ -50,6 +50,7 @@ struct no_formula {
 };
 } // namespace detail
 
+/// A function on a scale by a formula or a table: function_on(T, [](auto const& t) { return ...; }), function_on(T, values).
 template <class Root, class Domain, class Rule>
 class function_on : public function_interface<function_on<Root, Domain, Rule>> {
 public:

@@ -152,6 +152,7 @@ constexpr auto combined(F f, G g) {
 }
 } // namespace detail
 
+/// f + g, f - g, f g, f / g and -f at the common points. @throws error::mismatch when f and g live on different scales
 template <discrete_function F, discrete_function G>
 constexpr auto operator+(F f, G g) {
     return detail::combined<std::plus<>, detail::a_sum>(std::move(f), std::move(g));
@@ -197,6 +198,7 @@ concept factor = not function_expression<C> and not requires {
     typename C::operator_type;
 };
 
+/// c f, f c and f / c for a constant c.
 template <factor C, discrete_function F>
 constexpr auto operator*(C const& c, F f) {
     return apply_pointwise([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return k * x; }, std::move(f));

@@ -8,6 +8,7 @@
 
 namespace hilger {
 
+/// The unknown with this name, on T or another family Base.
 template <text_argument Name = "q", class Base = nodes>
 struct unknown : discrete_function_tag {
     using domain_type = hilger::domain<Base>;

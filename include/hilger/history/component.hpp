@@ -53,7 +53,7 @@ void visit_values(Engine& engine, V const& like, ValueOf const& value_of, Visit&
     for (V const& x : values) engine.push(x);
 }
 
-/// The result of make_history for an order and values that differ in their scalar.
+/// Whether an order and the values of a history have one scalar; make_history refuses others.
 template <class S, class V>
 inline constexpr bool same_scalar = std::is_same_v<S, scalar_of<plain_t<V>>>;
 template <class S, class V>

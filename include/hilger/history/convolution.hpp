@@ -19,6 +19,7 @@ namespace hilger {
 template <class S>
 class toeplitz_triangle {
 public:
+    /// The triangle with first column `kernel`.
     explicit toeplitz_triangle(std::vector<S> kernel) : kernel_(std::move(kernel)), length_(std::bit_ceil(kernel_.size())) {
         if constexpr (has_transform)
             if (by_transform()) { // polynomials of half their length are multiplied modulo z^{2 length} + 1

@@ -28,6 +28,7 @@ template <int K>
 struct parasitic_root<bdf<K>> {
     static constexpr double modulus = std::array{0.0, 0.0, 0.3334, 0.4265, 0.5609, 0.7088, 0.8634}[K]; // rounded up
 };
+/// A generating function whose weights have a sum of exponentials here.
 template <class G>
 concept strongly_damped = generating_function<G> and requires {
     parasitic_root<G>::modulus;

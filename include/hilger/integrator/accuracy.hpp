@@ -15,6 +15,7 @@ namespace hilger {
 /// The cheapest embedding for an accuracy, by the crossings that `hilger trade` measures. The last is for scalars with more digits than the
 /// processor's.
 enum class cheapest { gauss_1, gauss_4, gauss_8, gauss_16 };
+/// The embedding for errors up to `wanted`.
 constexpr cheapest cheapest_for(double wanted) {
     if (wanted > 1e-2) return cheapest::gauss_1;
     if (wanted > 1e-5) return cheapest::gauss_4;

@@ -84,7 +84,7 @@ public:
           start_(std::move(start)), end_{I.a, start_.q0, flow_.momentum(I.a, start_.q0, start_.v0)} {}
 
     /// The solution; nothing where kinks of L leave of the method's order less than two, so that cheaper steps do as well.
-    /// @throws error::no_convergence, and what ended the last run
+    /// @throws error::no_convergence, or the error that ended the last run
     std::optional<result> reach(accuracy const& goal) {
         S const wanted = S(goal.wanted);
         std::vector<V> coarse;
@@ -234,7 +234,7 @@ private:
         for (V const& q : x) found = std::max(found, S(magnitude(q)));
         return found;
     }
-    /// Of every j-th position of x and every k-th of y.
+    /// The largest distance between every j-th position of x and every k-th of y.
     static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
         S found(0);
         for (std::size_t i = 0; i * j < x.size(); ++i) found = std::max(found, S(magnitude(V(x[i * j] - y[i * k]))));

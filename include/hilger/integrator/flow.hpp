@@ -65,6 +65,7 @@ std::pair<V, V> momenta_of_step(Derivatives const& derivatives, tableau<S> const
 
 } // namespace detail
 
+/// The flow of L with a force under the embedding E; see embed().
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
 public:
@@ -191,7 +192,8 @@ private:
     [[no_unique_address]] E embedding_;
 };
 
-/// The flow of L under an embedding: embed(L, mid_point), or embed(L, mid_point, compensated).
+/// The flow of L, or of with_force(L, f), under an embedding: embed(L, mid_point), or embed(L, mid_point, compensated) with compensated
+/// sums. L is a callable L(q, v) or L(t, q, v) with a number as its value; embeddings over several steps do not compile.
 template <class F, class E>
     requires(not function_expression<F>)
 constexpr auto embed(F const& L, E const& how) { return flow<F, no_force, E, sums::plain>(L, {}, how); }

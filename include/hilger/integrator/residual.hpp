@@ -88,7 +88,7 @@ auto judged(Judge const& judge, flow<F, Force, E, Sums> const& method, recording
 /// a solution. For compositions and adjoints along trajectories (composition/residual.hpp), and with fractional damping
 /// (fractional/residual.hpp).
 /// @throws error::singular, newton_failure where there are points inside the steps and no solution for them; error::mismatch where there is
-/// not a state at each point of its scale; what walking throws
+/// not a state at each point of its scale; the errors of the trajectory
 template <class Judged, class... Run>
     requires requires(Judged const& method, Run const&... run) { judged(detail::by_size{}, method, run...); }
 auto largest_residual(Judged const& method, Run const&... run) { return judged(detail::by_size{}, method, run...); }

@@ -234,6 +234,7 @@ constexpr auto map_to_two() {
 }
 } // namespace detail
 
+/// A B, A + B, A - B, -A and c A; operators whose scales do not meet do not compile.
 template <linear_map A, linear_map B>
 constexpr auto operator*(A a, B b) {
     if constexpr (composes_with<A, B>)

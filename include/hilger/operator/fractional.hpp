@@ -82,6 +82,7 @@ constexpr void sums_to_the_last() {
 
 } // namespace detail
 
+/// Delta_-^alpha or Delta_+^alpha with the weights of G, on functions on a uniform T (Bourdin et al. (7), (8)).
 template <generating_function G, class Order, side Side>
 struct fractional_difference : linear_operator<fractional_difference<G, Order, Side>> {
     using from = nodes;

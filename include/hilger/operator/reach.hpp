@@ -12,6 +12,7 @@
 
 namespace hilger {
 
+/// See above; `|` is the hull.
 class reach {
     static constexpr int unlimited = 1 << 28;
     static constexpr int halves(double steps) { return static_cast<int>(2 * steps); }

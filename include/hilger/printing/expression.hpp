@@ -10,6 +10,7 @@
 
 namespace hilger {
 
+/// Unicode for a terminal, or LaTeX.
 enum class print_style { terminal, latex };
 
 /// A symbol for a terminal and in LaTeX, each with a note that explains it ("" when none).

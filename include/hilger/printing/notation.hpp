@@ -108,7 +108,7 @@ inline constexpr bool is_made_of_others<composition<A, B>> = true;
 template <class A, class B>
 inline constexpr bool is_made_of_others<operator_sum<A, B>> = true;
 
-/// The operator on f; Uniform says that T has equal steps.
+/// The operator on f; Uniform for a T with equal steps.
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f) {
     using bare = decltype(without_factors(a, std::declval<std::vector<std::string>&>()));

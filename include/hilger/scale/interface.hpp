@@ -61,7 +61,9 @@ public:
         require(i);
         return element(i);
     }
+    /// The same, unchecked.
     [[nodiscard]] constexpr auto element(index_type i) const { return domain().base.point(root(), i); }
+    /// The first and the last point. @throws error::outside_domain when the scale is empty
     [[nodiscard]] constexpr auto min() const { return point(first()); }
     [[nodiscard]] constexpr auto max() const { return point(last()); }
 
@@ -88,6 +90,7 @@ public:
     [[nodiscard]] constexpr auto nu(S const& t) const {
         return domain().base.step(root(), after_first(t, "nu"));
     }
+    /// Whether t is a point, up to the rounding of a + ih.
     template <class S>
     [[nodiscard]] constexpr bool contains(S const& t) const {
         return find(t) > last() ? false : true;

@@ -18,6 +18,7 @@ interval(A, B) -> interval<std::conditional_t<std::is_integral_v<A> and not std:
 template <std::floating_point A, std::floating_point B>
 interval(A, B) -> interval<std::common_type_t<A, B>>;
 
+/// T = {a + ih} from a, h, the last point b and the number of steps; see uniform(). @throws error::invalid_scale
 template <ordered_scalar S>
 class uniform_scale : public scale_interface<uniform_scale<S>> {
 public:

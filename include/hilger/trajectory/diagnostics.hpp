@@ -90,6 +90,7 @@ public:
 private:
     detail::kept_derivatives<problem<L>> kept_;
 };
+/// energy_of_states of a Lagrangian L(q, v) or L(t, q, v). @throws as the inverse Legendre map does
 template <class L>
 auto energy(L lagrangian) {
     return energy_of_states<L>(std::move(lagrangian));

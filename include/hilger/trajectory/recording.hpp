@@ -21,7 +21,7 @@ inline constexpr struct keep_partial_t {
 template <class S, class V, class Scale>
 struct recording {
     std::vector<state<S, V>> states;
-    std::optional<std::string> stopped; ///< what() of the error that ended the walk, if one did: with keep_partial alone
+    std::optional<std::string> stopped; ///< what() of the error that ended the run, if one did: with keep_partial only
     Scale scale;
 
     /// q in C(T), one value per point. @throws error::mismatch when there is not one state for each point of T.

@@ -28,6 +28,7 @@ refused_walk<S, V, Scale> no_walk(Scale const& T) {
 }
 } // namespace detail
 
+/// See above. Method has memory<S, V>, momentum(t, q, v) and momentum_between(t, q0, q1, h).
 template <class Method>
 class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
     template <class Scale>
@@ -47,6 +48,8 @@ public:
             return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)};
         });
     }
+    /// From other initial data: p0 = dL/dv(t_0, q0, v0), p0 itself, or p0 = -d_1 L_h(q0, q1). @throws as above, and where that momentum
+    /// does not exist
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_velocity<W> const& from) const {
         return make_trajectory<W, W>(T, [&]<class V>(std::type_identity<V>) {

@@ -70,6 +70,7 @@ inline constexpr bool has_history = requires {
 
 } // namespace detail
 
+/// The trajectory of a method on T from (q0, p0), as a range of state<S, V>. @throws error::not_finite, error::mismatch as `along` does
 template <class Method, time_scale_like Scale, class V>
 class trajectory {
     using S = typename Scale::root_type::scalar_type;
@@ -77,6 +78,7 @@ class trajectory {
 
 public:
     using checkpoint_type = checkpoint<S, V, memory>;
+    /// An input iterator; operator++ takes one step. @throws step_failure with the last good state
     class iterator {
     public:
         using iterator_concept = std::input_iterator_tag;
