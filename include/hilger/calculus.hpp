@@ -2,7 +2,7 @@
 // The calculus alone: scales, functions, operators and their adjoints. It needs neither Eigen nor Boost.
 #pragma once
 
-// Scalars, and what is thrown when something is wrong
+// Scalars and exceptions
 #include "hilger/error.hpp"
 #include "hilger/scalar.hpp"
 

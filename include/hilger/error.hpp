@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Everything hilger throws. One type for each thing a caller can do about it; what() is one sentence that says what was wrong
-// and what is accepted.
+// The exceptions of hilger, one type for each remedy that a caller has; what() is one sentence that names the fault and what is accepted.
 #pragma once
 
 #include <charconv>
@@ -55,7 +54,7 @@ struct unreadable : exception {
 struct singular : exception {
     using exception::exception;
 };
-/// Ends that determine what lies between them to less than half of the digits, as those that are half a period of an oscillator apart.
+/// Ends that determine the values between them to less than half of the digits, as half a period of an oscillator apart.
 struct ill_conditioned : exception {
     using exception::exception;
 };

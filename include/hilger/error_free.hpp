@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Sums and products together with what rounding cuts off (Moeller 1965, Dekker 1971, Knuth): x + y = sum + rest and x y = product + rest,
+// Sums and products together with their rounding errors (Moeller 1965, Dekker 1971, Knuth): x + y = sum + rest and x y = product + rest,
 // exactly but for overflow and underflow. They hold also where the compiler contracts a b + c into one operation that rounds once
-// (-march=native, -mfma, -ffp-contract=fast; always on aarch64): a product that is needed as it is rounded is kept from that.
-// A sum has no product in it; where x or y is one that the compiler did not round, rest is off by epsilon^2 |sum| at most (Boldo, Graillat,
-// Muller 2017: the sum need not be the nearest number).
+// (-march=native, -mfma, -ffp-contract=fast; always on aarch64): products that must be rounded are protected from that. A sum has no
+// product in it; where x or y is one that the compiler did not round, rest is off by epsilon^2 |sum| at most (Boldo, Graillat, Muller 2017:
+// the sum need not be the nearest number).
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ HILGER_ALWAYS_INLINE constexpr void fast_two_sum(V const& x, V const& y, V& sum,
     sum = z;
 }
 
-/// x as it is rounded, whatever becomes of it: no compiler looks into it.
+/// x rounded, hidden from the compiler's contractions.
 template <std::floating_point S>
 HILGER_ALWAYS_INLINE constexpr S rounded(S x) {
     if (std::is_constant_evaluated()) return x;
@@ -49,7 +49,7 @@ HILGER_ALWAYS_INLINE constexpr S rounded(S x) {
 #endif
 }
 
-/// Whether x y + z with one rounding is an instruction; else it is a slow function.
+/// Whether fma is an instruction; else it is a slow function.
 template <class S>
 inline constexpr bool has_fused_product =
 #if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)

@@ -78,8 +78,8 @@ constexpr auto digits() {
 }
 
 namespace detail {
-/// Of a text that is put together clang shows the literals, as arguments of a call that is no constant expression; of an array of
-/// characters it would show the first ten, as numbers.
+/// clang shows the literals of a composed text, as arguments of a call that is no constant expression; of an array of characters it would
+/// show the first ten, as numbers.
 template <std::size_t N>
 struct sentence : text_argument<N> {
     constexpr sentence(char const (&literal)[N]) : text_argument<N>(literal) {}
@@ -94,10 +94,10 @@ template <class Numbers, std::size_t... M>
 sentence(fixed_text<Numbers, M...>) -> sentence<(1 + ... + (M - 1))>;
 } // namespace detail
 
-/// What the wrong use of a library function makes. Both compilers show the sentence: g++ as text, clang as the literals that it is put
-/// together from. Names come from template parameters,
+/// The result of a wrong use of a library function. Both compilers show the sentence: g++ as text, clang as its literals. Names come from
+/// template parameters,
 ///   does_not_compile<"a sum needs one scale, and these live on " + D::name() + " and on " + E::name()>{}
-/// Types that the sentence is about may follow it: a sentence that depends on nothing would be an error before anything was used wrongly.
+/// The types that it concerns may follow it: a sentence that depends on no template parameter would be an error at once.
 template <detail::sentence Sentence, class...>
 struct does_not_compile {
     does_not_compile() = delete;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A reference to a callable whose type is forgotten: what takes one is compiled once, whatever calls it. It does not own the callable, and
-// is a parameter only.
+// A type-erased reference to a callable: a function that takes one is compiled once for all callables. It does not own the callable, and is
+// for parameters only.
 #pragma once
 
 #include <type_traits>
@@ -10,7 +10,7 @@ namespace hilger::detail {
 
 template <class Signature>
 class function_view;
-/// std::function would do; it can also copy and destroy what it holds, which of every callable is most of what it costs to compile.
+/// std::function also copies and destroys its callable, which is most of its compile time.
 template <class R, class... X>
 class function_view<R(X...)> {
     void const* callable_;

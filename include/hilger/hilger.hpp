@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // hilger: time-scale calculus as a language. This file is the table of contents. Each folder knows those before it only:
 //   scale, function, operator, adjoint, printing      the calculus
-//   history, embedding                                how memory is summed up; how a Lagrangian is read on a scale
-//   linear, differentiation, newton                   what equations are solved with
+//   history, embedding                                histories of fractional differences; embeddings of a Lagrangian
+//   linear, differentiation, newton                   linear algebra, derivatives, Newton's method
 //   models, variational                               Lagrangians; actions, their variations, Legendre maps
-//   step, trajectory, integrator, composition         one step of an equation, what many of them make, flows, flows of flows
+//   step, trajectory, integrator, composition         one step of an equation, trajectories, flows, flows of flows
 //   fractional, boundary                              damping with a memory; problems with values at both ends
 //   text                                              Lagrangians known at run time only, formulas written out, C: hilger::text
 #pragma once
@@ -14,11 +14,11 @@
 // Scales, functions on them, operators between those, adjoints and equality of operators
 #include "hilger/calculus.hpp"
 
-// How a Lagrangian is read on a scale: order one, mid-point, theta, Galerkin, your own
+// Embeddings of a Lagrangian on a scale: order one, mid-point, theta, Galerkin, your own
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/galerkin.hpp"
 
-// From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and how they are written
+// From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and their notation
 #include "hilger/variational/action.hpp"
 #include "hilger/variational/lagrangian.hpp"
 #include "hilger/variational/legendre.hpp"
@@ -28,7 +28,7 @@
 #include "hilger/variational/sum_of_actions.hpp"
 #include "hilger/variational/variation.hpp"
 
-// Lagrangians that are known
+// Standard Lagrangians
 #include "hilger/models/mechanical.hpp"
 
 // Flows and solutions
@@ -38,7 +38,7 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
-// Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
+// Histories as sums of exponentials; fractional damping, and problems with values at both ends
 #include "hilger/boundary/extrapolation.hpp"
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
@@ -48,7 +48,7 @@
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
 
-// Trajectories kept, interpolated, stopped at events, written down and resumed, and judged
+// Trajectories recorded, interpolated, stopped at events, checkpointed, and measured
 #include "hilger/fractional/residual.hpp"
 #include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/residual.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A step at hand-written speed is one function, and so are the derivatives in it: compilers are told to make it so where their own
-// judgement falls short. In programs that are built to be looked into (-O0, or HILGER_DEBUG) functions stay functions; they
-// compile in half the time.
+// A step at hand-written speed is one function, and so are the derivatives in it: inlining is forced where compilers do not choose it. In
+// debug builds (-O0, or HILGER_DEBUG) it is not, which halves the compile time.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__NO_INLINE__) && !defined(HILGER_DEBUG)
@@ -13,7 +12,7 @@
 #endif
 
 namespace hilger::detail {
-/// Whether __builtin_constant_p says of any number that it is known: a compiler that does not optimise knows none.
+/// Whether __builtin_constant_p may be true: without optimization it never is.
 #ifdef __NO_INLINE__
 inline constexpr bool numbers_are_known = false;
 #else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a scalar and a value must offer. Nothing here knows Eigen or Boost: the scalar is a template parameter everywhere.
+// The requirements on scalars and values. This file knows neither Eigen nor Boost: the scalar is a template parameter everywhere.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
@@ -20,7 +20,7 @@ namespace hilger {
 /// Counts and numbers points; signed, so that "the point before the first" can be said.
 using index_type = std::ptrdiff_t;
 
-/// A number type closed under the four operations; the integers are not, their quotients are cut off. Expression templates
+/// A number type closed under the four operations; the integers are not, their quotients are truncated. Expression templates
 /// (Boost.Multiprecision's default) are refused: their results refer to temporaries, and a lambda that returns one dangles. Use et_off, as
 /// hilger/multiprecision.hpp does.
 template <class S>
@@ -34,7 +34,7 @@ concept scalar =
     { a == b } -> std::convertible_to<bool>;
 };
 
-/// A scalar with an order: what the points of a time scale need.
+/// A scalar with an order, as the points of a time scale have.
 template <class S>
 concept ordered_scalar = scalar<S> and std::totally_ordered<S>;
 
@@ -60,28 +60,28 @@ struct plain<V> {
 template <class V>
 using plain_t = typename plain<std::remove_cvref_t<V>>::type;
 
-/// The value of an expression, evaluated while what it refers to is alive.
+/// The value of an expression, evaluated while its operands are alive.
 template <class E>
 constexpr plain_t<E> evaluated(E&& expression) {
     return plain_t<E>(std::forward<E>(expression));
 }
 
-/// What a callable returns, evaluated where it is called: an Eigen expression refers to the arguments, and to copies of them that the
-/// callable took by value, which are gone once the call has been left.
+/// The result of a callable, evaluated in the call: an Eigen expression refers to the arguments, or to copies that the callable took by
+/// value, which end with the call.
 template <class F, class... X>
 HILGER_ALWAYS_INLINE constexpr auto value_from(F const& f, X const&... x) -> plain_t<decltype(f(x...))> {
     return f(x...);
 }
 
-/// The type that a function with results of type V has on a scale with points of type S: a formula may return 1, and a table may
-/// hold counts, but the average of the integers 0 and 1 is not 0.
+/// The type of the values of a function on a scale with points of type S, for results V: integers become S, since the average of 0 and 1 is
+/// not 0.
 template <class V, class S>
 using value_on = std::conditional_t<std::is_integral_v<plain_t<V>>, S, plain_t<V>>;
 
 /// True when x is neither NaN nor infinite, for scalars and Eigen vectors.
 template <class V>
 constexpr bool is_finite(V const& x) {
-    if constexpr (requires { x.allFinite(); }) { // that is three expressions more for each type of vector
+    if constexpr (requires { x.allFinite(); }) { // it instantiates three more expressions for each type of vector
         for (index_type j = 0; j < x.cols(); ++j)
             for (index_type i = 0; i < x.rows(); ++i)
                 if (not is_finite(x.coeff(i, j))) return false;

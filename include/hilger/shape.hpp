@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a state is made of: a scalar, or an Eigen vector of fixed or dynamic size d; and the d x d matrices that act on it.
+// The shape of a state: a scalar, or an Eigen vector of fixed or dynamic size d; and the d x d matrices that act on it.
 #pragma once
 
 #include <array>

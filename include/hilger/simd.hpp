@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Packs of processor floats, so that the loops of a history run in all lanes whatever the compiler's options are, and the choice between
-// the instruction sets of x86-64 at run time. Every other scalar, compiler or processor takes the same loops one number at a time.
+// Packs of processor floats, so that the loops of a history use all lanes whatever the compiler's options, and the choice between the
+// instruction sets of x86-64 at run time. Other scalars, compilers and processors run the same loops one number at a time.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 
 namespace hilger::detail::memory {
 
-/// So many numbers of type S at once: one, unless S is a processor float.
+/// The number of S in a pack of so many bytes: one, unless S is a processor float.
 template <class S, int Bytes>
 struct pack {
     using type = S;
@@ -43,7 +43,7 @@ struct pack<S, Bytes> {
 };
 #endif
 
-/// The arrays that loops run over are padded to a multiple of this, so that no loop has a remainder.
+/// Arrays are padded to a multiple of this, so that no loop has a remainder.
 template <class S>
 inline constexpr std::size_t padding = 2 * pack<S, 32>::width;
 template <class S>
@@ -51,7 +51,7 @@ constexpr std::size_t padded(std::size_t n) {
     return (n + padding<S> - 1) / padding<S> * padding<S>;
 }
 
-/// Arrays that begin on a line of the cache.
+/// Arrays aligned to a cache line.
 template <class S>
 struct line_allocator {
     using value_type = S;
@@ -87,19 +87,19 @@ HILGER_DETAIL_INLINE S sum_of_lanes(P const& p) {
         return p;
     else {
         constexpr std::size_t width = sizeof(P) / sizeof(S);
-        S sum = p[0] + p[width / 2]; // by subscripts, so that the lanes do not pass through the memory
+        S sum = p[0] + p[width / 2]; // by subscripts, so that the lanes stay in registers
         for (std::size_t i = 1; i < width / 2; ++i) sum += p[i] + p[i + width / 2];
         return sum;
     }
 }
 
-/// Sets of instructions: what every processor of its kind has; AVX2 and fused products; AVX-512 (F and DQ) beside these.
+/// Sets of instructions: the baseline of every x86-64; AVX2 and fused products; AVX-512 (F and DQ) beside these.
 enum class instructions { baseline, avx2, avx512 };
 
-/// What this processor has, asked once, and all that hilger asks of it: the loops of histories and transforms here (AVX-512 is left out:
-/// its loops are faster alone, and the scheme around them slower), formulas in machine code, and lanes. How many processors there are is
-/// asked for threads of ensembles alone. HILGER_INSTRUCTIONS=baseline or avx2 in the environment hides what is beyond that.
-/// @throws error::invalid_parameter where that is none of the names above
+/// The instruction set of this processor, determined once: for the loops of histories and transforms here (without AVX-512, whose loops are
+/// faster alone and slow down the scheme around them), formulas in machine code, and lanes. HILGER_INSTRUCTIONS=baseline or avx2 in the
+/// environment limits it.
+/// @throws error::invalid_parameter where the variable has none of the names above
 inline instructions available_instructions() {
     static instructions const found = [] {
         auto most = instructions::baseline;
@@ -119,7 +119,7 @@ inline instructions available_instructions() {
     return found;
 }
 
-/// Loop::in<S, Bytes>(x...), a loop in packs of so many bytes, as a function for every processor of its kind and as one for AVX2.
+/// Loop::in<S, Bytes>(x...), a loop in packs of so many bytes, compiled for the baseline and for AVX2.
 template <class Loop, class S, class Signature>
 struct loop_for;
 template <class Loop, class S, class R, class... X>

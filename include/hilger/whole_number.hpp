@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Whole numbers that a user gives where a scalar is wanted: 0 for 0.0. Each has an equal in a rational or a wide scalar; float and double
-// have those whose odd part is below 2^24 or 2^53, and the others are refused, for their neighbours are not what was given.
+// have those whose odd part is below 2^24 or 2^53, and the others are refused.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ constexpr S exactly(X const& x) {
 template <class N>
 concept arithmetic = std::is_arithmetic_v<N> and not std::same_as<N, bool>;
 
-/// A count that is given as a floating number, as 1e6; nothing where it is not whole: rounding of b/h may have taken one.
+/// A count given as a floating number, as 1e6; nothing where it is not whole, as a rounded b/h may be.
 template <arithmetic N>
 constexpr std::optional<index_type> whole(N count) {
     if constexpr (std::floating_point<N>)

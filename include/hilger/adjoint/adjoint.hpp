@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Integration by parts, for any operator: <A f, g> = <f, adjoint(A) g> + boundary_form(A, f, g), where <.,.> are the sums with the
-// operator's own weights. The adjoint is an operator again, on the inner points; what the end points add is the boundary
-// form, never dropped. Cresson-Safi (9), lemma 2, lemma 3 and every user's formula are instances.
+// operator's own weights. The adjoint is an operator again, on the inner points; the terms of the end points are the boundary form, never
+// dropped. Cresson-Safi (9), lemma 2, lemma 3 and every user's formula are instances.
 #pragma once
 
 #include "hilger/adjoint/normal_form.hpp"
@@ -23,7 +23,7 @@ constexpr auto inner_product(F f, G g) {
 
 namespace detail {
 
-/// g where A f has values: what A maps to may be smaller than where g lives, and only there the two are paired.
+/// g restricted to the points where A f has values: only there the two are paired.
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto paired(A const& a, F const& f, G const& g) {
     return restrict_to(g, intersect(a.image(f.domain()), g.domain()));
@@ -85,7 +85,7 @@ constexpr auto boundary_rows(A const& a, F const& f, G const& g) {
 
 } // namespace detail
 
-/// What the end points add to <f, adjoint(A) g>. g lives where A f does, or on a part of it; by_parts restricts g by itself.
+/// The terms that the end points add to <f, adjoint(A) g>. g lives on the points of A f or a part of them; by_parts restricts g itself.
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto boundary_form(A const& a, F const& f, G const& g) {
     return detail::boundary_rows(a, f, g);
@@ -141,8 +141,8 @@ constexpr auto boundary_form(operator_sum<A, B> const& ab, F const& f, G const& 
                detail::sum_outside<Q>(ab.b[f], g, reweight<typename A::to, Q, Bq>{}[g].domain());
 }
 
-/// Gruenwald-Letnikov and its siblings: their adjoint lives on the end points too, where the two sums have different weights. The sum
-/// counts what it has there: on all of T, h^(1-alpha) omega(0)^alpha times f(b)g(b) - f(a)g(a) for the side minus.
+/// Gruenwald-Letnikov and its siblings: their adjoint lives on the end points too, where the two sums have different weights. The boundary
+/// form has those terms: on all of T, h^(1-alpha) omega(0)^alpha times f(b)g(b) - f(a)g(a) for the side minus.
 template <class G, class Order, side Side, discrete_function F, discrete_function H>
 constexpr auto boundary_form(fractional_difference<G, Order, Side> const& a, F const& f, H const& g) {
     using A = fractional_difference<G, Order, Side>;
@@ -170,7 +170,7 @@ constexpr auto boundary_form(from_start const&, F const& f, G const& g) {
     return total;
 }
 
-/// The three parts of <A f, g> = <f, adjoint(A) g> + boundary.
+/// The three terms of <A f, g> = <f, adjoint(A) g> + boundary.
 template <class S>
 struct by_parts_result {
     S left;     ///< <A f, g>, with A's to_weight
@@ -178,7 +178,7 @@ struct by_parts_result {
     S boundary; ///< boundary_form(A, f, g)
 };
 
-/// Both sides of the integration by parts of A. f lives where A acts, g where A maps to.
+/// Both sides of the integration by parts of A. f lives on A's from, g on A's to. @throws error::mismatch when they are on different scales
 template <linear_map A, discrete_function F, discrete_function G>
 constexpr auto by_parts(A const& a, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Equality of operators, decided at compile time. The normal form of a linear operator is what it makes of one generic function on
-// one generic scale: steps and values are fixed random elements of a field with 2^60 elements. Operators that are equal have equal
-// normal forms. Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of
-// it with probability below degree / 2^60 (Schwartz and Zippel): for a composition of ten operators, less than 1e-15.
+// Equality of operators, decided at compile time. The normal form of a linear operator is its value at one generic function on one generic
+// scale: steps and values are fixed random elements of a field with 2^60 elements. Operators that are equal have equal normal forms.
+// Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of it with probability below
+// degree / 2^60 (Schwartz and Zippel): for a composition of ten operators, less than 1e-15.
 //   A == B             on every scale
 //   uniformly(A) == B  on every uniform scale
 #pragma once
@@ -34,7 +34,7 @@ struct generic_scale {
         return Uniform ? power(root_of_step, whole) : random_element(2 * static_cast<std::uint64_t>(i) + 3);
     }
     /// omega(0)^alpha h^-alpha. The step h of the uniform scale is a power of another element, so that it has roots; roots of omega(0) are
-    /// names: they multiply as they should, and a whole power is what it is.
+    /// formal: they multiply as roots do, and whole powers are exact.
     template <class G, int P, int Q>
     static constexpr prime_field leading_factor(fraction<P, Q>) {
         static_assert(whole % Q == 0, "operators are compared for orders whose denominators divide 27720");
@@ -98,21 +98,22 @@ constexpr bool equal(A const& a, B const& b) {
 
 } // namespace detail
 
-/// An operator on uniform scales only, where more operators are equal: reweighting does nothing and step_mean is a plain mean.
+/// An operator on uniform scales only, where more operators are equal: reweighting is the identity and step_mean a plain mean.
 template <linear_map A>
 struct on_uniform {
     A op;
 };
+/// A, to be compared on uniform scales: uniformly(A) == B.
 template <linear_map A>
 constexpr auto uniformly(A a) {
     return on_uniform<A>{std::move(a)};
 }
 
-/// An operator that can be compared: nothing about it is known at run time only.
+/// An operator that can be compared: all of it is known at compile time.
 template <class A>
 concept comparable_operator = linear_map<A> and known_by_type<A>;
 
-/// A and B make the same of every function on every scale, and lose the same points at the ends.
+/// A f = B f for every function f on every scale, and A and B lose the same points at the ends.
 template <comparable_operator A, comparable_operator B>
 constexpr bool operator==(A const& a, B const& b) {
     return detail::equal<false>(a, b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The integers modulo a prime: an exact field whose random elements satisfy no accidental identity. The prime is the largest below
-// 2^61 / 1.618..., which makes no power of a small number a quotient of small numbers, as 2^61 is modulo 2^61 - 1.
+// The integers modulo a prime: an exact field whose random elements satisfy no accidental identity. The prime is the largest below 2^61 /
+// 1.618..., so that no power of a small number is a quotient of small numbers, as 2^61 is modulo 2^61 - 1.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 namespace hilger {
 
+/// An element of the field; integers convert to their residues.
 class prime_field {
 public:
     static constexpr std::uint64_t prime = 1'425'089'352'415'399'919;
@@ -19,6 +20,7 @@ public:
         : residue_(n < 0 ? prime - reduce(-static_cast<std::uint64_t>(n)) : reduce(static_cast<std::uint64_t>(n))) {
         if (residue_ == prime) residue_ = 0;
     }
+    /// The residue of n.
     static constexpr prime_field residue(std::uint64_t n) {
         prime_field x;
         x.residue_ = reduce(n);
@@ -37,7 +39,7 @@ public:
 
 private:
     static constexpr std::uint64_t reduce(std::uint64_t n) { return n % prime; }
-    /// By Euclid's algorithm; of zero it is zero, which no operator divides by.
+    /// By Euclid's algorithm; the inverse of zero is zero, by which no operator divides.
     [[nodiscard]] constexpr prime_field inverse() const {
         std::int64_t r0 = static_cast<std::int64_t>(prime), r1 = static_cast<std::int64_t>(residue_), s0 = 0, s1 = 1;
         while (r1 != 0) {

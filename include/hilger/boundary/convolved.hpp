@@ -3,9 +3,9 @@
 //   h sum_{k=1..N} L(Q_k, (Delta_-^alpha Q)_k, t_k),   (Delta_-^alpha Q)_k = h^-alpha sum_{r=0..k} alpha_r Q_{k-r},
 // is nabla_integral(L(q, Delta_minus(alpha)[q]), T). Its critical points for variations that vanish at both ends solve (EL_h^alpha),
 //   dL/dx_k + (Delta_+^alpha dL/dv)_k = 0,  k = 1..N-1.
-// Velocities and momenta count for k = 1..N only: the sums of Delta_+^alpha end at N, and k = 0 is never asked for. alpha = 1 is the
-// order-one embedding with Delta_-. The residual of the equation is here two convolutions, at all points at once; euler_lagrange::residual
-// has it point by point, in O(N^2).
+// Velocities and momenta are needed for k = 1..N only: the sums of Delta_+^alpha end at N, and none reads k = 0. alpha = 1 is the order-one
+// embedding with Delta_-. The residual of the equation is here two convolutions, at all points at once; euler_lagrange::residual has it
+// point by point, in O(N^2).
 #pragma once
 
 #include "hilger/history/convolution.hpp"

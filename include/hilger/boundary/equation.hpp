@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // Two-sided problems of the fractional embedding: x in C(T) with x(t_0) and x(t_N) given that solves (EL_h^alpha) of Bourdin, Cresson,
-// Greff, Inizan (2013),  F_k + (A^T p)_k = 0 for k = 1..N-1,  F = dL/dx, p = dL/dv, v = A Q, A = Delta_-^alpha.
-// A is a triangle whose inverse is known, the Toeplitz matrix of h^alpha omega(z)^-alpha, omega(z) = 1 - z there. Multiplied by its
-// transpose, with a multiplier for the row N that is no equation, the problem is
+// Greff, Inizan (2013),  F_k + (A^T p)_k = 0 for k = 1..N-1,  F = dL/dx, p = dL/dv, v = A Q, A = Delta_-^alpha. A is a triangle whose
+// inverse is known, the Toeplitz matrix of h^alpha omega(z)^-alpha, omega(z) = 1 - z there. Multiplied by its transpose, with a multiplier
+// for the row N, which is no equation, the problem is
 //   p(Q, v) + A^-T F(Q, v) = lambda g,  Q = A^-1 v,  Q_N = x(t_N);  g = A^-T e_N,  g_k = h^alpha beta_{N-k},
 // an integral equation of the second kind for v. For L = v.M v / 2 its solution is v = c g, one convolution. In general the derivative,
-// divided by dL/dv dv, is a compact perturbation of the identity, and takes two convolutions to apply.
-// For L = v^2 / 2 and alpha <= 1/2 the continuous problem has no solution: the functional does not see values at points. Each of the
-// discrete problems has one, and their solutions tend to the free one, away from t_N, as h^(1 - 2 alpha).
+// divided by dL/dv dv, is a compact perturbation of the identity, and takes two convolutions to apply. For L = v^2 / 2 and alpha <= 1/2 the
+// continuous problem has no solution: the functional does not depend on values at points. Each of the discrete problems has one, and their
+// solutions tend to the free one, away from t_N, as h^(1 - 2 alpha).
 #pragma once
 
 #include "hilger/boundary/convolved.hpp"
@@ -34,7 +34,7 @@ public:
     struct point {
         values v, q;
         std::vector<expansion<V>> at{};
-        branch_path path{};   ///< which branches L took
+        branch_path path{};   ///< the branches of L taken
         bool coupled = false; ///< some second derivative by the position is not zero
         block_of<V> stiffness{};
         values forces{}; ///< -(p + A^-T F)
@@ -48,7 +48,7 @@ public:
           beta_(first_weights<G>(S(-action.velocity.order.template as<S>()), T_.steps() + 1)),
           inverse_(std::vector<S>(beta_.begin(), beta_.end() - 1)) {}
 
-    /// One value for each point of T, those at the ends as they are given.
+    /// One value for each point of T, with the given ones at the ends.
     [[nodiscard]] values whole(point const& at) const {
         values all{first_};
         all.insert(all.end(), at.q.begin(), at.q.end());
@@ -72,12 +72,12 @@ public:
         }
         return at;
     }
-    /// From now on the equation is that of (1 - s) v.M v / 2 + s L, whose solution is start() for s = 0; M is what L has at its first point
+    /// Changes the equation to that of (1 - s) v.M v / 2 + s L, whose solution is start() for s = 0, with the M of L at its first point
     /// `at` start().
     void set_mass(point const& at) { mass_ = expand(at_time{L_, T_.element(1)}, at.q[0], at.v[0]).vv; }
     void set_share(S const& share) { share_ = share; }
-    /// The positions of `next`. What rounding, times the condition of the problem, has taken from the condition at t_N is given back to its
-    /// velocities along g, with the derivatives at `at`.
+    /// Computes the positions of `next`. Its velocities are corrected along g, with the derivatives at `at`, so that the condition at t_N
+    /// holds in spite of rounding times the condition number.
     void place(point const& at, point& next) const {
         next.q = position(next.v);
         V const missing = last_ - next.q.back();
@@ -99,7 +99,7 @@ public:
             at.at.push_back(expand(at_time{L_, t}, at.q[i], at.v[i]));
             auto& e = at.at.back();
             if (not(share_ == S(1))) take_share(e, at.v[i]);
-            force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g: lambda takes it up
+            force.push_back(e.by_q); // that of row N, which is no equation, is a multiple of g, absorbed by lambda
             forced = forced or magnitude(force.back()) != S(0);
             at.coupled = at.coupled or largest_entry(e.qq) != S(0) or largest_entry(e.qv) != S(0);
             finite =

@@ -32,16 +32,16 @@ std::vector<S> error_exponents(S const& alpha, int count) {
     return exponents;
 }
 
+/// The result of extrapolated().
 template <class Root, class V>
 struct extrapolated_solution {
     decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
-    scalar_of<V>
-        change; ///< what the last level has changed, in the largest component: of the size of the error where the exponents are right
+    scalar_of<V> change; ///< the change by the last level, in the largest component: of the size of the error where the exponents are right
 };
 
-/// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error, with how each is found.
+/// The solution for h -> 0 at the points of T, from those with h, h/2, ..., h/2^m for m exponents of the error, each with its report.
 /// @throws error::invalid_parameter when alpha < 1 and x(t_0) is not 0: (EL_h^alpha) forgets it like h^(1 - alpha), as a function with a
-///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is what to solve for; and as solve
+///         square integrable Riemann-Liouville derivative begins at 0, so that x - x(t_0) is the unknown to take; and as solve
 template <class F, class Order, ordered_scalar S, class V>
 auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>>> const& equation,
                   boundary_values<V> const& ends, std::vector<S> const& exponents, boundary_options const& options = {}) {
@@ -51,7 +51,7 @@ auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, 
     if (action.velocity.order.template as<S>() != S(1) and magnitude(State(detail::as_state<State>(ends.q0))) != S(0))
         error::raise<error::invalid_parameter>("for alpha < 1 the limit h -> 0 of a two-sided problem begins at 0, whatever x(t_0) is: "
                                                "extrapolate the problem for x - x(t_0)");
-    // Neville's table, one row at a time: entry j has lost the first j exponents.
+    // Neville's table, one row at a time: entry j is without the first j exponents.
     std::vector<std::vector<State>> row;
     index_type refinement = 1;
     for (std::size_t level = 0; level <= exponents.size(); ++level, refinement *= 2) {
@@ -77,7 +77,7 @@ auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, 
             change = std::max(change, S(magnitude(State(row.back()[k] - row[row.size() - 2][k]))));
     return extrapolated_solution<uniform_scale<S>, State>{function_on(T, std::move(row.back())), change};
 }
-/// With the exponents of L = v^2 / 2, so many levels beyond T.
+/// The same with the exponents of L = v^2 / 2 and so many levels beyond T.
 template <class F, class Order, ordered_scalar S, class V>
 auto extrapolated(euler_lagrange<fractional_action<F, grunwald_letnikov, Order, uniform_scale<S>>> const& equation,
                   boundary_values<V> const& ends, int levels, boundary_options const& options = {}) {

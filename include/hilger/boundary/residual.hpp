@@ -8,7 +8,7 @@
 
 namespace hilger {
 
-/// As of local equations; N steps cost N^2 products.
+/// As for local equations; N steps cost N^2 products.
 template <class F, generating_function G, class Order, class Root, discrete_function X>
 auto relative_residual(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, X const& x) {
     using V = value_of<X>;

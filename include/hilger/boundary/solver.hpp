@@ -12,15 +12,16 @@
 
 namespace hilger {
 
+/// Options of two-sided problems.
 struct boundary_options {
     int most_iterations = 50;    ///< of Newton's method, for one equation
     int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
     int most_applications = 600; ///< of a derivative, in one linear equation
-    std::stop_token stop = {};   ///< who asks it to stop gets an error::no_convergence
+    std::stop_token stop = {};   ///< throws error::no_convergence when a stop is requested
 };
 
-/// What solve(EL, T, ends, options) found. The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications` is
-/// how often a derivative was applied in them.
+/// The result of solve(EL, T, ends, options). The number of iterations is that of Newton's corrections, 0 for L = v.M v / 2; `applications`
+/// counts the applications of derivatives in them.
 template <class Root, class V>
 struct boundary_solution {
     decltype(function_on(std::declval<Root const&>(), std::declval<std::vector<V>>())) q;
@@ -61,13 +62,13 @@ public:
     }
 
 private:
-    /// Where Newton's method came to, and the last correction relative to the velocity.
+    /// The last iterate of Newton's method, and its correction relative to the velocity.
     struct attempt {
         point at;
         S size{0};
         bool arrived = false;
     };
-    /// From a point that is evaluated.
+    /// Newton's method from an evaluated point.
     attempt newton(point at, int most_corrections) {
         attempt so{std::move(at)};
         for (int count = 0; not at_rest(so.at); ++count) {
@@ -75,17 +76,17 @@ private:
             ++iterations_;
             auto const [correction, accuracy] = solve_linear(so.at);
             so.size = relative_size(correction, so.at.v);
-            // The error left is accuracy times size, for the linear equation, and size^2, for what is not linear.
+            // The remaining error is accuracy times size, of the linear equation, and size^2, of the nonlinear part.
             bool const last = not exact and so.size * std::max(so.size, accuracy) <= small() * small();
             branch_path const path = so.at.path;
             if (not advance(so.at, correction, last)) return so;
-            if (last and so.at.path == path) break; // what a correction proves, it proves of the branches it was made on
+            if (last and so.at.path == path) break; // a correction is valid on the branches of its derivative
         }
         so.arrived = true;
         return so;
     }
     /// Newton's path ends where its derivative is singular. The solutions of (1 - s) v.M v / 2 + s L, each found from one of a smaller s,
-    /// are another path, which may lead past that to s = 1.
+    /// are another path, which may avoid that on the way to s = 1.
     attempt by_growing_shares(point at, attempt failed) {
         equation_.set_mass(at);
         for (S share(0), step = S(1) / S(2); share < S(1);) {
@@ -124,7 +125,7 @@ private:
             return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
         }
     }
-    /// Rounding alone is left.
+    /// Whether only rounding is left.
     static bool at_rest(point const& at) {
         if constexpr (exact)
             return largest_of(at.rest) == S(0);
@@ -173,7 +174,7 @@ private:
         for (int row = 0; row < n; ++row) component(x, row) = rhs(row);
         return x;
     }
-    /// One step of Newton's method, shortened until the residual shrinks. False when it does not.
+    /// One step of Newton's method, shortened until the residual shrinks. Returns false when it does not.
     [[nodiscard]] bool advance(point& at, values const& correction, bool last) const {
         S const before = at.merit;
         S part(1);

@@ -3,16 +3,15 @@
 // over c_1 h, then the second over c_2 h, and so on. Compositions of symplectic flows are symplectic.
 //   compose(shares<fraction<1, 3>, fraction<2, 3>>{}, f, g)   f over h/3, then g over 2h/3
 //   compose(suzuki<4>, f)                                      f over each of the five parts of the step (composition/methods.hpp)
-// A flow with a history is refused: its parts would each remember the points of their own kind alone, and their memories would be those of
-// another curve.
-// With more coefficients than flows the flows take turns. A composition steps as a flow does, and can itself be composed.
+// A flow with a history is refused: each part would remember its own points only, which lie on another curve. With more coefficients than
+// flows the flows are repeated in order. A composition steps as a flow does, and can itself be composed.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <tuple>
 
-#include "hilger/composition/by_turns.hpp"
+#include "hilger/composition/sequential_composition.hpp"
 #include "hilger/composition/splitting.hpp"
 
 namespace hilger {
@@ -24,6 +23,7 @@ concept has_a_problem = requires {
 };
 } // namespace detail
 
+/// The composition of Flows over the Parts of a step; see compose().
 template <parts_of_a_step Parts, class... Flows>
 class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     static_assert(Parts::size % sizeof...(Flows) == 0, "each flow of a composition has the same number of parts of the step");
@@ -33,12 +33,12 @@ class composed_flow : public stepping<composed_flow<Parts, Flows...>> {
     };
 
 public:
-    /// The check of a Lagrangian before a walk looks at the first flow's.
+    /// The Lagrangian of the first flow is checked before a trajectory begins.
     using problem_type = typename std::tuple_element_t<0, std::tuple<Flows...>>::problem_type;
 
     constexpr explicit composed_flow(Parts parts, Flows... flows) : parts_(std::move(parts)), flows_(std::move(flows)...) {}
 
-    /// Kicks and drifts where the composition is made of them; else, or where L turns out to be of another kind, its flows in turns.
+    /// The kicks and drifts of the composition where it has them; else, or where L turns out to be of another kind, its flows in sequence.
     template <class S, class V>
     class memory {
         static constexpr auto ways = detail::splits<composed_flow, S, V>;
@@ -60,16 +60,16 @@ public:
         void start_with(composed_flow const& f, state<S, V> const& x, V const& v) {
             if constexpr (turns_too) turns_->start_with(f, x, v);
         }
-        /// x one step h further. @throws what the flows throw, and x is as it was; the first guesses, and what compensated sums carry, may
-        /// be those of the parts that were made.
+        /// Advances x by one step h. @throws what the flows throw, with x unchanged; first guesses and compensation may be those of the
+        /// parts done.
         void advance(composed_flow const& f, state<S, V>& x, S const& h) {
             if constexpr (kicks)
                 if (kicks_.advance(f, x, h)) return;
             in_turns(f, turns_.get(), x, h);
         }
         void begin(composed_flow const& f, state<S, V> const& x, S const& h) requires in_registers { kicks_.begin(f, x, h); }
-        /// x one step further, of the length that it began with. Neither the state nor the kicks and drifts have their address taken, so
-        /// that both can live in registers. @throws the same as a step_failure
+        /// Advances x by one step of the first length. Neither the state nor the kicks and drifts have their address taken, so that both
+        /// can live in registers. @throws the same as a step_failure
         HILGER_ALWAYS_INLINE void advance_equally(composed_flow const& f, state<S, V>& x) requires in_registers {
             if (not kicks_.advance_equally(f, x)) [[unlikely]]
                 x = in_turns_saying_where(f, turns_.get(), x, kicks_.h());
@@ -83,7 +83,7 @@ public:
                 int in_turn = flows ? 1 : 0;
                 each("turns", in_turn);
                 if (in_turn == 0) flows.reset();
-                // What was read from a checkpoint may say that there are turns.
+                // A checkpoint may have been written after the change to flows in sequence.
                 if constexpr (kicks)
                     if (in_turn != 0 and not flows) flows.emplace(f, kicks_.h(), detail::shape<V>::zero(kicks_.dimension()));
                 if (flows) flows->visit(f, each);
@@ -91,8 +91,8 @@ public:
         }
 
     private:
-        /// Made when they are needed, in a place of their own.
-        using turns = detail::by_turns<S, V, Parts, Flows...>;
+        /// Made when needed, and boxed.
+        using turns = detail::sequential_composition<S, V, Parts, Flows...>;
         struct in_turns_of {
             std::optional<turns> flows;
             std::optional<std::pair<state<S, V>, V>> start;
@@ -122,7 +122,7 @@ public:
             return x;
         }
         [[no_unique_address]] std::conditional_t<kicks, detail::splitting<composed_flow, S, V>, nothing> kicks_;
-        detail::in_its_place<flows_in_turns> turns_;
+        detail::boxed<flows_in_turns> turns_;
     };
 
     /// p = dL/dv(t, q, v), where the flows have one Lagrangian.
@@ -133,8 +133,8 @@ public:
         std::apply([&](auto const&, auto const&... other) { (require_the_same(p, other.momentum(t, q, v)), ...); }, flows_);
         return p;
     }
-    /// That the flows step one problem, as far as its momenta and forces at x say so: what belongs to one of them, as a velocity or a
-    /// slope, belongs to all then. Lambdas of one type may hold other numbers. @throws error::mismatch
+    /// Checks that the flows step one problem, by their momenta and forces at x, so that they share velocities and slopes. Lambdas of one
+    /// type may hold different numbers. @throws error::mismatch
     template <class S, class V>
     void require_one_problem(state<S, V> const& x) const {
         auto const& first = mechanics();
@@ -146,7 +146,7 @@ public:
         auto const look = [&](auto const& flow) {
             if constexpr (not detail::of_one_problem<Parts> and not std::is_empty_v<decltype(first.lagrangian)>) {
                 check(flow.mechanics(), x.q, x.p);
-                check(flow.mechanics(), x.p, x.q); // at rest or at the origin different ones may be the same
+                check(flow.mechanics(), x.p, x.q); // at rest or at the origin different problems may agree
             }
             if constexpr (requires { flow.require_one_problem(x); }) flow.require_one_problem(x);
         };
@@ -178,7 +178,7 @@ private:
     std::tuple<Flows...> flows_;
 };
 
-/// The flows over the parts of each step, in turns: flow 1 over c_1 h, flow 2 over c_2 h, ..., flow 1 again when all had their turn.
+/// The composition of the flows over the parts of each step: flow 1 over c_1 h, flow 2 over c_2 h, ..., and flow 1 again after the last.
 template <parts_of_a_step Parts, class First, class... Flows>
 constexpr auto compose(Parts const& parts, First const& f, Flows const&... flows) {
     constexpr bool remembers = detail::has_history<First> or (detail::has_history<Flows> or ...),
@@ -249,8 +249,8 @@ auto compose_with_adjoint(Parts const& parts, Flow const& f) {
         return compose(detail::one_problem<Parts>{parts}, adjoint(f), f);
 }
 
-/// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. Any
-/// Lagrangian or forced problem will do. `how` is compensated, or nothing.
+/// Stoermer-Verlet in its velocity form, order 2: for L = v.v/2 - U(q) half a kick p - h/2 U', the drift q + h p, half a kick. L may be any
+/// Lagrangian or forced problem; `how` is compensated or omitted.
 template <class L, class... How>
 auto stoermer_verlet(L const& lagrangian, How const&... how) {
     return symmetrized(embed(lagrangian, order_one, how...));

@@ -9,7 +9,7 @@
 //   kahan_li<8>      17 parts   Kahan-Li 1997
 // And parts over which any flow and its adjoint become one of order 4: compose_with_adjoint(blanes_moan<4>, embed(L, order_one)).
 //   blanes_moan<4>   12 parts   Blanes-Moan 2002, S6   with small errors, and six forces for L = v.Mv/2 - U(q)
-// (Hairer-Lubich-Wanner, Geometric Numerical Integration, II.4 and V.3.2.) The published 26 digits were taken on to 108 by Newton's method
+// (Hairer-Lubich-Wanner, Geometric Numerical Integration, II.4 and V.3.2.) The published 26 digits were extended to 108 by Newton's method
 // on the order conditions: with the steps exp(c h Y_1 + (c h)^3 Y_3 + (c h)^5 Y_5 + ...), every product of Y's of total degree up to p has
 // the coefficient that it has in exp(h Y_1). Kahan and Li's have one parameter more than there are conditions: their c_1 is kept as
 // published, and so are three of Blanes and Moan's.
@@ -111,13 +111,14 @@ struct outer_and_middle_parts {
         return c;
     }
 };
+/// From order Order - 2, by three steps, the middle one backwards.
 template <int Order>
 inline constexpr outer_and_middle_parts<Order, 2> triple_jump{};
-/// All five are smaller than the step.
+/// From order Order - 2, by five steps, each shorter than the whole.
 template <int Order>
 inline constexpr outer_and_middle_parts<Order, 4> suzuki{};
 
-/// To Order at once; the table has the parts up to the middle one, or to the middle.
+/// Parts of order Order from a table, which has those up to the middle.
 template <int Order, auto const& Half, std::size_t Middle = 1>
 struct tabulated_parts {
     static constexpr std::size_t size = 2 * Half.size() - Middle;
@@ -125,7 +126,7 @@ struct tabulated_parts {
     std::array<S, size> values() const {
         static_assert(detail::has_roots<S>, "these parts of a step are irrational: they need a floating-point scalar");
         static_assert(std::numeric_limits<S>::digits10 <= 104, "these parts of a step are known to 108 digits");
-        // A run of few steps takes less time than reading a table.
+        // Reading the table would take longer than a run of few steps.
         if constexpr (std::is_floating_point_v<S>) {
             static constexpr std::array<S, size> c = read<S>();
             return c;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The parts of a step over which the flows of a composition (composition.hpp) take their turns.
+// The parts of a step over which a composition (composition.hpp) applies its flows.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +27,7 @@ struct shares {
         return {Fractions::template as<S>()...};
     }
 };
+/// Two halves of a step.
 inline constexpr shares<fraction<1, 2>, fraction<1, 2>> halves{};
 
 /// The parts C from the last to the first.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation is the judge of compositions and adjoints too. A composition of steps of length c_k h with discrete Lagrangians L_k is the
-// motion of their sum over one step (Marsden-West 2001, section 2.5), and its equations are balances of momenta, at each point of T and at
-// each position U_k between its parts:
+// The residual of compositions and adjoints. A composition of steps of length c_k h with discrete Lagrangians L_k is the motion of their
+// sum over one step (Marsden-West 2001, section 2.5), and its equations are balances of momenta, at each point of T and at each position
+// U_k between its parts:
 //   d_2 L_k(U_{k-1}, U_k) + d_1 L_{k+1}(U_k, U_{k+1}) = 0
-// A trajectory has no U_k. They are found part by part from its momentum at the beginning of the step; the last part has to lead to its
-// next point, and to the momentum there. What the momenta before and after that part are off by is the residual.
+// A trajectory has no U_k. They are computed part by part from its momentum at the beginning of the step; the last part must lead to its
+// next point, with the momentum there. The residual is the error of the momenta before and after that part.
 //   largest_residual(stoermer_verlet(L).along(T, q0, p0))
 //   largest_residual(stoermer_verlet(L), record(path))      states that were kept, or are another program's
 #pragma once
@@ -23,7 +23,7 @@ namespace hilger {
 
 namespace detail {
 
-/// The momenta with which the parts of a step do not meet: the largest difference, or the largest in roundings of its own terms.
+/// The largest difference of momenta between the parts of a step, or the largest in roundings of its own terms.
 template <class Judge, class S>
 struct differences_of_momenta {
     static constexpr bool relative = std::same_as<Judge, by_rounding>;
@@ -33,7 +33,7 @@ struct differences_of_momenta {
         largest = larger(largest, relative ? S(largest_in_roundings(difference, size)) : S(magnitude(difference) / magnitude(h)));
     }
 };
-/// The sums of the sizes of the terms of momenta_of_step, and of what the rounding of q0 and q1 does to them.
+/// The sums of the sizes of the terms of momenta_of_step, and of their changes by the rounding of q0 and q1.
 template <class Derivatives, class S, class V>
 std::pair<V, V> sizes_of_momenta(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0, V const& q1) {
     V before = zero_like(q0), after = before;
@@ -56,7 +56,7 @@ std::pair<V, V> sizes_of_momenta(Derivatives const& derivatives, tableau<S> cons
     return {std::move(before), std::move(after)};
 }
 
-/// One part of a step, or a step that is none.
+/// One part of a step, or a step without parts.
 template <class Flow, class S, class V>
 class judged_part;
 
@@ -69,9 +69,9 @@ class judged_part<flow<F, Force, E, Sums>, S, V> {
 
 public:
     judged_part(of const& f, S const& h, V const& like) : memory_(f, h, like), derivatives_(derivatives_at_nodes(f.mechanics())) {}
-    /// x, with the momentum that it has arrived with, and the size of its terms, to the end of the part: *end, or where a step leads. `off`
-    /// learns of the distance of that momentum from the one that the part begins with. `near` is a velocity near those of the step of
-    /// length `whole`.
+    /// Advances x, with the momentum from the part before and the size of its terms, to the end of this part: *end, or the result of a
+    /// step. `off` receives the distance of that momentum from the one at the start of this part. `near` is a velocity near those of the
+    /// step of length `whole`.
     template <class Differences>
     void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, Differences& off) {
         state<S, V> y = x;
@@ -126,7 +126,7 @@ private:
     std::tuple<std::vector<judged_part<Flows, S, V>>...> parts_;
 };
 
-/// Of states at the points of T, one after the other, and the flow that should have walked them.
+/// The residual of consecutive states at the points of T under a flow.
 template <class Judge, class Flow, class Scale, class States>
 auto judged_parts(Judge const&, Flow const& method, Scale const& T, States const& states) {
     auto at = std::begin(states);
@@ -147,8 +147,8 @@ auto judged_parts(Judge const&, Flow const& method, Scale const& T, States const
     return off.largest;
 }
 
-/// What a trajectory leaves of the equations of a composition's parts, forces included, divided by the step: of the size of the residual of
-/// one step (integrator/residual.hpp).
+/// The residual of a trajectory in the equations of a composition's parts, forces included, divided by the step: of the size of the
+/// residual of one step (integrator/residual.hpp).
 template <class Judge, class Parts, class... Flows, class Scale, class V>
 auto judged(Judge const& judge, trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
     return judged_parts(judge, path.method(), path.scale(), path);
@@ -158,7 +158,7 @@ template <class Judge, class F, class Force, class E, sums Sums, class Scale, cl
 auto judged(Judge const& judge, trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
     return judged_parts(judge, path.method(), path.scale(), path);
 }
-/// The same of states that were kept, wherever they come from.
+/// The same for recorded states, of any origin.
 template <class Judge, class Parts, class... Flows, class S, class V, class Scale>
 auto judged(Judge const& judge, composed_flow<Parts, Flows...> const& method, recording<S, V, Scale> const& run) {
     require_complete(run);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The adjoint of a flow, Phi_h^* = (Phi_{-h})^{-1}: the step that undoes a step of -h (Hairer-Lubich-Wanner, Geometric Numerical
 // Integration, II.3). It is the flow of L_h^*(x, y) = -L_{-h}(y, x) (Marsden-West 2001, section 2.4), that is of the embedding read from
-// the other end: control values in reversed order, velocities and weights as of a step -h. Forces stand beside dL/dq on the same rows, so
-// they are kept.
+// the other end: control values in reversed order, velocities and weights as of a step -h. Forces are terms beside dL/dq in the same rows,
+// so they are kept.
 //   adjoint(embed(L, order_one)) steps as embed(L, order_one_left); mid-point and Galerkin are their own adjoints; adjoint(adjoint(f)) has
 //   the type of f.
 #pragma once
@@ -29,7 +29,7 @@ template <class E>
 constexpr reversed<E> turned(E const& e) {
     return {e};
 }
-/// Where the nodes stand symmetrically, as Gauss's and Lobatto's do, a Galerkin step is its own adjoint.
+/// A Galerkin step with symmetric nodes, as Gauss's and Lobatto's, is its own adjoint.
 template <int Degree, class Quadrature, int Count>
     requires(Quadrature::is_symmetric)
 constexpr auto

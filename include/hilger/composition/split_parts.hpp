@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The parts of L = v.Mv/2 + a.v - U(q) with a constant mass as a composition of kicks and drifts asks for them: v = M^-1 (p - a), and dL/dq
-// whatever the velocity is.
+// The parts of L = v.Mv/2 + a.v - U(q) with a constant mass for a composition of kicks and drifts: v = M^-1 (p - a), and dL/dq independent
+// of the velocity.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace hilger::detail {
 
-/// The velocity and the force of a small Lagrangian, from its jets: what the types say to be zero is not computed. Where it compares
-/// positions, M and a have to be the same at both ends of a drift; where it compares velocities, v = 0 says nothing of others.
+/// The velocity and the force of a small Lagrangian, from its jets; derivatives that are zero by their types are not computed. Where L
+/// compares positions, M and a must agree at both ends of a drift; where it compares velocities, their values at v = 0 do not suffice.
 template <class Problem, class S, class V>
 class small_parts {
     using s = shape<V>;
@@ -35,13 +35,13 @@ public:
     HILGER_ALWAYS_INLINE bool force(Problem const& what, vector const& q, vector& g) {
         return force(what, q, g, all{}, std::make_index_sequence<N * N>{});
     }
-    /// A step begins, with no drift before its first kick.
+    /// Begins a step, with no drift before its first kick.
     void begin() { has_drifted_ = false; }
     template <class Sum>
     HILGER_ALWAYS_INLINE static void add(vector& x, S const& w, vector const& y, Sum& sum) {
         add(x, w, y, sum, all{});
     }
-    /// Whether all numbers are finite. Their sum is not where one is not; where it alone is too large they are looked at one by one.
+    /// Whether all numbers are finite: their sum is, or each of them.
     HILGER_ALWAYS_INLINE static bool are_finite(vector const& q, vector const& p) { return are_finite(q, p, all{}); }
 
 private:
@@ -92,7 +92,7 @@ private:
     vector at_rest_{};
     bool has_drifted_ = false;
 };
-/// States that stay where they are.
+/// States that stay in memory.
 template <class S, class V>
 class whole_vectors {
 public:
@@ -118,7 +118,7 @@ public:
 private:
     using s = shape<V>;
 };
-/// The same of a system that says so, of a formula that is traced, and of a Lagrangian with derivatives of its own (step/separable.hpp).
+/// The same for mechanical systems, traced formulas and Lagrangians with their own derivatives (step/separable.hpp).
 template <class Problem, class S, class V>
 class large_parts : public whole_vectors<S, V> {
 public:
@@ -135,7 +135,7 @@ private:
         if (not has_parts_) has_parts_ = of_.inspect(what, state<S, V>{S(0), q, q});
         return *has_parts_;
     }
-    std::optional<bool> has_parts_; ///< once it was looked at
+    std::optional<bool> has_parts_; ///< once checked
     separable<Problem, S, V> of_;
 };
 

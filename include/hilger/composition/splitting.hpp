@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a composition of order-one steps and their adjoints does to L = v.Mv/2 + a.v - U(q) with a constant mass (Hairer-Lubich-Wanner,
-// Geometric Numerical Integration, II.5): kicks p + w dL/dq(q) and drifts q + w M^-1 (p - a) in turns. A kick after a kick is one, as is a
-// drift after a drift, and the force at the end of a step is the first of the next: one force for each part, no velocity twice.
+// Compositions of order-one steps and their adjoints for L = v.Mv/2 + a.v - U(q) with a constant mass (Hairer-Lubich-Wanner, Geometric
+// Numerical Integration, II.5): alternating kicks p + w dL/dq(q) and drifts q + w M^-1 (p - a). Neighbouring kicks or drifts merge, and the
+// force at the end of a step is the first of the next: one force for each part, no velocity twice.
 #pragma once
 
 #include "hilger/composition/parts.hpp"
@@ -25,14 +25,14 @@ inline constexpr bool of_one_problem<one_problem<Parts>> = true;
 template <class Parts>
 inline constexpr bool of_one_problem<backwards<Parts>> = of_one_problem<Parts>;
 
-/// Which kicks and drifts a flow is made of, where it is: leaves are flows of order one or their adjoints.
+/// The kicks and drifts of a flow, where it consists of them: leaves are flows of order one or their adjoints.
 template <class Flow>
-struct turns {
+struct kick_drift_sequence {
     static constexpr bool possible = false;
 };
 template <class F, class E, sums Sums>
     requires(facts_of<E>.one_node and (facts_of<E>.at_start or facts_of<E>.at_end))
-struct turns<flow<F, no_force, E, Sums>> {
+struct kick_drift_sequence<flow<F, no_force, E, Sums>> {
     static constexpr bool possible = true, compensated = Sums == sums::compensated;
     static constexpr bool starts_with_kick = facts_of<E>.at_start;
     static constexpr std::array<bool, 2> is_kick{starts_with_kick, not starts_with_kick};
@@ -44,45 +44,47 @@ struct turns<flow<F, no_force, E, Sums>> {
     }
 };
 template <class Parts, class First, class... Others>
-    requires((sizeof...(Others) == 0 or of_one_problem<Parts>)and turns<First>::possible and (turns<Others>::possible and ...))
-struct turns<composed_flow<Parts, First, Others...>> {
-    static constexpr bool possible = true, compensated = turns<First>::compensated;
-    static constexpr bool starts_with_kick = turns<First>::starts_with_kick;
+    requires((sizeof...(Others) == 0 or of_one_problem<Parts>)and kick_drift_sequence<First>::possible and
+             (kick_drift_sequence<Others>::possible and ...))
+struct kick_drift_sequence<composed_flow<Parts, First, Others...>> {
+    static constexpr bool possible = true, compensated = kick_drift_sequence<First>::compensated;
+    static constexpr bool starts_with_kick = kick_drift_sequence<First>::starts_with_kick;
     static constexpr std::size_t flows = 1 + sizeof...(Others);
-    /// Of each kick and drift, in the order in which they are made.
+    /// For each kick and drift, in their order.
     static constexpr auto is_kick = [] {
-        constexpr std::size_t in_turn = turns<First>::is_kick.size() + (turns<Others>::is_kick.size() + ... + 0);
+        constexpr std::size_t in_turn =
+            kick_drift_sequence<First>::is_kick.size() + (kick_drift_sequence<Others>::is_kick.size() + ... + 0);
         std::array<bool, Parts::size / flows * in_turn> kinds{};
         std::size_t k = 0;
         auto const add = [&](auto const& of_flow) {
             for (bool const kick : of_flow) kinds[k++] = kick;
         };
-        while (k < kinds.size()) add(turns<First>::is_kick), (add(turns<Others>::is_kick), ...);
+        while (k < kinds.size()) add(kick_drift_sequence<First>::is_kick), (add(kick_drift_sequence<Others>::is_kick), ...);
         return kinds;
     }();
-    using problem_type = typename turns<First>::problem_type;
+    using problem_type = typename kick_drift_sequence<First>::problem_type;
     template <class S, class Use>
     static void each(composed_flow<Parts, First, Others...> const& f, S const& h, Use const& use) {
         auto const parts = whole<S>(f.parts());
         for (std::size_t k = 0; k < Parts::size; k += flows)
             std::apply(
                 [&, j = k](auto const&... flow) mutable {
-                    (turns<std::remove_cvref_t<decltype(flow)>>::each(flow, S(parts[j++] * h), use), ...);
+                    (kick_drift_sequence<std::remove_cvref_t<decltype(flow)>>::each(flow, S(parts[j++] * h), use), ...);
                 },
                 f.flows());
     }
 };
 
-/// What one trajectory of such a composition remembers.
+/// The memory of one trajectory of such a composition.
 template <class Flow, class S, class V>
 class splitting {
-    using of = turns<Flow>;
+    using of = kick_drift_sequence<Flow>;
     using Problem = typename of::problem_type;
     using parts = split_parts<Problem, S, V>;
     static constexpr bool large = parts::has_whole_vectors;
     using vector = typename parts::vector;
 
-    /// Neighbours of one kind are one.
+    /// Neighbours of one kind merge.
     static constexpr std::size_t size = [] {
         std::size_t n = 1;
         for (std::size_t k = 1; k < of::is_kick.size(); ++k) n += of::is_kick[k] != of::is_kick[k - 1];
@@ -91,7 +93,7 @@ class splitting {
     static constexpr bool ends_with_kick = of::is_kick.back();
 
 public:
-    /// Whether a step is short enough to be written out, and small enough to be made in registers.
+    /// Whether a step is short enough to be unrolled, and small enough for registers.
     static constexpr bool in_registers = not large and size <= 8 and std::is_floating_point_v<S>;
 
     splitting(Flow const& f, S const& h, V const& like)
@@ -99,13 +101,13 @@ public:
           sum_p_(sum_q_), next_q_(sum_q_), next_p_(sum_q_) {
         prepare(f, h);
     }
-    /// What steps of length h from x need: the force there is forgotten, where it is another's.
+    /// Prepares steps of length h from x; the force of another state is forgotten.
     void begin(Flow const& f, state<S, V> const& x, S const& h) {
         if (not(h == h_)) [[unlikely]]
             prepare(f, h);
         known_ = known_ and last_ == parts_.taken(x.q);
     }
-    /// x one step h further. False, and nothing has happened, where L turns out to have other parts, or numbers are not finite.
+    /// Advances x by one step h. Returns false, with x unchanged, where L turns out to have other parts or numbers are not finite.
     bool advance(Flow const& f, state<S, V>& x, S const& h) {
         begin(f, x, h);
         if constexpr (not large and std::is_floating_point_v<S>)
@@ -113,7 +115,7 @@ public:
         else
             return step(f.mechanics(), x);
     }
-    /// The same from where it began, or went last.
+    /// The same from the last state, with the same length.
     HILGER_ALWAYS_INLINE bool advance_equally(Flow const& f, state<S, V>& x) { return flat_step(f.mechanics(), x); }
 
     [[nodiscard]] S const& h() const { return h_; }
@@ -138,7 +140,7 @@ private:
         else
             return x[k];
     }
-    /// Of neighbours of one kind the lengths add up.
+    /// Lengths of merged neighbours add up.
     void prepare(Flow const& f, S const& h) {
         h_ = h;
         std::size_t made = 0;
@@ -187,7 +189,7 @@ private:
         sum_p_ = next_p_;
         return true;
     }
-    /// What is short is written out: then it needs no memory to count in.
+    /// Short sequences are unrolled, so that their index is no run-time number.
     template <class Turn, std::size_t... K>
     HILGER_ALWAYS_INLINE static bool turns_made(Turn const& turn, std::index_sequence<K...>) {
         if constexpr (in_registers)
@@ -198,24 +200,24 @@ private:
             return true;
         }
     }
-    /// What has few components is in registers while a step is made; what has many stays in its place.
+    /// Vectors of few components are in registers during a step; large ones stay in memory.
     using room = std::conditional_t<is_traced_state<V>, vector&, vector>;
 
     parts parts_;
     S h_;
     std::array<S, size> lengths_;
-    vector q_, p_, v_, g_, last_; ///< the state inside the step; where the force g is known, while it is
+    vector q_, p_, v_, g_, last_; ///< the state inside the step; the position of the force g, while that is known
     bool known_ = false;
-    /// What sums carry; and what they carry inside the step.
+    /// The compensation of the sums, and its value inside the step.
     [[no_unique_address]] summation<of::compensated, S, shape<V>::size> sum_q_, sum_p_, next_q_, next_p_;
 };
 
-/// Whether a composition of states V is made of kicks and drifts; of a Lagrangian its jets or its formula say it, when they are evaluated.
+/// Whether a composition consists of kicks and drifts for states V; `perhaps` is decided by the jets or the formula of L when evaluated.
 enum class kicks_and_drifts { no, perhaps, always };
 template <class Flow, class S, class V>
 inline constexpr kicks_and_drifts splits = [] {
-    if constexpr (turns<Flow>::possible) {
-        using F = decltype(turns<Flow>::problem_type::lagrangian);
+    if constexpr (kick_drift_sequence<Flow>::possible) {
+        using F = decltype(kick_drift_sequence<Flow>::problem_type::lagrangian);
         if (is_mechanical<F>) return kicks_and_drifts::always;
         if (may_split<F, S, V>) return kicks_and_drifts::perhaps;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// An embedding is how a Lagrangian is read on a discrete scale: a position operator A, a velocity operator B, and the integral that sums
-// L(A q, B q). The library's own and a user's are the same aggregate of three operators.
+// An embedding takes a Lagrangian to a discrete scale by a position operator A, a velocity operator B, and the integral of L(A q, B q). The
+// library's own and a user's are the same aggregate of three operators.
 //   order_one        q, Delta_plus[q], the Delta integral          (Cresson-Safi (10))
 //   order_one_left   q, Delta_minus[q], the nabla integral
 //   theta<P, Q>      q_{o,lambda}, Delta_plus[q], the lambda-integral, lambda = P/Q
@@ -11,13 +11,13 @@
 
 namespace hilger {
 
-/// Says that an embedding is meant although its steps converge to another system: make_embedding<W>(A, B, name, inconsistent).
+/// Permits an embedding whose steps converge to another system: make_embedding<W>(A, B, name, inconsistent).
 struct inconsistent_t {};
 inline constexpr inconsistent_t inconsistent{};
 
 /// Position and Velocity map C(T) to one common scale; Weight is the integral's weight there: delta_weight, nabla_weight or step_weight. An
 /// embedding that is not consistent (embedding/one_step.hpp) is refused, at compile time or, where its numbers are known at run time only,
-/// when it is stepped; Checked = false lets it pass.
+/// when it is stepped, unless Checked = false.
 template <linear_map Position, linear_map Velocity, class Weight, bool Checked = true>
 struct embedding {
     static_assert(std::is_same_v<typename Position::to, typename Velocity::to>, "position and velocity of an embedding meet on one scale");
@@ -45,7 +45,7 @@ struct embedding {
 };
 
 /// The embedding with position operator A, velocity operator B and the integral of weight W: delta_weight over T^+, nabla_weight over T^-,
-/// step_weight over T_lambda. `name` is what reports call it.
+/// step_weight over T_lambda. `name` is its name in reports.
 template <class Weight, linear_map Position, linear_map Velocity>
 constexpr auto make_embedding(Position position, Velocity velocity, char const* name) {
     return embedding<Position, Velocity, Weight>{position, velocity, name};
@@ -69,11 +69,10 @@ constexpr auto theta_of() {
         return order_one;
 }
 } // namespace detail
-/// 0 < P/Q < 1; lambda = 0 is order_one. The velocity is Delta_o_plus[q_o] on T_lambda, which lemma 1 of Cresson-Safi makes one
-/// difference.
+/// The lambda-embedding, lambda = P/Q in ]0, 1[. The velocity is Delta_o_plus[q_o] on T_lambda, one difference by lemma 1 of Cresson-Safi.
 template <int P, int Q>
 inline constexpr auto theta = detail::theta_of<P, Q>();
-/// The same for a lambda known at run time only. @throws error::invalid_parameter outside 0 < lambda < 1.
+/// The same for a lambda known at run time only. @throws error::invalid_parameter when lambda is outside ]0, 1[.
 template <class S>
 constexpr auto theta_at(S const& lambda) {
     using number = std::conditional_t<std::is_integral_v<S>, double, S>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Galerkin embeddings (Marsden-West; Cresson-Safi, section 5): on each step a position is the polynomial through s + 1 control values, read
-// together with its derivative at the nodes of a quadrature, which is the integral. Three operators as every embedding has:
+// together with its derivative at the nodes of a quadrature, which is the integral. They are three operators as every embedding:
 //   galerkin<s, gauss>     degree s, s Gauss nodes: order 2s; s = 1 is mid-point, and s is the Gauss collocation method
 //   galerkin<s, lobatto>   degree s - 1, s Lobatto nodes: order 2s - 2; s = 2 is Stoermer-Verlet for a separable Lagrangian
 #pragma once
@@ -12,8 +12,8 @@ namespace hilger {
 
 namespace detail {
 /// A polynomial through two points and more is 1 where they are all 1 and t where they are t, and the weights of these quadratures add up
-/// to 1; over the finite field that would take half a second to see for sixteen nodes (tests/static/galerkin_is_consistent.cpp). A slope of
-/// lower degree than there are nodes is zero where it is zero at all of them.
+/// to 1; checking that over the finite field would take half a second for sixteen nodes (tests/static/galerkin_is_consistent.cpp). A slope
+/// of lower degree than the number of nodes is zero when it is zero at all of them.
 template <int Degree, int Count>
 inline constexpr bool
     is_consistent_by_construction<polynomial_value<Degree, gauss, Count>, polynomial_slope<Degree, gauss, Count>, step_weight> =

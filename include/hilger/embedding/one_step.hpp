@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the operators of an embedding do in one step from t to t + h, and what has to hold there: a scale of two points, a function given by
-// its values at them, and the operators applied to it. With nodes k and weights w_k an embedding (A, B, int) is consistent when
+// The operators of an embedding in one step from t to t + h, and their consistency: a scale of two points, a function given by its values
+// at them, and the operators applied to it. With nodes k and weights w_k an embedding (A, B, int) is consistent when
 //   sum_k w_k = h,   A 1 = 1,   B 1 = 0,   B t = 1   at every node that counts;
-// if one of these fails, the steps converge to the motion of another system. So they do where velocities at the nodes do not determine the
-// values inside the step, sum_k w_k B_kj B_km over these being singular: the rows of the others are dL/dq = 0, which is no motion.
+// if one of these fails, the steps converge to the motion of another system. The same holds where the velocities at the nodes do not
+// determine the values inside the step, so that the matrix sum_k w_k B_kj B_km over these is singular: the other rows are dL/dq = 0, which
+// is no motion.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace hilger {
 
-/// A scale of one step h; what an operator needs of it and no more.
+/// A scale of one step h, with the members that operators need.
 template <class S>
 struct single_step {
     using scalar_type = S;
@@ -90,7 +91,7 @@ struct on_one_step {
     }
 };
 
-/// A length of step in the prime field, which nobody writes by chance.
+/// A step in the prime field, unlikely to occur by chance.
 inline constexpr prime_field some_step = prime_field::residue(1'311'768'467'463'790'321);
 
 enum class consistency { holds, weights, position_of_one, velocity_of_one, velocity_of_time, values_inside };
@@ -135,7 +136,7 @@ constexpr bool determines_values_inside(A const& a, B const& b, F const& h, Near
     }
 }
 
-/// The first condition that fails by more than the tolerance, relative to what should be there.
+/// The first condition that fails by more than the tolerance, relative to the value required.
 template <class W, class S, linear_map A, linear_map B, class Near>
 constexpr consistency examine(A const& a, B const& b, S const& h, Near const& near) {
     using step = on_one_step<A, B, W, S>;
@@ -153,11 +154,11 @@ constexpr consistency examine(A const& a, B const& b, S const& h, Near const& ne
     return determines_values_inside<W>(a, b, h, near) ? consistency::holds : consistency::values_inside;
 }
 
-/// Known by the type: over a finite field, where equal means equal. What has no step is refused elsewhere, and numbers that are known at
-/// run time only are looked at then.
+/// Consistency by the type, exactly, over a finite field. Operators without a step are refused elsewhere, and numbers known at run time
+/// only are checked then.
 template <linear_map A, linear_map B>
 inline constexpr bool has_numbers = not std::is_empty_v<A> or not std::is_empty_v<B>;
-/// Of operators whose definition says so nothing is computed.
+/// Operators that are consistent by definition are not computed with.
 template <linear_map A, linear_map B, class W>
 inline constexpr bool is_consistent_by_construction = false;
 template <linear_map A, linear_map B, class W>

@@ -5,7 +5,7 @@
 //   polynomial_value<d, Q, n>   (A f)_ik = sum_m l_m(c_k) f_im
 //   polynomial_slope<d, Q, n>   (B f)_ik = 1/h_i sum_m l_m'(c_k) f_im
 // with l_m the polynomial that is 1 at m/d and 0 at the other points. Their adjoints, between the sum over the nodes and the trapezoid rule
-// of T/d, spread what there is at the nodes of a step over its points; at a point of T two steps meet.
+// of T/d, distribute the values at the nodes of a step over its points; at a point of T two steps add up.
 #pragma once
 
 #include "hilger/embedding/quadrature.hpp"
@@ -86,7 +86,7 @@ struct polynomial_reading : linear_operator<polynomial_reading<Degree, Quadratur
         index_type const step = i / Count;
         auto const k = static_cast<std::size_t>(i % Count);
         value sum = zero_of(f);
-        if constexpr (IsSlope) { // differences: constants have no slope, whatever is rounded
+        if constexpr (IsSlope) { // differences: the slope of constants is zero in spite of rounding
             value const first(f.get(Degree * step));
             for (int m = 1; m <= Degree; ++m)
                 sum = value(sum + (value(f.get(Degree * step + m)) - first) * numbers.slope[k][static_cast<std::size_t>(m)]);

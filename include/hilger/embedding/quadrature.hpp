@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // Quadratures, and their nodes as a family of points: T_{G_n}, T_{L_n} have the n nodes of one in every step of T, and int f over them is
 //   sum_i h_i sum_k w_k f(t_i + c_k h_i).
-// Where nodes fall together, as the last one of a step and the first one of the next do with Lobatto's, they stay two: what lives there may
-// jump, as the derivative of a piecewise polynomial does. Nodes and weights are computed with more digits than the scalar has, for what is
-// made of them to be rounded once.
+// Nodes that coincide, as the last one of a step and the first one of the next in Lobatto's, remain two: a function there may jump, as the
+// derivative of a piecewise polynomial does. Nodes and weights are computed with more digits than the scalar has, so that results are
+// rounded once.
 //   quadrature_nodes<gauss, n>     Gauss, exact up to degree 2n - 1; one node is T_half
 //   quadrature_nodes<lobatto, n>   Lobatto, both ends among them, exact up to degree 2n - 3
-// One's own has a name, `on_unit_interval<S>(n)`, a quadrature<S> or one in more digits, and says with is_symmetric whether its nodes stand
-// symmetrically.
+// A user's quadrature has a name, `on_unit_interval<S>(n)`, a quadrature<S> or one in more digits, and is_symmetric, true for symmetric
+// nodes.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ W legendre_slope(int n, W const& x, std::vector<W> const& p) {
     auto const last = static_cast<std::size_t>(n);
     return W(n) * (x * p[last] - p[last - 1]) / (x * x - W(1));
 }
-/// Newton's iteration from a start with two right digits: they double in every round, and 2^9 are more than any scalar has. Step maps x to
-/// f(x) / f'(x). @throws error::invalid_parameter where an exact scalar does not reach the root
+/// Newton's iteration from a start with two right digits: they double in every iteration, and 2^9 exceed any scalar. Step maps x to f(x) /
+/// f'(x). @throws error::invalid_parameter where an exact scalar does not reach the root
 template <class S, class Step>
 typename wider<S>::type polished(double start, Step const& step) {
     using W = typename wider<S>::type;
@@ -60,6 +60,7 @@ struct quadrature {
     std::vector<W> node, weight;
 };
 
+/// Gauss-Legendre quadrature, all nodes inside of the step.
 struct gauss {
     static constexpr char const* name = "Gauss";
     static constexpr fixed_text letter{"G"};
@@ -83,6 +84,7 @@ struct gauss {
     }
 };
 
+/// Lobatto quadrature, with nodes at both ends of the step.
 struct lobatto {
     static constexpr char const* name = "Lobatto";
     static constexpr fixed_text letter{"L"};
@@ -114,8 +116,8 @@ struct lobatto {
 
 namespace detail {
 
-/// Nodes and weights of a quadrature as residues: rational ones are what they are, and irrational ones are names, which suffices: what
-/// holds for any numbers holds for these.
+/// Nodes and weights of a quadrature as residues: rational ones exactly, irrational ones as generic elements, which suffices: an identity
+/// for any numbers holds for these.
 template <class Quadrature, int Count>
 constexpr auto residues_of_quadrature() {
     struct {
@@ -144,7 +146,7 @@ constexpr auto residues_of_quadrature() {
     return q;
 }
 
-/// The n nodes and weights in the numbers that recurrences for S run in. @throws error::mismatch where there are not n
+/// The n nodes and weights in wider<S> numbers. @throws error::mismatch where the quadrature gives another number of them
 template <class S, class Quadrature>
 auto wide_quadrature(int n) {
     using W = typename wider<S>::type;
@@ -190,7 +192,7 @@ struct nodes_of_quadrature {
         else
             return fixed_text("T_Q") + digits<Count>();
     }
-    /// How it is written: T with this at its foot.
+    /// The subscript of T in print.
     static constexpr auto foot() {
         if constexpr (requires { Quadrature::letter; })
             return "_" + Quadrature::letter + digits<Count>();
@@ -204,7 +206,7 @@ struct nodes_of_quadrature {
         auto const& c = quadrature_numbers<S, Quadrature, Count>::here().node[static_cast<std::size_t>(i % Count)];
         return c == S(1) ? S(T.point(i / Count + 1)) : S(T.point(i / Count) + c * T.step(i / Count));
     }
-    /// From a node to the next; where two fall together it is 0.
+    /// From a node to the next, 0 where they coincide.
     template <class Root>
     constexpr auto step(Root const& T, index_type i) const {
         using S = typename Root::scalar_type;
@@ -213,7 +215,7 @@ struct nodes_of_quadrature {
         if (k + 1 < Count) return S((q.node[k + 1] - q.node[k]) * T.step(i / Count));
         return S((S(1) - q.node[k]) * T.step(i / Count) + q.node[0] * T.step(i / Count + 1));
     }
-    /// What the integral counts a node with.
+    /// The weight of a node in the integral.
     template <class Root>
     constexpr auto weight(Root const& T, index_type i) const {
         using S = typename Root::scalar_type;
@@ -232,7 +234,7 @@ struct family_of_quadrature<gauss, 1> {
 
 } // namespace detail
 
-/// The family of points that the n nodes of a quadrature are in every step.
+/// The family of the n nodes of a quadrature in every step.
 template <class Quadrature, int Count>
 using quadrature_nodes = typename detail::family_of_quadrature<Quadrature, Count>::type;
 /// The nodes of T as a scale, to integrate over: integral(f, at_nodes<gauss, 3>(T)).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How the operators of a Galerkin embedding are written:
+// The notation of the operators of a Galerkin embedding:
 //   P3[q], P3'[q]        the polynomial of degree 3 through q on each step, and its derivative, at the nodes of the integral
 //   P3*[f], P3'*[f]      their adjoints
 // with the capital letter pi for P.
@@ -11,11 +11,11 @@
 namespace hilger::detail {
 
 template <class Reading>
-spelled letter_of_polynomial(bool is_slope, bool is_adjoint) {
+notation letter_of_polynomial(bool is_slope, bool is_adjoint) {
     std::string const n = std::to_string(Reading::degree);
-    spelled s{"Π" + subscript(Reading::degree) + (is_slope ? "′" : "") + (is_adjoint ? "*" : ""),
-              "\\Pi_{" + n + "}" +
-                  (is_slope or is_adjoint ? "^{" + std::string(is_slope ? "\\prime" : "") + (is_adjoint ? "*" : "") + "}" : "")};
+    notation s{"Π" + subscript(Reading::degree) + (is_slope ? "′" : "") + (is_adjoint ? "*" : ""),
+               "\\Pi_{" + n + "}" +
+                   (is_slope or is_adjoint ? "^{" + std::string(is_slope ? "\\prime" : "") + (is_adjoint ? "*" : "") + "}" : "")};
     auto const where = [](print_style style) { return written_domain(domain<typename Reading::to>{}, style); };
     s = with_bracket(s);
     s.terminal_note = "Π" + subscript(Reading::degree) + "[f] = the polynomial of degree " + n + " through f on each step, on " +

@@ -20,12 +20,12 @@ class roots_of_unity {
 public:
     S const* cosine() const { return cos_.data(); }
     S const* sine() const { return sin_.data(); }
-    /// Makes the table for transforms of this length.
+    /// Computes the table for transforms of this length.
     void reserve(std::size_t length) {
         using std::atan;
         std::size_t const needed = length < 4 ? 4 : length;
         if (cos_.size() >= needed) return;
-        // One product of two correctly rounded factors each: the low bits of b, and the others.
+        // Each entry is one product of two correctly rounded factors: of the low bits of b, and of the others.
         std::vector<S> low_cos, low_sin;
         for (std::size_t b = 0; b < std::min(block, needed); ++b) exact(b, low_cos, low_sin);
         cos_.resize(needed);
@@ -63,7 +63,7 @@ struct spectrum {
 template <class S>
 class fourier {
 public:
-    /// Makes the roots for transforms of this length, which must be there before one is made: const transforms may be shared by threads.
+    /// Computes the roots for transforms of this length, to be called before the first: const transforms may be shared by threads.
     void reserve(std::size_t length) { roots_.reserve(length); }
     /// In place, length a power of two.
     void forward(spectrum<S>& x, std::size_t length) const {
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t in_cache = 1024; // beyond it one part after the other is finished
+    static constexpr std::size_t in_cache = 1024; // larger blocks are finished one part after the other
     static bool odd_power(std::size_t length) {
         bool odd = false;
         for (; length > 1; length /= 2) odd = not odd;
@@ -118,7 +118,7 @@ private:
             for (std::size_t part = 4; part <= n; part *= 4)
                 passes_.join(re, im, part, n / part, b * (n / part), roots_.cosine(), roots_.sine());
     }
-    /// x^{2n} - i into x^n -+ sqrt(i), whose table entry is the second.
+    /// Splits x^{2n} - i into x^n -+ sqrt(i), the second table entry.
     void halve(S* re, S* im, std::size_t n) const {
         S const c = roots_.cosine()[1], s = roots_.sine()[1];
         for (std::size_t j = 0; j < n; ++j) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // A Lagrangian with fractional damping: -rho D^beta q beside dL/dq, 0 < beta < 2, with D^beta q from the weights of a generating function
-// and a history policy; and the history of those components of a trajectory that have a rho. What a step makes of it is a reading:
+// and a history policy; and the history of those components of a trajectory that have a rho. A reading says how a step uses it:
 //   fractional/mean.hpp       a mean over the step, with the unknown position in it: order two, no limit of stability
 //   fractional/impulses.hpp   impulses at the points, as the restricted variational principle has them: explicit
-// A reading r has a history r.template along<S, V>(h, like), which says what comes before and after each step without damping.
+// A reading r has a history r.template along<S, V>(h, like), which defines the changes before and after each undamped step.
 #pragma once
 
 #include <ranges>
@@ -26,7 +26,7 @@ struct fractional_damping {
     initial_history history = initial_history::caputo;
 };
 
-/// A Lagrangian (with forces, perhaps) and a reading of its damping.
+/// A Lagrangian, with or without forces, and a reading of its damping.
 template <class L, class Reading>
 struct damped_problem {
     [[no_unique_address]] L mechanics;
@@ -40,7 +40,7 @@ inline constexpr bool is_damped = false;
 template <class L, class Reading>
 inline constexpr bool is_damped<damped_problem<L, Reading>> = true;
 
-/// Whether the order may be above 1: what rounding cuts off of positions then counts in small steps.
+/// Whether the order may be above 1, where the rounding of positions matters in small steps.
 template <class Damping>
 inline constexpr bool may_exceed_one = true;
 template <generating_function G, class Rho, int P, int Q, class Policy>
@@ -50,7 +50,7 @@ template <class Policy>
 concept options_of_a_damping = requires(Policy const& p) {
     p.history;
 };
-/// What a coefficient is kept as: a number, or a column with one for each component.
+/// A coefficient as it is stored: a number, or a column with one for each component.
 template <class Rho>
 auto kept_coefficient(Rho const& rho) {
     if constexpr (requires { rho.allFinite(); }) {
@@ -68,7 +68,7 @@ auto kept_coefficient(Rho const& rho) {
     }
 }
 
-/// A damping whose order and coefficient can be. @throws error::invalid_parameter
+/// A damping, checked. @throws error::invalid_parameter
 template <generating_function G, class Given, class Order, class Policy>
 auto checked_damping(Given const& given, Order const& beta, Policy policy, initial_history history) {
     static_assert(std::is_class_v<Policy> and not options_of_a_damping<Policy>,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The flow of a Lagrangian with fractional damping under an embedding. Each step is one of the flow without damping; what the history adds
-// to it before and after, and to its equation, says the reading of the damping: a mean over the step (with_fractional_damping,
+// The flow of a Lagrangian with fractional damping under an embedding. Each step is one of the undamped flow; the reading of the damping
+// defines what the history adds before and after it, and to its equation: a mean over the step (with_fractional_damping,
 // fractional/mean.hpp) or impulses at the points (with_fractional_impulses, fractional/impulses.hpp).
 //   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), mid_point);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
-// A step depends on all steps before it, of one length: there is no single one, no adjoint, and no composition.
+// A step depends on all steps before it, of one length: there is no single step, no adjoint, and no composition.
 #pragma once
 
 #include "hilger/fractional/impulses.hpp"
@@ -13,6 +13,7 @@
 
 namespace hilger {
 
+/// A flow with a reading of fractional damping; see embed(). Exists on uniform T only.
 template <class Flow, class Reading>
 class damped_flow : public stepping<damped_flow<Flow, Reading>> {
 public:
@@ -23,7 +24,7 @@ public:
     /// Each step depends on all steps before it.
     static constexpr bool has_history = true;
 
-    /// What the undamped flow remembers, and the history.
+    /// The memory of the undamped flow, and the history.
     template <class S, class V>
     class memory {
         using history = typename Reading::template history<S, V>;
@@ -38,8 +39,8 @@ public:
             start_ = v;
             step_.start_with(f.undamped_, x, v);
         }
-        /// x one step h further. @throws error::mismatch when h is not the length that the history has; error::no_convergence,
-        /// error::singular, error::not_finite; x is then as it was. In the first step also what the damping refuses.
+        /// Advances x by one step h. @throws error::mismatch when h is not the step of the history; error::no_convergence, error::singular,
+        /// error::not_finite; in the first step also the errors of the damping. x is unchanged then.
         void advance(damped_flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
             move(f, x);
@@ -73,7 +74,7 @@ public:
         }
 
     private:
-        /// What fails leaves x as it was.
+        /// Restores x after a failure.
         struct undo {
             state<S, V>& x;
             state<S, V> const& before;
@@ -82,7 +83,7 @@ public:
                 if (not done) x = before;
             }
         };
-        /// In place: a copy that is stepped would have to wait until what was just written can be read as a whole.
+        /// In place: a copy would wait until its parts, just written, can be read as a whole.
         void move(damped_flow const& f, state<S, V>& x) {
             before_ = x;
             undo guard{x, before_};
@@ -100,18 +101,19 @@ public:
     };
 
     /// Only on scales with equal steps: differences of fractional order are defined there.
-    /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; while walking, a step_failure.
+    /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; during iteration, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
         detail::require_equal_steps<Scale>();
         damping_.require_dimension(q0);
         return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
     }
-    /// One step has no history.
+    /// Refused: one step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
         return detail::no_single_step<S>();
     }
+    /// p = dL/dv(t, q, v)
     template <class S, class V>
     [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const {
         return undamped_.momentum(t, q, v);
@@ -120,7 +122,7 @@ public:
     [[nodiscard]] auto mechanics() const {
         return damped_problem<std::remove_cvref_t<decltype(undamped_.mechanics())>, Reading>{undamped_.mechanics(), damping_};
     }
-    /// The same without damping: another system.
+    /// The flow without damping.
     [[nodiscard]] Flow const& undamped() const { return undamped_; }
     [[nodiscard]] auto const& embedding() const { return undamped_.embedding(); }
     [[nodiscard]] Reading const& damping() const { return damping_; }
@@ -131,7 +133,7 @@ private:
 };
 
 /// The flow of a Lagrangian with damping under an embedding, embed(damped, mid_point). Sums are compensated where the damping is a mean
-/// over each step and the type does not say that no order is above 1: near 2 positions that are rounded weigh like h^-2 in the force.
+/// over each step, unless by its type no order is above 1: near 2 the rounding of positions enters the force with h^-2.
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
     auto flow = embed(damped.mechanics, how, compensation);

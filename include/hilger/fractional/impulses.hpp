@@ -7,14 +7,13 @@
 // All have the positions of (20), once the first two are the same: each is a step of the flow without damping, before and after which the
 // momentum is changed. So they are explicit where that flow is, whatever the embedding. Against the continuous equation the first two have
 // order one, and the third has order two with mid-point and the weights of bdf<2>. With Riemann and Liouville's history and x_0 != 0 the
-// impulse of the jump at t_0 belongs to the start: at the end it is in no step, and with half of it at each end half of it. The order of
+// impulse of the jump at t_0 belongs to the start: damping at the end of steps loses it, and damping at both ends half of it. The order of
 // these two is then 1 - beta, and from beta = 1 on they solve their equations and tend to no solution of the continuous one.
 //
 // Being explicit they have a limit of stability. On the oscillator M q'' + K q = -rho D^beta q with mid-point it is
 //   rho h^{2 - beta} omega(-1)^beta / M < 4,   omega(-1) = 2 for Gruenwald-Letnikov and 4 for bdf<2>, beyond all limits for trapezoid:
-// beyond it the root z = -1 of both parts is passed, and positions alternate and grow. Other embeddings have a smaller one. Impulses that
-// alternate from step to step and have grown by the factor 2^16 since they began to are an error. The damping without a limit is
-// fractional/flow.hpp.
+// beyond it the root z = -1 of both parts is passed, and positions alternate and grow. Other embeddings have a smaller limit. Impulses that
+// alternate from step to step and have grown by the factor 2^16 meanwhile are an error. fractional/mean.hpp has no such limit.
 //   auto const flow = embed(with_fractional_impulses(L, rho, fraction<1, 2>{}), mid_point);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
 #pragma once
@@ -24,9 +23,10 @@
 
 namespace hilger {
 
-/// Which end of a step the impulse of a damping belongs to.
+/// The end of a step to which the impulse of a damping belongs.
 enum class damping_at { start, end, both };
 
+/// Options of with_fractional_impulses.
 struct impulse_options {
     damping_at at = damping_at::start;
     initial_history history = initial_history::caputo;
@@ -66,7 +66,7 @@ public:
             take(x.q);
             watch();
         }
-        if (at_ == damping_at::start) return; // the next step looks at what comes out
+        if (at_ == damping_at::start) return; // the next step checks the result
         damp(x.p);
         if (not all_finite(x.p)) error::raise<error::not_finite>("a fractional damping meets NaN or infinity");
     }
@@ -84,15 +84,15 @@ public:
     }
 
 private:
-    /// p less the impulse at the point that was arrived at last.
+    /// Subtracts the impulse at the current point from p.
     void damp(V& p) const { on_.add(p, S(-1), impulse_); }
     void take(V const& q) {
         now_ = on_.history().arrive(on_.of(q));
         S const length = at_ == damping_at::both ? S(h_ / S(2)) : h_;
         for (int k = 0; k < on_.count(); ++k) s::component(impulse_, k) = length * s::component(rho_, k) * s::component(now_, k);
     }
-    /// Beyond the limit of stability the root of the equation with the largest modulus is negative. A solution that the steps resolve does
-    /// not alternate, and one that they do not resolve may for long, but does not grow so much.
+    /// Beyond the limit of stability the root of the equation with the largest modulus is negative. A resolved solution does not alternate;
+    /// an unresolved one may for long, but does not grow so much.
     void watch() {
         for (int k = 0; k < on_.count(); ++k) {
             S const &x = s::component(before_, k), &y = s::component(now_, k);
@@ -130,10 +130,10 @@ struct impulses_at_points {
     }
 };
 
-/// The Lagrangian L with the damping -rho D^beta q, of this factor and order, as impulses at the points of T, as the restricted variational
-/// principle has them: explicit, of order one, and with a limit of stability, rho h^{2 - beta} omega(-1)^beta / M < 4 for mid-point. rho,
-/// beta and the policy are as for with_fractional_damping, which has no such limit. @throws error::invalid_parameter when beta or rho is
-/// out of range
+/// The Lagrangian L with the damping -rho D^beta q, of this factor and order, as impulses at the points of T, by the restricted variational
+/// principle: explicit, of order one, and with a limit of stability, rho h^{2 - beta} omega(-1)^beta / M < 4 for mid-point. rho, beta and
+/// the policy are as for with_fractional_damping, which has no such limit. @throws error::invalid_parameter when beta or rho is out of
+/// range
 template <generating_function G = grunwald_letnikov, class L, class Rho, class Order, class Policy = direct>
 auto with_fractional_impulses(L const& l, Rho factor, Order order, Policy policy = {}, impulse_options options = {}) {
     static_assert(not detail::is_damped<L>, "impulses of one damping: terms that are added up belong into with_fractional_damping");

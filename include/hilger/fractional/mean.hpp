@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Fractional damping as a mean over each step,
 //   F_{i+1/2} = - rho (theta D_{i+1} + (1 - theta) D_i),   D_i the difference of order beta at t_i,   theta = 1/2 + a,
-// where a h is how far before t_i the difference is at home: D_i = D^beta q(t_i - a h) + O(h^2), a = beta (1 - omega''(1)) / 2 for the
-// generating function omega; beta / 2 for Gruenwald-Letnikov, 0 for bdf<2> and trapezoid. So F is of order two in the middle of the step.
-// In D_{i+1} the newest weight times q_{i+1} is unknown: with it F is the force of step/force.hpp,
+// where the difference is centred a h before t_i: D_i = D^beta q(t_i - a h) + O(h^2), a = beta (1 - omega''(1)) / 2 for the generating
+// function omega; beta / 2 for Gruenwald-Letnikov, 0 for bdf<2> and trapezoid. So F is of order two in the middle of the step. In D_{i+1}
+// the newest weight times q_{i+1} is unknown: with it F is the force of step/force.hpp,
 //   p_i + h F_{i+1/2} / 2 = -d_1 L_h(q_i, q_{i+1}),   p_{i+1} = d_2 L_h(q_i, q_{i+1}) + h F_{i+1/2} / 2.
 // On M q'' + K q = -rho D^beta q the roots z of mid-point solve, with u = (1 - z) / (1 + z),
 //   4 M u^2 + h^2 K + rho h^{2 - beta} Phi(u) = 0,   Phi = (1 + beta u) (2u / (1 + u))^beta for Gruenwald-Letnikov,
@@ -64,7 +64,7 @@ public:
     }
     /// -dF/dq_{i+1}
     void add_slope(V& slope) const { on_.add(slope, S(theta_ * on_.history().present_weight()), rho_); }
-    /// F if the step ends where it begins, at q.
+    /// F for a step that ends where it begins, at q.
     void add_constant(V const& q, V& constant) {
         if (on_.count() == 0) return;
         kept const& ahead = on_.history().at_next(on_.of(q));
@@ -116,7 +116,7 @@ struct mean_over_step {
         history(mean_over_step const& of, S const& h, V const& like) {
             for (Damping const& d : of.dampings) means_.emplace_back(d, h, like);
         }
-        /// The force that the flow without damping gets, before its constant is known.
+        /// The force on the undamped flow, before its constant is known.
         [[nodiscard]] extra extra_force(V const& like) const {
             extra force{zero_like(like), zero_like(like)};
             for (auto const& m : means_) m.add_slope(force.slope);

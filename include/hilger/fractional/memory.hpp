@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// The fractional derivative of a trajectory that starts at t_0 with position x_0 and velocity v_0, at each of its points as they come:
+// The fractional derivative of a trajectory from position x_0 and velocity v_0 at t_0, at one point after the other:
 //   h^-beta omega(0)^beta sum_{n=0..k} w_n y_{k-n},   0 < beta < 2.
-// What y is, decides what the sum approximates, and for x_0 != 0 that is not the same:
+// The choice of y decides what the sum approximates where x_0 != 0:
 //   riemann_liouville   y = x. The curve is taken to be 0 before t_0, so that it jumps there: Jimenez, Ober-Bloebaum (15), (20) as printed.
 //   caputo              y = x - x_0 for beta < 1, y = x - x_0 - (t - t_0) v_0 for beta > 1: a constant is not damped, nor is, for beta > 1,
 //                       uniform motion. For beta = 1 the curve is continued before t_0 by its tangent: the derivative at t_0 is v_0.
 // Differences of order beta of positions would enlarge their rounding, and that of the weights, by h^-beta. So the sum is made of
 // increments: omega(z)^beta = omega(z)^m omega(z)^(beta - m), m the whole number next to beta; the m differences of order one need as many
-// values as omega has powers of z (Jimenez, Ober-Bloebaum (22)), and only the rest, of an order in ]-1/2, 1/2], a history. Components
-// without a coefficient have none, and whole orders neither.
+// values as omega has powers of z (Jimenez, Ober-Bloebaum (22)), and only the rest, of an order in ]-1/2, 1/2], needs a history. Components
+// without a coefficient and whole orders have none.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@
 
 namespace hilger {
 
-/// How a fractional derivative reads the time before the first point.
+/// The values before the first point in a fractional derivative.
 enum class initial_history { caputo, riemann_liouville };
 
 namespace detail {
@@ -51,7 +51,7 @@ constexpr void require_equal_steps() {
     static_assert(Scale::root_type::is_uniform and has_equal_steps<typename Scale::domain_type::base_type>,
                   "fractional damping lives on a uniform T, and this one has steps of different lengths");
 }
-/// What a single step returns, which has no history.
+/// The result of a refused single step, which has no history.
 template <class S>
 auto no_single_step() {
     return does_not_compile<"a step with fractional damping depends on all steps before it: walk along(T, q0, p0)", S>{};
@@ -77,8 +77,7 @@ auto checked_order(Order const& order) {
     }
 }
 
-/// How many whole orders of beta are taken as differences of increments: the nearest number, so that the weights of what is left have an
-/// order in ]-1/2, 1/2].
+/// The number m of whole orders in beta, taken as differences of increments: the nearest one, so that the rest is in ]-1/2, 1/2].
 template <class S>
 int whole_part(S const& beta) {
     return S(2) * beta <= S(1) ? 0 : S(2) * beta <= S(3) ? 1 : 2;
@@ -96,13 +95,13 @@ public:
         : beta_(order.template as<S>()), h_(h), initial_(initial), start_(zero_like(like)), last_(start_), step_(start_), drift_(start_),
           later_drift_(start_), increment_(start_), first_(start_), change_(start_), derivative_(start_) {
         require_order(beta_);
-        (void)weight_sequence<G, S>(beta_); // which says what is no generating function of a derivative
+        (void)weight_sequence<G, S>(beta_); // which checks the generating function
         scale_ = leading_weight<G>(beta_) / power(h, beta_);
         int const whole = whole_part(beta_);
         whole_.assign(static_cast<std::size_t>(whole), difference(like));
         if (S const rest = beta_ - S(whole); not(rest == S(0))) engine_.emplace(make_history<G>(policy, rest, like));
     }
-    /// Whether v_0 will be asked for.
+    /// Whether v_0 is needed.
     [[nodiscard]] bool needs_velocity() const { return initial_ == initial_history::caputo and not(beta_ < S(1)); }
     /// h^-beta omega(0)^beta, the weight of the present value.
     [[nodiscard]] S const& present_weight() const { return scale_; }
@@ -121,7 +120,7 @@ public:
         step_ = x - last_;
         return at_next(x, step_);
     }
-    /// The same where x is known to be `increment` further than the last value: better than rounded values say.
+    /// The same with the increment from the last value to x, which is more exact than their difference.
     V const& at_next(V const& x, V const& increment) {
         derivative_ = term_at_next(x, increment);
         if (engine_) derivative_ = derivative_ + engine_->past();
@@ -135,7 +134,7 @@ public:
     }
     V const& arrive(V const& x, V const& increment) {
         at_next(x, increment);
-        // Into the history at once: nothing waits for its sums until the next value is there, and the processor makes them meanwhile.
+        // Into the history at once: its sums are not needed before the next value, and the processor computes them meanwhile.
         if (engine_) engine_->push(value());
         if (whole_.size() > 1) {
             first_ = whole_[0].value();
@@ -161,7 +160,7 @@ public:
 
 private:
     V const& value() const { return whole_.empty() ? increment_ : whole_.back().value(); }
-    /// What the weights of the rest of the order meet: the value from the start, or its difference of the whole part of the order.
+    /// The argument of the rest of the order: the value less the start, or its difference of the whole part of the order.
     V const& term_at_next(V const& x, V const& increment) {
         if (whole_.empty()) {
             increment_ = x - start_;
@@ -174,7 +173,7 @@ private:
     }
     S beta_, h_, scale_{};
     initial_history initial_;
-    V start_, last_, step_, drift_, later_drift_; // drift_: what the start gives each increment
+    V start_, last_, step_, drift_, later_drift_; // drift_: the part of the start in each increment
     V increment_, first_, change_, derivative_;
     std::vector<difference> whole_;
     std::optional<engine> engine_; ///< of an order that is not whole

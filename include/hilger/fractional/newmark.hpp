@@ -2,11 +2,11 @@
 // Newmark's method for structures with memory (Galucio, Deue, Dubois (5), (9)), with gamma = 1/2, and beta = 1/4 for the average
 // acceleration. With the momentum p = M u' and the total force r = M u'' it reads
 //   M (u_{n+1} - u_n) = h p_n + h^2 ((1/2 - beta) r_n + beta r_{n+1}),   p_{n+1} = p_n + (h/2) (r_n + r_{n+1}),
-// r_n being the load f(t_n) less the internal force, in which fractional derivatives have the weights of any generating function.
-// The unknown of a step is the increment u_{n+1} - u_n, which is also what histories are given, and the sums of positions and momenta are
-// compensated: differences of positions, whose rounding grows like n^2, are nowhere formed.
-// A load that says when it jumps, by a member switching_times(a, b), is read so that the order stays two (fractional/switched_load.hpp).
-// u_0 and u'_0 need not be zero, and no start-up step is: with weights of order two the order is two for all alpha in ]0, 2[.
+// r_n being the load f(t_n) less the internal force, in which fractional derivatives have the weights of any generating function. The
+// unknown of a step is the increment u_{n+1} - u_n, which is also the argument of histories, and the sums of positions and momenta are
+// compensated: differences of positions, whose rounding grows like n^2, are nowhere formed. A load with jumps at its switching_times(a, b)
+// keeps the order two (fractional/switched_load.hpp). u_0 and u'_0 need not be zero, and no start-up step is needed: with weights of order
+// two the order is two for all alpha in ]0, 2[.
 //   auto const scheme = newmark<bdf<2>>(fractional_structure{M, C, K, tau, alpha}, load);            the G^alpha-Newmark scheme
 //   for (auto const& [t, u, p] : scheme.along(uniform(0.0, h, N), initial_velocity{u0, v0})) ...
 #pragma once
@@ -18,14 +18,15 @@
 
 namespace hilger {
 
-/// Newmark's beta. All have order two with a generating function of order two; what differs is the error of an undamped frequency w,
-/// w - computed = (beta - 1/12) w^3 h^2 / 2 + ..., and that for beta < 1/4 steps have an upper limit: the motion grows where an eigenvalue
-/// of (1 - 4 beta) h^2 M^-1 (C tau^alpha h^-alpha omega(-1)^alpha + K) is above 4.
+/// Newmark's beta. All have order two with a generating function of order two; they differ in the error of an undamped frequency w, w -
+/// computed = (beta - 1/12) w^3 h^2 / 2 + ..., and for beta < 1/4 steps have an upper limit: the motion grows where an eigenvalue of (1 - 4
+/// beta) h^2 M^-1 (C tau^alpha h^-alpha omega(-1)^alpha + K) is above 4.
 inline constexpr fraction<1, 4> average_acceleration{};
 inline constexpr fraction<1, 6> linear_acceleration{};
 inline constexpr fraction<1, 12> fox_goodwin{};
 inline constexpr fraction<0> central_difference{};
 
+/// Newmark's method for a structure under a load; see newmark(). Exists on uniform T only.
 template <generating_function G, class Structure, class Load, class Beta, class Policy>
 class newmark_flow : public stepping<newmark_flow<G, Structure, Load, Beta, Policy>> {
     using B = decltype(Structure::mass);
@@ -44,13 +45,13 @@ public:
         using s = detail::shape<V>;
 
     public:
-        /// @throws error::singular when M + beta h^2 (K + what memory adds to it) is
+        /// @throws error::singular when M + beta h^2 (K + the part of the history) is
         memory(newmark_flow const& f, S const& h, V const& like)
             : h_(h), load_(h), response_(f.structure_, f.policy_, h, like), A_(matrix_of_a_step(f), "the matrix of a Newmark step"),
               r_(zero_like(like)), d_(r_), u_(r_), by_(r_), zero_(r_), sum_q_(s::dimension(like)), sum_p_(s::dimension(like)) {}
 
-        /// One step h further. @throws error::mismatch when h is not the length that the history has or the load has another dimension,
-        /// error::not_finite; x is then as it was.
+        /// Advances x by one step h. @throws error::mismatch when h is not the step of the history or the load has another dimension,
+        /// error::not_finite; x is unchanged then.
         void advance(newmark_flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
             move(f, x);
@@ -82,7 +83,7 @@ public:
         void move(newmark_flow const& f, state<S, V>& x) {
             S const beta = Beta::template as<S>();
             S const t = x.t + h_, hh = h_ * h_, half_h = h_ / S(2);
-            force(f, t, x.q, zero_, false); // what the force would be if u stayed
+            force(f, t, x.q, zero_, false); // the force if u stayed
             d_ = x.p * h_ + r_ * S(hh * (S(1) / S(2) - beta)) + d_ * S(hh * beta);
             A_.solve(d_, by_);
             u_ = x.q;
@@ -98,7 +99,7 @@ public:
             r_ = d_;
             x.t = t;
         }
-        /// d_ = f(t) - internal force at the next point of the history, which takes u or not.
+        /// d_ = f(t) - internal force at the next point; `taken`: the history takes u.
         void force(newmark_flow const& f, S const& t, V const& u, V const& increment, bool taken) {
             load_.read(f.load_, t, not begun_, d_);
             if (s::dimension(d_) != s::dimension(u))
@@ -123,7 +124,7 @@ public:
     };
 
     /// Only on scales with equal steps: differences of fractional order are defined there. p0 = M u'(0).
-    /// @throws error::mismatch when q0 has another dimension than M, error::not_finite; while walking, a step_failure.
+    /// @throws error::mismatch when q0 has another dimension than M, error::not_finite; during iteration, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
         detail::require_equal_steps<Scale>();
@@ -138,7 +139,7 @@ public:
     [[nodiscard]] V momentum(S const&, V const&, V const& v) const {
         return V(structure_.mass * v);
     }
-    /// One step has no history.
+    /// Refused: one step has no history.
     template <class S, class V>
     auto step(state<S, V> const&, S const&) const {
         return detail::no_single_step<S>();
@@ -161,7 +162,7 @@ private:
 
 /// The Newmark scheme of a structure under the load f(t), a vector of its dimension (a number for one degree of freedom), with the weights
 /// of G: bdf<2> is the G^alpha-scheme, grunwald_letnikov of order one.
-/// @throws error::mismatch, error::not_finite, error::invalid_parameter, error::singular, by what the structure is made of
+/// @throws error::mismatch, error::not_finite, error::invalid_parameter, error::singular as the structure's members require
 template <generating_function G, class Structure, class Load, class Beta = fraction<1, 4>, class Policy = direct>
 auto newmark(Structure const& structure, Load load, Beta = {}, Policy policy = {}) {
     return newmark_flow<G, Structure, Load, Beta, Policy>(structure, std::move(load), std::move(policy));

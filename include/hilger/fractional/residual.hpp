@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a trajectory with fractional damping leaves of its equation. At the inner points of T it is that of the flow without damping, plus
+// The residual of a trajectory with fractional damping. At the inner points of T it is that of the undamped flow, plus
 //   (F_{i-1/2} + F_{i+1/2}) / 2,  F = -rho (theta D_{i+1} + (1 - theta) D_i)      read as a mean over each step,
 //   -rho D_i                                                                      as impulses at the points, at any end of the steps,
-// D_i = h^-beta omega(0)^beta sum_n w_n y_{i-n} being made here as it is written, from all positions and all weights: nothing of the
-// engines and of the step is used.
+// D_i = h^-beta omega(0)^beta sum_n w_n y_{i-n} being summed here by definition, from all positions and all weights, independently of the
+// engines and the step.
 #pragma once
 
 #include "hilger/fractional/flow.hpp"
@@ -13,7 +13,7 @@ namespace hilger {
 
 namespace detail {
 
-/// D_0, ..., D_N of one damping. Caputo's derivative is that of q less its start, and its tangent for beta >= 1, which itself has the
+/// D_0, ..., D_N of one damping. Caputo's derivative is that of q less its start and, for beta >= 1, its tangent, which itself has the
 /// derivative v0 for beta = 1. Or the sums of the sizes of their terms.
 template <class Damping, class S, class V>
 std::vector<V> differences_along(Damping const& d, S const& h, std::vector<V> const& q, V const& v0, bool only_sizes) {
@@ -79,7 +79,7 @@ typename Scale::root_type::scalar_type judged(Judge const&,
                   "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
                   "points of T alone that this could be judged by");
 }
-/// As along a path without damping; N steps cost N^2 products.
+/// As without damping; N steps cost N^2 products.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
     requires(controls_of<embedding<A, B, W>> == 2)
 auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Linear structures whose damping is a fractional derivative (Galucio, Deue, Dubois (3), (5), (6)):
 //   M u'' + C tau^alpha D^alpha u + K u = f(t),   0 < alpha < 2,   D^alpha Caputo's derivative.
-// What a time integrator asks of a structure is its mass and its internal force at the next point as a function of the displacement there,
-// which is affine: structure::response. Other materials are other structures (hilger/fractional/zener.hpp).
+// A time integrator needs of a structure its mass and its internal force at the next point, an affine function of the displacement there:
+// structure::response. Other materials are other structures (hilger/fractional/zener.hpp).
 #pragma once
 
 #include <Eigen/LU>
@@ -126,7 +126,7 @@ struct fractional_structure {
                     k.col(damped_[j]) += C_.col(static_cast<index_type>(j)) * history_.present_weight();
             return k;
         }
-        /// d less the internal force at the next point if the displacement there is u, `increment` further; `taken` says that it is.
+        /// Subtracts from d the internal force at the next point for the displacement u, `increment` further; `taken`: the history takes u.
         void resist(fractional_structure const& on, V& d, V const& u, V const& increment, bool taken) {
             m::add_product(d, on.stiffness, u, S(-1));
             if (damped_.empty()) return;

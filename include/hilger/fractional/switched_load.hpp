@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// The load of a structure at a point of T where it jumps in a step beside it: the mean of f over both steps with the weight of a hat, which
-// has the impulse of the jump and its place, and so Newmark's scheme its order two. At a jump on the point that is the mean of both sides.
-// Of the parts that do not jump it is f at the point. Where f jumps it says by a member switching_times(a, b), as formulas in text have it.
+// The load of a structure at a point of T where it jumps in a step beside it: the mean of f over both steps weighted with a hat function,
+// which keeps the impulse and the place of the jump, and so the order two of Newmark's scheme. At a jump on the point it is the mean of
+// both sides. For the continuous part of f it is f at the point. The jumps of f are its switching_times(a, b), as formulas in text have
+// them.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ public:
             for (auto at = std::upper_bound(times_.begin(), times_.end(), S(t - h_)); at != times_.end() and *at < S(t + h_); ++at) {
                 V const before = f(S(*at - unit)), behind = f(S(*at + unit)), jump = behind - before;
                 bool const is_here = magnitude(S(*at - t)) <= unit;
-                if (is_here) load = load + (before - V(f(t))); // which is that of one side or the other
+                if (is_here) load = load + (before - V(f(t))); // of one side or the other
                 S const away = is_here ? S(0) : S((*at - t) / h_), rest = S(1) - magnitude(away), half = rest * rest / S(2);
                 S const share = not is_first ? (away < S(0) ? S(-half) : half) : away < S(0) ? S(0) : S(S(2) * half);
                 load = load + jump * share;

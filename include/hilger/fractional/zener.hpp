@@ -6,13 +6,13 @@
 // and so has the structure, K being its stiffness for E_o: M q'' + (E_inf / E_o) K (q - q_a) = f(t). The differences at t_{n+1} give q_a
 // there from q and the values before, so that the step's matrix is that of (9), (10), with
 //   c_a = omega(0)^alpha tau^alpha / (h^alpha + omega(0)^alpha tau^alpha);
-// (10) leaves out omega(0)^alpha, (3/2)^alpha for G^alpha: as printed, the relaxation time of what is solved is 2 tau / 3.
-// The material is unstrained before t_0: q_a(t_0) = 0, whatever q(t_0) is. Its q then jumps at t_0, and q_a begins like (t - t_0)^alpha.
-// The order is two all the same. With z = e^{-sh} the weights of order two and Newmark's sums (1 + z) / (2 (1 - z)) are what they stand for
-// but for a factor 1 + O((sh)^2), s^alpha and 1/(sh); so are the transforms of the sequences t_n and, halved at t_0, 1 of a motion and a
-// load. The error at a fixed t is an integral of e^{st} times that over a contour with s of the size of 1/t, however rough the beginning
-// is. But q_a = 0 at t_0 leaves of the jump the sequence 0, 1, 1, ..., and z / (1 - z) = 1/(sh) - 1/2 + O(sh) is of order one. Hence half
-// of the jump more at t_1 (Lubich's correction of the first weights): z / (1 - z) + z / 2 = 1/(sh) + O(sh).
+// (10) omits omega(0)^alpha, (3/2)^alpha for G^alpha: as printed, its relaxation time is 2 tau / 3. The material is unstrained before t_0:
+// q_a(t_0) = 0, whatever q(t_0) is. Its q then jumps at t_0, and q_a begins like (t - t_0)^alpha. The order is two all the same. With z =
+// e^{-sh} the weights of order two and Newmark's sums (1 + z) / (2 (1 - z)) equal s^alpha and 1/(sh) up to a factor 1 + O((sh)^2); so are
+// the transforms of the sequences t_n and, halved at t_0, 1 of a motion and a load. The error at a fixed t is an integral of e^{st} times
+// that over a contour with s of the size of 1/t, however rough the beginning is. But q_a = 0 at t_0 leaves of the jump the sequence 0, 1,
+// 1, ..., and z / (1 - z) = 1/(sh) - 1/2 + O(sh) is of order one. Hence half of the jump more at t_1 (Lubich's correction of the first
+// weights): z / (1 - z) + z / 2 = 1/(sh) + O(sh).
 #pragma once
 
 #include "hilger/fractional/structure.hpp"
@@ -64,7 +64,7 @@ struct zener_structure {
                 first_ = not taken;
                 return;
             }
-            // What eps_a grows by, times 1 + tau^alpha h^-alpha omega(0)^alpha, is
+            // The increment of eps_a, times 1 + tau^alpha h^-alpha omega(0)^alpha, is
             //   (E_inf - E_o) / E_inf eps - eps_a - tau^alpha (the derivative if eps_a stayed).
             next_ = (u + jump_) * S((ratio_ - S(1)) / ratio_) - anelastic_ - history_.at_next(anelastic_) * tau_;
             next_ = anelastic_ + next_ * S(S(1) / present_);

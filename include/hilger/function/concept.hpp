@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// A discrete function f in C(T~, R^d) is anything with a domain (which family of points, in the type), a root (the scale T the
-// family comes from) and a value at each point. The same operators act on functions that have values and on symbols that do
-// not; a symbolic function has a domain and no root.
+// A discrete function f in C(T~, R^d) is anything with a domain (its family of points, in the type), a root (the scale T of that family)
+// and a value at each point. The same operators act on functions that have values and on symbols that do not; a symbolic function has a
+// domain and no root.
 #pragma once
 
 #include "hilger/scale/derived.hpp"
 
 namespace hilger {
 
-/// What marks a type as a discrete function is the nested name. Expressions declare it themselves and do not derive from the tag:
-/// two subobjects of one empty class may not share an address, and Delta_o_plus[extend[q]] should be as small as q.
+/// The nested name marks a type as a discrete function. Expressions declare it themselves and do not derive from the tag: two subobjects of
+/// one empty class may not share an address, and Delta_o_plus[extend[q]] should be as small as q.
 struct discrete_function_tag {
     using function_type = void;
 };
@@ -46,8 +46,7 @@ template <class V>
 inline constexpr int fixed_size<V> = V::SizeAtCompileTime;
 } // namespace detail
 
-/// The value zero in the shape of f's values. @throws error::outside_domain when f has no value and its type does not say how
-/// long its vectors are.
+/// The value zero in the shape of f's values. @throws error::outside_domain when f has no value and vectors of dynamic size.
 template <class F>
 constexpr value_of<F> zero_of(F const& f) {
     using value = value_of<F>;
@@ -93,6 +92,7 @@ public:
     }
     /// The scale the function lives on, as a view.
     [[nodiscard]] constexpr auto scale() const { return derived_scale(self().root(), self().domain()); }
+    /// f[i], unchecked.
     [[nodiscard]] constexpr auto element(index_type i) const { return plain_t<decltype(self().get(i))>(self().get(i)); }
     [[nodiscard]] constexpr index_type first() const { return self().domain().first(self().root()); }
     [[nodiscard]] constexpr index_type last() const { return self().domain().last(self().root()); }

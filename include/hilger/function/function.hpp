@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Discrete functions that a user makes: from a formula f(t), kept as the formula, or from a table with one value per point.
-// Tables are shared and never change, so expressions own what they are built from and copying one costs a pointer.
+// Discrete functions that a user makes: from a formula f(t), kept as the formula, or from a table with one value per point. Tables are
+// shared and never change, so expressions own their operands, and copying one costs a pointer.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace hilger {
 
-/// Can be called with the points of the scale.
+/// A callable that takes the points of the scale.
 template <class Formula, class Scale>
 concept formula_on = std::invocable<Formula const&, typename Scale::root_type::scalar_type>;
 
-/// f(t) computed when asked.
+/// f(t), evaluated at each access.
 template <class Formula>
 struct by_formula {
     [[no_unique_address]] Formula formula;
@@ -50,6 +50,7 @@ struct no_formula {
 };
 } // namespace detail
 
+/// A function on a scale by a formula or a table: function_on(T, [](auto const& t) { return ...; }), function_on(T, values).
 template <class Root, class Domain, class Rule>
 class function_on : public function_interface<function_on<Root, Domain, Rule>> {
 public:
@@ -120,7 +121,7 @@ template <time_scale_like Scale, class Value>
 function_on(Scale const&, std::vector<Value>) -> function_on<typename Scale::root_type, typename Scale::domain_type,
                                                              by_table<value_on<Value, typename Scale::root_type::scalar_type>>>;
 
-/// The same function with its values computed once and kept.
+/// f as a table: its values, computed once.
 template <discrete_function F>
 auto tabulate(F const& f) {
     using R = typename F::root_type;

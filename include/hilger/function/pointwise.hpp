@@ -46,7 +46,7 @@ constexpr auto live_on_two_kinds() {
     return does_not_compile<What::name() + " needs both functions on one scale, and one lives on " + Root::kind() + ", the other on " +
                             Other::kind() + " of another type">{};
 }
-/// The error for operands that do not meet, as one sentence.
+/// The error for operands on two scales, as one sentence.
 template <class What, class F, class G>
 constexpr auto apart() {
     if constexpr (not std::same_as<base_of<F>, base_of<G>>)
@@ -55,7 +55,7 @@ constexpr auto apart() {
         return live_on_two_kinds<What, typename F::root_type, typename G::root_type>();
 }
 
-/// Of the types of scales and not of functions, of which there are many more.
+/// A template in the types of scales: those of functions are many more. @throws error::mismatch
 template <class Root, class D, class E>
 constexpr void require_same_points(Root const& root, D const& domain, Root const& other_root, E const& other) {
     if (not(domain.base == other.base) or not root.same_points(other_root))
@@ -79,8 +79,8 @@ template <std::size_t I, class F>
 struct operand {
     [[no_unique_address]] F value;
 };
-/// A map and its operands, each of them in a base class with its number. std::tuple asks of each how it may be converted, assigned and
-/// compared, and of expressions of expressions that is most of what they cost to compile.
+/// A map and its operands, each of them in a base class with its number. std::tuple checks how each may be converted, assigned and
+/// compared, which is most of the compile time of nested expressions.
 template <class Indices, class Map, class F, class... Gs>
 struct map_of_operands;
 template <std::size_t... I, class Map, class F, class... Gs>
@@ -139,7 +139,7 @@ struct apply_to_values {
 };
 } // namespace detail
 
-/// map applied to the values of functions on one scale: apply([](auto x) { return x * x; }, f).
+/// map applied to the values of functions on one scale: apply_pointwise([](auto x) { return x * x; }, f). @throws error::mismatch
 inline constexpr detail::apply_to_values apply_pointwise{};
 
 namespace detail {
@@ -152,6 +152,7 @@ constexpr auto combined(F f, G g) {
 }
 } // namespace detail
 
+/// f + g, f - g, f g, f / g and -f at the common points. @throws error::mismatch when f and g live on different scales
 template <discrete_function F, discrete_function G>
 constexpr auto operator+(F f, G g) {
     return detail::combined<std::plus<>, detail::a_sum>(std::move(f), std::move(g));
@@ -197,6 +198,7 @@ concept factor = not function_expression<C> and not requires {
     typename C::operator_type;
 };
 
+/// c f, f c and f / c for a constant c.
 template <factor C, discrete_function F>
 constexpr auto operator*(C const& c, F f) {
     return apply_pointwise([k = as_factor<C, typename F::root_type::scalar_type>(c)](auto const& x) { return k * x; }, std::move(f));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The exact history in O(N log^2 N), for any number of values (Hairer, Lubich, Schlichte 1985): whenever 2^k divides the count m of values,
-// and 2^{k+1} does not, the last 2^k of them meet w_1, ..., w_{2^{k+1} - 1} in one convolution, which is their whole share in the next 2^k
-// sums. Every pair of a value and a later sum meets once: the highest bit in which their numbers differ says where.
+// and 2^{k+1} does not, the last 2^k of them are convolved with w_1, ..., w_{2^{k+1} - 1}, which is their whole contribution to the next
+// 2^k sums. Every pair of a value and a later sum occurs once, at the highest bit in which their numbers differ.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace hilger {
 
-/// The sum over everything in blocks; exact scalars are summed directly. The error is some epsilon of the norms of weights and values, not
-/// of the sum itself: where that is much smaller than the largest before it, as in the tail after an impulse, fewer of its digits are right
-/// than of the direct sum.
+/// The policy that sums over all values in blocks; exact scalars are summed directly. The error is some epsilon of the norms of weights and
+/// values, not of the sum: one much smaller than the largest before it, as in the tail after an impulse, has fewer correct digits than the
+/// direct sum.
 struct blocks {};
 
 template <class G, class V>
@@ -29,8 +29,8 @@ public:
         for (std::size_t n = 1; n < shortest; ++n) reversed_[shortest - n] = weights_[n];
     }
 
-    /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha. Made when it is asked for first, so that the last
-    /// value of a run costs nothing.
+    /// sum_{n>=1} w_n x_{m-n} after m values; without the leading weight and h^-alpha. Computed at the first call, so that the last value
+    /// of a run costs nothing.
     V const& past() {
         if (not ready_) make_past();
         return past_;
@@ -38,7 +38,7 @@ public:
     /// @throws error::mismatch, error::not_finite
     void push(V const& x) {
         detail::memory::check_value(x, size_, count_);
-        if (not ready_) make_past(); // a block whose sum nobody asked for has its share in later ones
+        if (not ready_) make_past(); // a block contributes to later sums even when its own was not asked for
         auto const m = static_cast<std::size_t>(count_);
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             auto& values = parts_[c].values;
@@ -71,12 +71,12 @@ public:
     }
 
 private:
-    /// Sums within this many values are made directly.
+    /// Within this many values sums are direct.
     static constexpr std::size_t shortest = 32;
     static_assert(shortest % detail::memory::padding<S> == 0);
 
     struct part {                                     // of one component
-        detail::memory::line_vector<S> values, ahead; ///< x_m, and what finished blocks have in the sum m
+        detail::memory::line_vector<S> values, ahead; ///< x_m, and the contribution of finished blocks to the sum m
     };
 
     void make_past() {
@@ -101,8 +101,7 @@ private:
             weights_up_to(2 * length);
             S const scale = S(1) / S(static_cast<double>(length)); // a power of two
             for (std::size_t n = 0; n < length; ++n) {
-                // w_0 has no part in what is asked for, and beside it the others may be as small as the order: what it rounds would be
-                // seen.
+                // w_0 has no part in the sums, and its rounding would show: the others may be as small as the order beside it.
                 weights.re.push_back(n == 0 ? S(0) : S(weights_[n] * scale));
                 weights.im.push_back(weights_[n + length] * scale);
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A history keeps the components of its values, scalars or Eigen vectors (shape.hpp), in arrays of scalars. Here is what it refuses, and
-// how checkpoints visit it.
+// A history keeps the components of its values, scalars or Eigen vectors (shape.hpp), in arrays of scalars. This file checks its values,
+// and visits them for checkpoints.
 #pragma once
 
 #include <vector>
@@ -27,8 +27,8 @@ template <class V, class Visit>
 void visit_components(char const* label, V& x, Visit& each) {
     for (int c = 0; c < shape<V>::dimension(x); ++c) each(label, shape<V>::component(x, c));
 }
-/// The same of an engine that its values make: their number and each of them, value_of(n, c) for those there are. Where other values come
-/// back, the engine takes them one by one as it has taken its own, so that every bit of it is the same.
+/// The same for an engine that its values determine: their number and each of them, value_of(n, c). Where other values come back, they are
+/// pushed one by one, so that the engine is restored bit for bit.
 template <class Engine, class V, class ValueOf, class Visit>
 void visit_values(Engine& engine, V const& like, ValueOf const& value_of, Visit& each) {
     using s = shape<V>;
@@ -53,7 +53,7 @@ void visit_values(Engine& engine, V const& like, ValueOf const& value_of, Visit&
     for (V const& x : values) engine.push(x);
 }
 
-/// What make_history returns for an order and values that differ in their scalar.
+/// Whether an order and the values of a history have one scalar; make_history refuses others.
 template <class S, class V>
 inline constexpr bool same_scalar = std::is_same_v<S, scalar_of<plain_t<V>>>;
 template <class S, class V>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Convolutions (w * x)_k = sum_{n=0..k} w_n x_{k-n} of whole sequences: what a fractional difference is. By Fourier transforms long enough
-// that nothing wraps around, so that every point is right and not only the last, in O(N log N) and with an error of some epsilon of
-// sum |w_n| max |x|; by the sum as it is written for few values and for exact scalars, which have no roots of unity.
+// Convolutions (w * x)_k = sum_{n=0..k} w_n x_{k-n} of whole sequences, as fractional differences are. By Fourier transforms long enough
+// that nothing wraps around, so that every point is right, in O(N log N) and with an error of some epsilon of sum |w_n| max |x|; by the sum
+// itself for few values and for exact scalars, which have no roots of unity.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace hilger {
 
 /// Convolution with one kernel, many times: x -> the first n values of kernel * x for n = kernel.size() values x. As a matrix: lower
-/// triangular Toeplitz. The kernel's transform is kept, which leaves two transforms for each use. A const one may be used by several
-/// threads.
+/// triangular Toeplitz. The kernel's transform is kept, so that each use takes two transforms. A const object may be shared by threads.
 template <class S>
 class toeplitz_triangle {
 public:
+    /// The triangle with first column `kernel`.
     explicit toeplitz_triangle(std::vector<S> kernel) : kernel_(std::move(kernel)), length_(std::bit_ceil(kernel_.size())) {
         if constexpr (has_transform)
             if (by_transform()) { // polynomials of half their length are multiplied modulo z^{2 length} + 1
@@ -32,7 +32,7 @@ public:
     }
     [[nodiscard]] std::vector<S> const& kernel() const { return kernel_; }
 
-    /// L x. @throws error::mismatch when x has not as many values as the kernel.
+    /// L x, of the kernel's length. @throws error::mismatch when x has another.
     [[nodiscard]] std::vector<S> operator()(std::vector<S> const& x) const {
         if (x.size() != kernel_.size())
             error::raise<error::mismatch>("a triangle of ", kernel_.size(), " rows was given ", x.size(), " values");

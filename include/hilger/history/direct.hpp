@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The history of a fractional difference, s_m = sum_{n=1..m} w_n x_{m-n}, as it is written: all values and all weights are kept, and
-// every sum is made anew. Exact in exact scalars; m products at value m, so that N values cost N^2 / 2.
+// The history of a fractional difference, s_m = sum_{n=1..m} w_n x_{m-n}, by definition: all values and all weights are kept, and every sum
+// is computed anew. Exact in exact scalars; m products at value m, so that N values cost N^2 / 2.
 #pragma once
 
 #include "hilger/history/component.hpp"
@@ -9,7 +9,7 @@
 
 namespace hilger {
 
-/// The sum over everything.
+/// The policy that sums over all values directly.
 struct direct {};
 
 template <class G, class V>
@@ -34,7 +34,7 @@ public:
         for (int c = 0; c < size_; ++c) {
             auto& values = values_[static_cast<std::size_t>(c)];
             values[m - 1] = s::component(x, c);
-            // The table beyond the last value is zero, and so is the one before the last weight: whole packs may be summed.
+            // Both tables are zero beyond their entries, so that whole packs may be summed.
             s::component(past_, c) = sums_.product_sum(values.data(), reversed_.data() + reversed_.size() - m, m);
         }
         ++count_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The history of a fractional difference at a cost that does not grow: the first weights directly, all others as a sum of exponentials
-// (see modes.hpp), each of which is one number that is multiplied and added to at every step. Nothing of the past is kept.
+// The history of a fractional difference at constant cost a step: the first weights directly, all others as a sum of exponentials
+// (modes.hpp), each of which is one recurrence of order one. No past values are kept.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace hilger {
 
-/// For every n up to `steps`, |w_n - (what is used in its place)| <= tolerance |w_n|; without a tolerance 64 epsilon (1024 of a wide
+/// For every n up to `steps` the weight used differs from w_n by at most tolerance |w_n|; without a tolerance 64 epsilon (1024 of a wide
 /// scalar). This is checked when the history is made.
 struct exponentials {
     double tolerance = 0;
@@ -26,12 +26,11 @@ class exponential_weights {
     using W = modes_scalar<S>;
 
 public:
-    /// The smallest tolerance, in epsilon: what nodes and weights are rounded to, and the check of wide scalars, which have no
-    /// double-double.
+    /// The smallest tolerance, in epsilon: the rounding of nodes and weights, and the check of wide scalars, which have no double-double.
     static constexpr int least = std::is_floating_point_v<W> ? 32 : 512;
     std::vector<S> first;             ///< w_1, ..., w_T
     line_vector<S> rate, coefficient; ///< w_n = sum_j coefficient_j (1 - rate_j)^{n-T-1} for n > T
-    std::size_t brief = 0;            ///< so many of them, the first, forget before rounding in their sums is seen
+    std::size_t brief = 0;            ///< the number of them, the first ones, that decay before rounding in their sums shows
 
     exponential_weights(S const& alpha, exponentials const& policy) {
         using std::floor;
@@ -55,7 +54,7 @@ public:
         index_type const last = std::max(policy.steps, taps + 1);
         cut_integral<G, W> const integral(W(alpha), taps + 1, last, tolerance);
         auto const rule = integral.rule();
-        // A state is a sum of 1/rate terms, and rounding in it grows like a random walk: 3/2 epsilon sqrt(1/rate) at most.
+        // A state is a sum of 1/rate terms, whose rounding grows like a random walk: 3/2 epsilon sqrt(1/rate) at most.
         W const terms = tolerance / (W(3) / W(2) * W(epsilon<S>())), least_rate = W(1) / (terms * terms);
         std::vector<std::pair<S, S>> modes, slow;
         for (std::size_t j = 0; j < rule.node.size(); ++j) {
@@ -182,7 +181,7 @@ private:
     detail::memory::recent_values<S> recent_;
     std::size_t brief_;
     detail::memory::line_vector<S> rate_, coefficient_;
-    detail::memory::line_vector<S> state_; // of each component, then what the slow ones' sums rounded away
+    detail::memory::line_vector<S> state_; // of each component, then the rounding errors of the slow ones' sums
     std::vector<S> ahead_;
     V past_;
     detail::memory::sums<S> sums_;

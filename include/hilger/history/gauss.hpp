@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Few nodes for many: the Gauss quadrature of a positive discrete measure, whose Jacobi matrix Lanczos' recurrence makes (Golub, Welsch
-// 1969; Gautschi, Orthogonal Polynomials, 2.2.3 and 3.1.1).
+// The Gauss quadrature of a positive discrete measure, by the Jacobi matrix of Lanczos' recurrence (Golub, Welsch 1969; Gautschi,
+// Orthogonal Polynomials, 2.2.3 and 3.1.1).
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ quadrature<S> gauss(quadrature<S> const& measure, std::size_t count) {
     if (measure.node.size() <= count) return measure;
     auto const n = static_cast<Eigen::Index>(measure.node.size()), few = static_cast<Eigen::Index>(count);
     Eigen::Map<vector const> const node(measure.node.data(), n), weight(measure.weight.data(), n);
-    S const mass = weight.sum(), scale = node.maxCoeff(); // Eigen takes small numbers beside 1 for zero
+    S const mass = weight.sum(), scale = node.maxCoeff(); // Eigen treats numbers that are small beside 1 as zero
     matrix basis(n, few);
     vector diagonal(few), beside(few - 1);
     basis.col(0) = (weight / mass).cwiseSqrt();

@@ -3,9 +3,9 @@
 // [1, inf[ of (1 - z)^alpha; with z = e^s,
 //   w_n = -(sin(pi alpha)/pi) Int_0^inf e^{-ns} ((e^s - 1) q(e^s))^alpha ds + O(rho^n),   n > alpha > -1,
 // rho the largest modulus of the reciprocal zeros of q (the parasitic roots of a BDF): the zeros add cuts of their own. For
-// Gruenwald-Letnikov q = 1, rho = 0 and the integral is a Beta function; for G^alpha the cut ends at z = 3. The trapezoidal rule in
-// u = ln s converges like exp(-pi^2/step), the singularities of e^{-n e^u} being pi/2 away; what lies far below 1/n for the largest n
-// is replaced by few Gauss nodes. Cut weights have one sign, so that a sum of modes is as accurate as its terms.
+// Gruenwald-Letnikov q = 1, rho = 0 and the integral is a Beta function; for G^alpha the cut ends at z = 3. The trapezoidal rule in u = ln
+// s converges like exp(-pi^2/step), the singularities of e^{-n e^u} being pi/2 away; the nodes far below 1/n for the largest n are replaced
+// by few Gauss nodes. Cut weights have one sign, so that a sum of modes is as accurate as its terms.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,7 @@ template <int K>
 struct parasitic_root<bdf<K>> {
     static constexpr double modulus = std::array{0.0, 0.0, 0.3334, 0.4265, 0.5609, 0.7088, 0.8634}[K]; // rounded up
 };
+/// A generating function whose weights have a sum of exponentials here.
 template <class G>
 concept strongly_damped = generating_function<G> and requires {
     parasitic_root<G>::modulus;
@@ -35,7 +36,7 @@ concept strongly_damped = generating_function<G> and requires {
 
 namespace detail::memory {
 
-/// Where modes are computed: float in double; the others in themselves, with nodes by double-double products.
+/// The scalar in which modes are computed: double for float; S itself for others, with nodes by double-double products.
 template <class S>
 struct modes_in {
     using type = std::conditional_t<std::is_same_v<S, float>, double, S>;
@@ -77,7 +78,7 @@ public:
         W const lowest = exp(-(digits_ + W(2)) / (W(1) + alpha_)) / W(static_cast<double>(last_));
         W const positive = alpha_ < W(0) ? W(0) : alpha_, lead = W(static_cast<double>(first_)) - positive;
         W highest = (digits_ + W(3) + positive * log(digits_)) / lead;
-        // Up to a parasitic root q has no zero, and beyond it the weights from `first` on see nothing.
+        // q has no zero up to a parasitic root; beyond it there is no contribution to the weights from `first` on.
         if (parasitic_root<G>::modulus > 0) highest = std::min(highest, W(W(99) / W(100) * -log(W(parasitic_root<G>::modulus))));
         quadrature<W> rule;
         wide s(static_cast<int>(1));
@@ -112,7 +113,7 @@ public:
     W const& factor() const { return factor_; }
 
 private:
-    static constexpr int reach = 8; // where one more node by Gauss does as much as one of the trapezoidal rule
+    static constexpr int reach = 8; // where one more Gauss node gains as much as one of the trapezoidal rule
     static W pi() {
         using std::atan;
         return W(4) * atan(W(1));

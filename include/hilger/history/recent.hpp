@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The last values of a history and what they contribute: sum_{n=1..length} w_n x_{m-n}.
+// The last values of a history and their contribution sum_{n=1..length} w_n x_{m-n}.
 #pragma once
 
 #include "hilger/history/component.hpp"
@@ -7,10 +7,10 @@
 
 namespace hilger::detail::memory {
 
-/// What a new value adds to the next sum is one product; all else was added up when the value before it came. A scheme that waits for the
-/// sum waits for that product only, and the processor goes on with the rest while the next value is computed. Each value is kept twice,
-/// `length` apart, so that the last ones are contiguous wherever the newest is. The newest few are read one by one: a pack with a number in
-/// it that has just been written would have to wait until it has reached the cache.
+/// A new value adds one product to the next sum; all else was summed when the value before it came. So a scheme waits for that product
+/// only, and the processor sums the rest while the next value is computed. Each value is stored twice, `length` apart, so that the last
+/// ones are contiguous wherever the newest is. The newest few are read one by one: a pack with a number just written would wait for the
+/// cache.
 template <class S>
 class recent_values {
 public:
@@ -24,7 +24,7 @@ public:
     }
     /// w_1
     S const& first() const { return first_; }
-    /// How many weights there is room for, where so many are asked for.
+    /// The number of weights that are stored, whole packs behind the first few, where `weights` are asked for.
     static index_type room(index_type weights) {
         index_type const near = static_cast<index_type>(one_by_one) + 1;
         return near + (weights <= near ? 0 : static_cast<index_type>(padded<S>(static_cast<std::size_t>(weights - near))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The two loops a history spends its time in: a sum of products, and one step of all exponentials.
+// The two inner loops of a history: a sum of products, and one step of all exponentials.
 #pragma once
 
 #include "hilger/error_free.hpp"
@@ -31,8 +31,8 @@ struct product_sum_loop {
     }
 };
 
-/// state <- (1 - rate) state + x, so that rates far below epsilon count; sum <- sum + coefficient state. With `low` it takes what the sum
-/// rounds away (Kahan): else a state that grows for 1/rate steps would stop where its increments are below its last digit.
+/// state <- (1 - rate) state + x, so that rates far below epsilon count; sum <- sum + coefficient state. `low` takes the rounding error of
+/// the sum (Kahan): else a state that grows for 1/rate steps would stop where its increments are below its last digit.
 template <bool Compensated, class P, class S>
 HILGER_DETAIL_INLINE void relax_pack(S const* rate, S const* coefficient, S* state, [[maybe_unused]] S* low, P const& x, P& sum) {
     P r, s, c;

@@ -2,7 +2,7 @@
 // The difference of order one of a sequence that is known by its increments d_n = x_n - x_{n-1}: omega(z)/omega(0) = (1 - z) p(z) / q(z),
 // p(0) = q(0) = 1, so that
 //   y_n = d_n + p_1 d_{n-1} + ... - q_1 y_{n-1} - ...
-// No difference of positions is formed, whose rounding h^-order would enlarge: what is rounded here is relative to the increments.
+// No difference of positions is formed, whose rounding h^-order would enlarge: rounding here is relative to the increments.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ public:
         }
         for (std::size_t j = 1; j < Q; ++j) q_.push_back(static_cast<S>(wide(q[j] / q[0])));
     }
-    /// The sequence before the first value has had these increments for ever.
+    /// All increments before the first value are d.
     void begin(V const& d) {
         S sum_p(1), sum_q(1);
         for (S const& p : p_) sum_p = sum_p + p;
@@ -45,9 +45,9 @@ public:
         for (std::size_t j = 0; j < q_.size(); ++j) y_ = y_ - past_y_[j] * q_[j];
         return y_;
     }
-    /// What at_next returned last.
+    /// The last result of at_next.
     V const& value() const { return y_; }
-    /// d, for which at_next was asked last, is the increment.
+    /// Appends the increment d, the argument of the last at_next.
     void push(V const& d) {
         shift(past_d_, d);
         shift(past_y_, y_);

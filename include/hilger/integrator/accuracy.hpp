@@ -2,19 +2,20 @@
 // A solution to a wanted accuracy instead of a number of steps:
 //   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.p, x.steps, x.method, x.error
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, 1e-10);
-// Which embedding reaches an accuracy at the least cost is a matter of its order: that is what the work-precision diagrams of
-// `hilger trade` measure. Over kinks all methods lose their order, and the mid-point embedding, whose steps cost least, takes their place.
-// Where a Lagrangian or force switches in time is said by a member switching_times(a, b), as formulas in text have it: the solution then
-// has points there. L has no jumps in the state: no derivative sees them.
+// The order of the cheapest embedding depends on the accuracy: see the work-precision diagrams of `hilger trade`. Over kinks all methods
+// lose their order, and the mid-point embedding, whose steps cost least, takes their place. A Lagrangian or force that switches in time has
+// a member switching_times(a, b), as formulas in text have: the solution then has points there. L must have no jumps in the state: no
+// derivative shows them.
 #pragma once
 
 #include "hilger/integrator/doubling.hpp"
 
 namespace hilger {
 
-/// From which accuracy on an embedding is cheaper than the ones of lower order. `hilger trade` measures where they cross. The last is for
-/// scalars of more digits than the processor has.
+/// The cheapest embedding for an accuracy, by the crossings that `hilger trade` measures. The last is for scalars with more digits than the
+/// processor's.
 enum class cheapest { gauss_1, gauss_4, gauss_8, gauss_16 };
+/// The embedding for errors up to `wanted`.
 constexpr cheapest cheapest_for(double wanted) {
     if (wanted > 1e-2) return cheapest::gauss_1;
     if (wanted > 1e-5) return cheapest::gauss_4;
@@ -24,16 +25,16 @@ constexpr cheapest cheapest_for(double wanted) {
 
 namespace detail {
 
-/// Galerkin's embedding with so many Gauss nodes, as a name that depends on the scalar: what does not is made where this header is read,
-/// by everybody who includes it.
+/// The Galerkin embedding with so many Gauss nodes, as a name that depends on the scalar, so that it is not instantiated by including this
+/// header.
 template <class S, int Stages>
 inline constexpr auto const& gauss_of = galerkin<Stages, gauss>;
 
 } // namespace detail
 
 /// The motion of L(q, v) or L(t, q, v), or of with_force(L, f), from (q0, v0) over [a, b]. @throws error::invalid_parameter where the
-/// scalar cannot hold the accuracy or it is not positive; error::invalid_scale; error::no_convergence, which says how near it came; and
-/// what steps throw.
+/// accuracy is not positive or below 64 epsilon; error::invalid_scale; error::no_convergence, with the accuracy reached; and what steps
+/// throw.
 template <class F, class S, class W>
 auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, detail::given_accuracy const& goal) {
     static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
@@ -60,7 +61,7 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, de
         return *std::move(made);
     };
     cheapest const best = cheapest_for(goal.wanted);
-    // Who takes a wide scalar wants many digits: what is compiled there is what is for them.
+    // Wide scalars are for many digits: only the embeddings for these are instantiated.
     if constexpr (std::is_floating_point_v<S>) {
         if (best == cheapest::gauss_1) return run(mid_point, "mid-point", 2);
         if (best == cheapest::gauss_4) return run(detail::gauss_of<S, 4>, "Galerkin, 4 Gauss nodes", 8);

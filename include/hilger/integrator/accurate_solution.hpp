@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What is asked of a solution to an accuracy, and what it is: functions on a scale that was found, and an estimate of their error.
+// The goal of a solution to an accuracy, and its result: functions on a scale that was found, and an estimate of their error.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,17 @@
 
 namespace hilger {
 
-/// The largest error of a position at any point, in the unit of the position. At least 64 epsilon of the scalar; larger than zero.
+/// The largest error of a position at any point, in the unit of the position. It is positive and at least 64 epsilon of the scalar.
 struct accuracy {
     double wanted;
-    /// No run has longer steps than this: a pulse that is shorter than all of them would be missed by all. Zero: eight steps to begin with.
+    /// The longest step of all runs, to resolve short pulses, in the unit of time; 0 for eight steps at first.
     double longest_step = 0;
-    /// Who asks it to stop gets an error::no_convergence.
+    /// Throws error::no_convergence when a stop is requested.
     std::stop_token stop = {};
 };
 
 namespace detail {
-/// The same as it is given, or its number alone.
+/// An accuracy, given as such or as a number.
 struct given_accuracy : accuracy {
     given_accuracy(accuracy goal) : accuracy(std::move(goal)) {}
     template <class Number>
@@ -30,11 +30,11 @@ struct given_accuracy : accuracy {
 };
 } // namespace detail
 
-/// A solution on the scale of its last run, and how good it is.
+/// A solution on the scale of its last run, with an estimate of its error.
 template <class S, class V, class Function>
 struct accurate_solution {
     Function q;                 ///< positions, a function on T
-    Function p;                 ///< momenta there; their error is another one
+    Function p;                 ///< momenta there, with an error of their own
     state<S, V> end;            ///< at the end of the interval
     index_type steps;           ///< of T
     char const* method;         ///< the embedding that was chosen
@@ -42,10 +42,9 @@ struct accurate_solution {
                                 ///< less than the rounding of its largest position, which both runs share - the accuracy where all of them
                                 ///< are 0; elsewhere four times the largest distance from five other runs, or more
     index_type evaluated_steps; ///< of all runs together
-    std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< a state on T led to a time within the step that it begins
+    std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< from a state on T to a time within the step that begins there
 
-    /// The state at t, as good as those at the points, or with a history within h^4 of them. @throws error::outside_domain, and what steps
-    /// throw
+    /// The state at t, as accurate as those at the points, or with a history to h^4. @throws error::outside_domain, and what steps throw
     [[nodiscard]] state<S, V> operator()(S const& t) const {
         auto const& T = q.root();
         if (not(T.min() <= t) or not(t <= T.max()))

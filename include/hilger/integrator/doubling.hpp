@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A solution to a wanted accuracy, by one method: the number of steps is doubled until two solutions agree, as closely as the order of the
-// method says that they should; where they do not, or L has branches, until six do, of which most have their points elsewhere. Times at
-// which a callable says that it switches, by a member switching_times(a, b) as formulas in text have it, are points of all runs. Between
-// the points of its scale the solution is a step of the same embedding, x(t).q, x(t).p; with a history, which such a step has not, the
-// cubic polynomial of dense_output.
+// method predicts; where they do not, or L has branches, until six do, most of them with other points. The switching_times(a, b) of a
+// callable, as formulas in text have them, are points of all runs. Between the points of its scale the solution is a step of the same
+// embedding, x(t).q, x(t).p; with a history, which such a step lacks, the cubic polynomial of dense_output.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +23,48 @@ namespace hilger {
 
 namespace detail {
 
+/// How the distances between successive runs, each with twice as many steps, fall. Below zero: there was none yet.
+template <class S>
+struct convergence {
+    S earlier{-1}, before{-1}, error{-1};
+    explicit convergence(int order)
+        : is_low_(order == 2), gain_(is_low_ ? S(3) : S(std::ldexp(1.0, order / 2)) * S(1.25)),
+          luck_(is_low_ ? S(5.5) : S(std::ldexp(1.0, order + 2))) {}
+    void add(S const& distance) { earlier = std::exchange(before, std::exchange(error, distance)); }
+    [[nodiscard]] bool is_third() const { return before >= S(0); }
+    [[nodiscard]] bool falls_once() const { return is_third() and follows(before, error); }
+    /// Over jumps in time, which no derivative sees, two runs agree by chance: twice in a row is asked for.
+    [[nodiscard]] bool falls_twice() const { return not is_low_ and error > S(0) and earlier >= S(0) and follows(earlier, before); }
+    /// To be called once after each add, with the largest position and the distance below which rounding may keep runs from agreeing.
+    void count(bool has_branches, S const& size, S const& lowest) {
+        bool const is_near = error < size / S(64);
+        slow_ = has_branches and is_third() and is_near and before < S(4) * error ? slow_ + 1 : 0;
+        // The error of a jump in time depends on where it is in its step, and so do single gains: three runs are compared.
+        late_ = earlier >= S(0) and is_near and not(error < lowest) and earlier < S(16) * error ? late_ + 1 : 0;
+        still_ = before > S(0) and not(S(2) * error < before) ? still_ + 1 : 0;
+    }
+    /// Kinks, or jumps in time, leave of the order less than two.
+    [[nodiscard]] bool is_of_low_order() const { return slow_ == 3 or late_ == 3; }
+    /// Rounding grows with the number of steps, and where neighbouring motions part it exceeds an epsilon of the numbers: more steps gain
+    /// nothing then.
+    [[nodiscard]] bool is_rounding(S const& floor, S const& lowest) const {
+        return (still_ > 0 and not(error < before) and error < floor) or (still_ > 1 and error < lowest);
+    }
+
+private:
+    /// A distance that falls as the order explains, and not by more.
+    [[nodiscard]] bool follows(S const& coarser, S const& finer) const { return gain_ * finer <= coarser and coarser <= luck_ * finer; }
+    bool is_low_;
+    /// The least gain of a run over the one before: of order two nearly a factor of four, which two runs have by chance too; of high
+    /// orders, which few steps do not have yet, half the digits. And the largest.
+    S gain_, luck_;
+    int slow_ = 0, late_ = 0, still_ = 0; ///< comparisons in a row
+};
+
 /// Runs of one flow with more and more steps, equal ones between two times where something switches.
 template <class Flow, class S, class V>
 class solving_by_doubling {
-    /// Steps are equal where nothing says that it switches, and where they are remembered.
+    /// Steps are equal where no callable names times of switching, and with a history.
     static constexpr bool may_switch = [] {
         if constexpr (has_history<Flow>)
             return false;
@@ -46,18 +83,13 @@ public:
         : flow_(std::move(flow)), method_(method), order_(order), ends_(ends_of(flow_, I)),
           start_(std::move(start)), end_{I.a, start_.q0, flow_.momentum(I.a, start_.q0, start_.v0)} {}
 
-    /// Nothing where kinks of L leave of the method's order less than two, so that a step that costs less does as much.
+    /// The solution; nothing where kinks of L leave of the method's order less than two, so that cheaper steps do as well.
+    /// @throws error::no_convergence, or the error that ended the last run
     std::optional<result> reach(accuracy const& goal) {
         S const wanted = S(goal.wanted);
-        // What a run wins over the one before where the order of the method says it: of order two a factor of four or nearly so, which two
-        // runs have by chance too; of high ones, which few steps do not have yet, half the digits or more.
-        bool const is_low = order_ == 2;
-        S const gain = is_low ? S(3) : S(std::ldexp(1.0, order_ / 2)) * S(1.25), luck = is_low ? S(5.5) : S(std::ldexp(1.0, order_ + 2));
         std::vector<V> coarse;
-        S earlier(-1), before(-1), error(-1), told = std::numeric_limits<S>::infinity();
-        int slow = 0, late = 0, still = 0, stuck = 0; // comparisons, and runs that ended where the one before did, in a row
-        S const a = ends_.front(), b = ends_.back();
-        S ended = a;
+        convergence<S> seen(order_);
+        S told = std::numeric_limits<S>::infinity();
         for (steps_of_pieces each = first_steps(ends_, goal.longest_step, most); sum(each) <= most;
              each = changed(each, [](index_type n) { return 2 * n; })) {
             index_type const steps = sum(each);
@@ -66,61 +98,32 @@ public:
             if (goal.stop.stop_requested())
                 error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " was given up on request, after ", walked_,
                                                     " steps of ", method_);
-            if (fine.empty()) {
-                // Behind a thousand steps, which shorter ones come as far as, the motion itself ends, or its speed is without bound. Within
-                // fewer the steps are too long.
-                S const length = S(b - a) / static_cast<S>(steps), way = S(end_.t - a);
-                stuck = way >= S(1024) * length and magnitude(S(end_.t - ended)) <= S(8) * length ? stuck + 1 : 0;
-                ended = end_.t;
-                if (stuck == 3 or steps > most / 2) {
-                    if (failure_) std::rethrow_exception(failure_); // L is not defined there, or has no velocity
-                    error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached: steps of ", method_,
-                                                        " as short as ", length, " come no further than t = ", ended);
-                }
-            } else if (not coarse.empty()) {
-                earlier = std::exchange(before, std::exchange(error, distance(coarse, 1, fine, 2)));
-                // Twice in a row, and not by more than the order explains: over jumps in time, which nothing sees, two runs agree by
-                // chance.
-                auto const follows = [&](S const& coarser, S const& finer) { return gain * finer <= coarser and coarser <= luck * finer; };
-                bool const is_third = before >= S(0), may_be_smooth = not watch.saw_any() and is_third and follows(before, error);
-                bool const is_smooth = may_be_smooth and not is_low and error > S(0) and earlier >= S(0) and follows(earlier, before);
-                S const size = largest(fine), unit = hilger::epsilon<S>() * S(magnitude(end_.q)), floor = S(1024) * unit,
+            if (fine.empty())
+                require_advance(goal, steps);
+            else if (not coarse.empty()) {
+                seen.add(distance(coarse, 1, fine, 2));
+                S const error = seen.error, size = largest(fine), unit = hilger::epsilon<S>() * S(magnitude(end_.q)),
                         lowest = S(1 << 20) * unit;
+                bool const may_be_smooth = not watch.saw_any() and seen.falls_once(), is_smooth = may_be_smooth and seen.falls_twice();
                 told = error;
-                if (is_third and error <= wanted and not is_smooth) {
+                if (seen.is_third() and error <= wanted and not is_smooth) {
                     told = of_kinks(fine, each, error, goal);
-                    if (not may_be_smooth) told = std::max(before, told);
+                    if (not may_be_smooth) told = std::max(seen.before, told);
                 }
-                if (told <= wanted and is_third) {
-                    state<S, V> end = end_;
-                    auto const T = scale_of(each);
-                    return result{function_on(T, std::move(fine)),
-                                  function_on(T, std::move(momenta)),
-                                  end,
-                                  steps,
-                                  method_,
-                                  std::max(told, size > S(0) ? S(hilger::epsilon<S>() * size) : wanted),
-                                  walked_,
-                                  onward(steps)};
-                }
-                bool const is_near = error < size / S(64);
-                slow = watch.saw_any() and is_third and is_near and before < S(4) * error ? slow + 1 : 0;
-                // Of a jump in time, which nothing sees, the error depends on where it is in its step, and so do single gains. What
-                // rounding keeps from shrinking is no jump.
-                late = earlier >= S(0) and is_near and not(error < lowest) and earlier < S(16) * error ? late + 1 : 0;
+                if (told <= wanted and seen.is_third())
+                    return result_of(each, std::move(fine), std::move(momenta),
+                                     std::max(told, size > S(0) ? S(hilger::epsilon<S>() * size) : wanted));
+                seen.count(watch.saw_any(), size, lowest);
                 if constexpr (std::is_floating_point_v<S>)
-                    if ((slow == 3 or late == 3) and order_ > 2) return std::nullopt;
-                // Rounding grows with the number of steps, and where neighbouring motions part it is more than the numbers are: from there
-                // on nothing gets better.
-                still = before > S(0) and not(S(2) * error < before) ? still + 1 : 0;
-                if (wanted < error and ((still > 0 and not(error < before) and error < floor) or (still > 1 and error < lowest)))
+                    if (seen.is_of_low_order() and order_ > 2) return std::nullopt;
+                if (wanted < error and seen.is_rounding(S(1024) * unit, lowest))
                     error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
                                                         " steps of ", method_, " the solution is within ", error,
                                                         ", and rounding keeps it there; a scalar with more digits gets further");
             }
             coarse = std::move(fine);
         }
-        if (error < S(0))
+        if (seen.error < S(0))
             error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
                                                 ": they do not come to the end");
         error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached with ", most, " steps of ", method_,
@@ -143,8 +146,25 @@ private:
         else
             return piece(ends_, each, 0);
     }
-    /// The positions, and the momenta for who wants them; nothing where the steps are too long: they have no solution, or lead to where L
-    /// is not defined.
+    /// After a run that has failed. Beyond a thousand of its steps, where shorter ones end too, the motion itself ends, or its speed is
+    /// without bound; within fewer the steps are too long.
+    void require_advance(accuracy const& goal, index_type steps) {
+        S const a = ends_.front(), length = S(ends_.back() - a) / static_cast<S>(steps);
+        stuck_ = S(end_.t - a) >= S(1024) * length and magnitude(S(end_.t - ended_)) <= S(8) * length ? stuck_ + 1 : 0;
+        ended_ = end_.t;
+        if (stuck_ == 3 or steps > most / 2) {
+            if (failure_) std::rethrow_exception(failure_); // L is not defined there, or has no velocity
+            error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached: steps of ", method_, " as short as ",
+                                                length, " come no further than t = ", ended_);
+        }
+    }
+    [[nodiscard]] result result_of(steps_of_pieces const& each, std::vector<V> q, std::vector<V> p, S const& error) const {
+        auto const T = scale_of(each);
+        index_type const steps = sum(each);
+        return {function_on(T, std::move(q)), function_on(T, std::move(p)), end_, steps, method_, error, walked_, onward(steps)};
+    }
+    /// The positions, and the momenta where they are asked for; empty where the steps are too long: they have no solution, or lead to
+    /// where L is not defined.
     std::vector<V> run(steps_of_pieces const& each, accuracy const& goal, std::vector<V>* momenta = nullptr) {
         std::vector<V> q;
         q.reserve(static_cast<std::size_t>(sum(each)) + 1);
@@ -181,7 +201,7 @@ private:
         }
         return q;
     }
-    /// What is short within a step may be long for another start: it is cut into more, then.
+    /// A part of a step may be too long for Newton's method from another start: then it is divided.
     [[nodiscard]] auto onward(index_type all) const {
         if constexpr (has_history<Flow>) {
             struct walked_again {
@@ -214,14 +234,14 @@ private:
         for (V const& q : x) found = std::max(found, S(magnitude(q)));
         return found;
     }
-    /// Of every j-th position of x and every k-th of y.
+    /// The largest distance between every j-th position of x and every k-th of y.
     static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
         S found(0);
         for (std::size_t i = 0; i * j < x.size(); ++i) found = std::max(found, S(magnitude(V(x[i * j] - y[i * k]))));
         return found;
     }
-    /// Steps over a kink err by where it is in its step, and half as long ones may err in the same way: four more runs, three of which
-    /// share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
+    /// The error of a step over a kink depends on where the kink is in it, and steps half as long may err alike: four more runs, three
+    /// of which share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
     S of_kinks(std::vector<V> const& fine, steps_of_pieces const& each, S error, accuracy const& goal) {
         S const wanted = S(goal.wanted);
         auto const end = end_;
@@ -244,6 +264,8 @@ private:
     std::vector<S> ends_; ///< of the pieces
     initial_velocity<V> start_;
     state<S, V> end_;            ///< that a run has reached
+    S ended_ = ends_.front();    ///< the time that the failed run before has reached
+    int stuck_ = 0;              ///< failed runs in a row that ended where the one before did
     std::exception_ptr failure_; ///< of the last run, that is no want of convergence
     index_type walked_ = 0;
 };

@@ -20,7 +20,7 @@ namespace hilger {
 
 namespace detail {
 
-/// In the place of the step of what is refused: a compiler that has said so need not make one.
+/// The stepper of a refused problem, so that no other error follows.
 template <class S, class V>
 struct no_step {
     S length{};
@@ -57,7 +57,7 @@ auto momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S cons
     }
     return std::pair<V, V>(std::move(before), std::move(after));
 }
-/// The same of a step without values inside.
+/// The same for a step without values inside.
 template <class Derivatives, class S, class V>
 std::pair<V, V> momenta_of_step(Derivatives const& derivatives, tableau<S> const& b, S const& t, S const& h, V const& q0, V const& q1) {
     return momenta_of_step(derivatives, b, t, h, [&](int m) -> V const& { return m == 0 ? q0 : q1; });
@@ -65,6 +65,7 @@ std::pair<V, V> momenta_of_step(Derivatives const& derivatives, tableau<S> const
 
 } // namespace detail
 
+/// The flow of L with a force under the embedding E; see embed().
 template <class F, class Force, class E, sums Sums>
 class flow : public stepping<flow<F, Force, E, Sums>> {
 public:
@@ -81,7 +82,7 @@ public:
     constexpr flow(F lagrangian, Force force, E embedding)
         : problem_{std::move(lagrangian), std::move(force)}, embedding_(std::move(embedding)) {}
 
-    /// What a trajectory of states V over times S needs to be advanced: coefficients of the embedding, last velocities, factorizations.
+    /// The data by which a trajectory of states V over times S is advanced: coefficients of the embedding, last velocities, factorizations.
     template <class S, class V, class Extra = detail::no_step_force>
     class stepper {
         using s = detail::shape<V>;
@@ -89,7 +90,7 @@ public:
         static constexpr bool carried = Sums == sums::compensated;
         static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
-        /// Control values inside the step, and it may be that forces at the nodes are all there is to iterate.
+        /// Whether there are control values inside the step and perhaps only the forces at the nodes to iterate.
         static constexpr bool inner =
             not std::is_void_v<table> and (is_mechanical<F> or std::same_as<Force, no_force> or not detail::is_traced_state<V>);
         static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
@@ -120,27 +121,27 @@ public:
             else if constexpr (not known)
                 if (stepper_.needs_guess()) stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p, v));
         }
-        /// x one step h further. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
+        /// Advances x by one step h. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
             stepper_.advance(what(f), x);
         }
-        /// What the next step from x needs, when it has length h.
+        /// Prepares steps of length h from x.
         void begin(flow const& f, state<S, V> const& x, S const& h) {
             prepare(f, h);
             if constexpr (not known and not inner)
                 if (stepper_.needs_guess()) [[unlikely]]
                     stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p));
         }
-        /// x one step further, of the length that there was before. Nothing here takes an address that stays taken, so that the state and a
-        /// small stepper can live in registers. @throws the same as a step_failure
+        /// Advances x by one step of the prepared length. No address escapes, so that the state and a small stepper can live in registers.
+        /// @throws the same as a step_failure
         HILGER_ALWAYS_INLINE void advance_equally(flow const& f, state<S, V>& x) {
             if constexpr (small and not known)
                 stepper_.advance_saying_where(what(f), x);
             else
                 saying_where(x, stepper_.h(), [&] { stepper_.advance(what(f), x); });
         }
-        /// The value inside the last step with number m of those that it solved for, 0 < m < controls_of<E> - 1, less q_i.
+        /// The control value m inside the last step, 0 < m < controls_of<E> - 1, less q_i.
         [[nodiscard]] V inside(int m) const { return stepper_.inside(m); }
         /// Calls each(label, number) for everything that later steps depend on; `each` may change the numbers, as reading them back does.
         template <class Visit>
@@ -157,7 +158,7 @@ public:
                 return;
             stepper_.prepare(tableau_of(f.embedding_, h), h);
         }
-        /// What a step is given: the problem with its type where derivatives in registers are compiled with it.
+        /// The argument of a step: the problem with its type where derivatives in registers are compiled with it.
         HILGER_ALWAYS_INLINE static decltype(auto) what(flow const& f) {
             if constexpr (inner or small or known)
                 return (f.problem_);
@@ -189,7 +190,8 @@ private:
     [[no_unique_address]] E embedding_;
 };
 
-/// The flow of L under an embedding: embed(L, mid_point), or embed(L, mid_point, compensated).
+/// The flow of L, or of with_force(L, f), under an embedding: embed(L, mid_point), or embed(L, mid_point, compensated) with compensated
+/// sums. L is a callable L(q, v) or L(t, q, v) with a number as its value; embeddings over several steps do not compile.
 template <class F, class E>
     requires(not function_expression<F>)
 constexpr auto embed(F const& L, E const& how) { return flow<F, no_force, E, sums::plain>(L, {}, how); }
@@ -220,7 +222,7 @@ constexpr auto flow_of(euler_lagrange<action_sum<First, Second>> const& equation
     auto const& S = equation.action();
     return embed(with_force(lagrangian(detail::function_of(S)), force), detail::embedding_of(S));
 }
-/// The same where its operators are not consistent, on purpose.
+/// The same for operators that are inconsistent on purpose.
 template <class F, linear_map A, linear_map B, class W, class Root>
 constexpr auto flow_of(euler_lagrange<action<F, A, B, W, Root>> const& equation, inconsistent_t) {
     auto const& S = equation.action();

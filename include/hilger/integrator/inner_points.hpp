@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a solution does inside its steps. Where the operators of an action read points inside the steps, as those of galerkin<s, Q> do, the
-// equation at these points says what the values there are, each step for itself, once those on T are known:
+// The values of a solution inside its steps. Where the operators of an action read such points, as those of galerkin<s, Q> do, the equation
+// there determines the values in each step separately, once those on T are known:
 //   auto const EL = variation(integral(L(G.position[q], G.velocity[q]), at_nodes<gauss, 3>(T)));
 //   auto const x = with_inner_points(EL, values_on_T);        // on T/3; EL.residual(x) is then zero inside, and at T where x solves EL
 #pragma once
@@ -18,7 +18,8 @@ namespace hilger {
 
 namespace detail {
 
-/// with_inner_points, where they are not known: put_known(all, i) puts those of step i into `all`, which has the values on T, if they are.
+/// with_inner_points for steps whose values are unknown: put_known(all, i) puts the known values of step i into `all`, which has those on
+/// T.
 template <class Action, class X, class Force, class PutKnown>
 auto inner_points_unless(euler_lagrange<Action> const& equation, X const& x, Force const& force, PutKnown const& put_known) {
     using Root = typename Action::root_type;
@@ -48,7 +49,7 @@ std::vector<V> positions_of(std::vector<state<S, V>> const& states) {
     for (auto const& x : states) q.push_back(x.q);
     return q;
 }
-/// The positions of a trajectory, and what its steps led to inside where the equation has points there.
+/// The positions of a trajectory, with those inside its steps where the equation has points there.
 template <class Action, class Path>
 auto positions_along(euler_lagrange<Action> const&, typename Action::root_type const& T, Path const& path) {
     using Base = typename Action::position_type::from;
@@ -64,8 +65,8 @@ auto positions_along(euler_lagrange<Action> const&, typename Action::root_type c
     }
     return function_on(derived_scale(T, domain<Base>{}), std::move(all));
 }
-/// The same of states at the points of T: those that the flow of the equation leads to on its way from each state to the next. In long
-/// steps the positions alone do not determine them, or hardly.
+/// The same for recorded states at the points of T, by a step of the flow from each state to the next. In long steps the positions alone
+/// may not determine them.
 template <class Flow, class Action, class S, class V>
 auto inner_points_of_walk(Flow const& method, euler_lagrange<Action> const& equation, typename Action::root_type const& T,
                           std::vector<state<S, V>> const& states) {
@@ -86,7 +87,7 @@ auto inner_points_of_walk(Flow const& method, euler_lagrange<Action> const& equa
             for (index_type m = 1; m < parts; ++m)
                 all[static_cast<std::size_t>(parts * i + m)] = first->q + stepper->inside(static_cast<int>(m));
             return true;
-        } catch (error::exception const&) { // they are of another walk
+        } catch (error::exception const&) { // states of another trajectory
             return false;
         }
     });
@@ -94,8 +95,8 @@ auto inner_points_of_walk(Flow const& method, euler_lagrange<Action> const& equa
 
 } // namespace detail
 
-/// The function that is x on T, and inside the steps solves the equation, of a Lagrangian with a force f(q, v) or f(t, q, v) beside dL/dq
-/// or without. In steps that are long beside what L does several functions may: it is one near the straight lines.
+/// The function that equals x on T and solves the equation inside the steps, with a force f(q, v) or f(t, q, v) beside dL/dq or without. In
+/// long steps there may be several: it is one near the straight lines.
 /// @throws newton_failure, error::singular, error::not_finite with the points between which there is no solution
 template <class Action, discrete_function X, class Force = no_force>
 auto with_inner_points(euler_lagrange<Action> const& equation, X const& x, Force const& force = {}) {

@@ -21,16 +21,15 @@ namespace hilger {
 
 namespace detail {
 
-/// A list of numbers or vectors that are states in numbers S.
+/// A list of states, numbers or vectors of S.
 template <class Values, class S>
 concept states_over = std::ranges::input_range<Values> and is_given_state<std::ranges::range_value_t<Values>> and
     is_exact_state<std::ranges::range_value_t<Values>, S>;
 
 } // namespace detail
 
-/// The solution on T with the given first values, numbers or vectors: l + r of them (see above), which is 2 for what reaches over one step
-/// and in general twice as many as the steps that the operators of the action reach over.
-/// With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, values, f).
+/// The solution on T with the given first values, numbers or vectors: l + r of them (see above), twice the number of steps that the
+/// operators of the action reach over. With a force f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, values, f).
 /// @throws error::mismatch when there are not so many; a row that has no solution, with its cause, says between which points the solution
 /// ends
 template <class Action, detail::states_over<typename Action::root_type::scalar_type> Values, class Force = no_force>
@@ -73,7 +72,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
             unknown = y;
             return newton_system<V>{residual.get(row), slope.get(row)};
         };
-        // The row is a difference of terms of this size.
+        // The terms of the row are of this size.
         S reach = magnitude(guess);
         for (index_type i = row - before; i < n; ++i) reach = std::max(reach, S(magnitude(at(x, i))));
         auto jacobian = system(guess).jacobian;

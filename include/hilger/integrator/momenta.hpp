@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The momenta of a solution that is known by its positions, as of one between two ends:
+// The momenta of a solution given by its positions, as one between two ends:
 //   auto const x = solve(EL, T, {.q0 = a, .qN = b});
 //   auto const p = momenta_of(flow_of(EL), x);        // p in C(T)
 #pragma once
@@ -12,8 +12,8 @@
 namespace hilger {
 
 /// p in C(T) along a solution x of the flow's equation, forces included: p_i = -d_1 L_h of the step that begins at t_i, and at the end of T
-/// d_2 L_h of the last step (Cresson-Safi, definition 12). x has the values inside the steps too where the embedding reads them, as
-/// `solve` returns it. Along what is no solution the momenta with which steps begin and end differ: these are the first.
+/// d_2 L_h of the last step (Cresson-Safi, definition 12). x has the values inside the steps too where the embedding reads them, as `solve`
+/// returns it. Where x is no solution, the momenta at the end of a step and the start of the next differ: these are the latter.
 /// @throws error::mismatch where T has no step
 template <class F, class Force, class E, sums Sums, discrete_function X>
 auto momenta_of(flow<F, Force, E, Sums> const& method, X const& x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// An interval in pieces between which something switches, each with equal steps of its own: the scale of an accurate solution
-// (integrator/doubling.hpp). A callable says where it switches by a member switching_times(a, b).
+// An interval divided at the times at which a callable switches, its switching_times(a, b), with equal steps in each piece: the scale of an
+// accurate solution (integrator/doubling.hpp).
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ template <class Callable, class S>
 concept says_when_it_switches = requires(Callable const& f, S const& t) {
     f.switching_times(t, t);
 };
-/// The ends of the pieces of [a, b]. Of times that rounding hardly tells apart, as two callables may say them, the first is one.
+/// The ends of the pieces of [a, b]. Of times that differ by rounding, as those of two callables may, the first is taken.
 template <class S, class... Callables>
 std::vector<S> ends_of_pieces(interval<S> const& I, Callables const&... callables) {
     std::vector<S> times, ends{I.a};
     auto const add = [&](auto const& f) {
         if constexpr (says_when_it_switches<std::remove_cvref_t<decltype(f)>, S>)
-            if (I.a < I.b) // no scale is made of others
+            if (I.a < I.b) // other intervals are refused later
                 for (S const& t : f.switching_times(I.a, I.b)) times.push_back(t);
     };
     (add(callables), ...);
@@ -43,7 +43,7 @@ steps_of_pieces changed(steps_of_pieces each, Change const& change) {
     for (index_type& n : each) n = change(n);
     return each;
 }
-/// Those to begin with. @throws error::invalid_parameter
+/// The numbers of steps of the first run. @throws error::invalid_parameter where longest < 0 or needs more than `most` steps
 template <class S>
 steps_of_pieces first_steps(std::vector<S> const& ends, double longest, index_type most) {
     double const whole = static_cast<double>(S(ends.back() - ends.front()));
@@ -59,12 +59,12 @@ steps_of_pieces first_steps(std::vector<S> const& ends, double longest, index_ty
     }
     return each;
 }
-/// One piece alone.
+/// The scale of piece k.
 template <class S>
 auto piece(std::vector<S> const& ends, steps_of_pieces const& each, std::size_t k) {
     return uniform(interval<S>{ends[k], ends[k + 1]}, each[k]);
 }
-/// All of them.
+/// The scale of all pieces.
 template <class S>
 time_scale<S> joined_pieces(std::vector<S> const& ends, steps_of_pieces const& each) {
     std::vector<S> points{ends.front()};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation is the judge: what a trajectory leaves of the discrete Euler-Lagrange equation that its method was derived from,
+// The residual of a trajectory in the discrete Euler-Lagrange equation from which its method was derived,
 //   A*[dL/dq + f] + B*[dL/dv]   at the inner points of T,
-// evaluated by the operators of the embedding (variational/variation.hpp), of which a step uses nothing but numbers.
+// evaluated by the operators of the embedding (variational/variation.hpp), and not by the tableau that a step uses.
 //   largest_residual(embed(with_force(L, f), mid_point).along(T, q0, p0))
 #pragma once
 
@@ -38,7 +38,7 @@ constexpr auto equation_of(flow<F, Force, embedding_sum<First, Second>, Sums> co
 
 namespace detail {
 
-/// The points that a trajectory walks, as a scale of its own where they are a part of one.
+/// The points of a trajectory as a scale of their own, where they are a part of one.
 template <class Scale>
 auto scale_of_steps(Scale const& T) {
     if constexpr (std::same_as<typename Scale::domain_type, domain<nodes>>)
@@ -61,7 +61,7 @@ auto judged(Judge const& judge, Flow const& method, X const& q) {
     else
         return judge(equation, with_inner_points(equation, q, force), force);
 }
-/// Along a trajectory, at the points inside the steps that the steps led to.
+/// Along a trajectory, with its own values inside the steps.
 template <class Judge, class F, class Force, class E, sums Sums, class Scale, class V>
     requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, scale_of_steps(T)); }
 auto judged(Judge const& judge, trajectory<flow<F, Force, E, Sums>, Scale, V> const& path) {
@@ -70,7 +70,7 @@ auto judged(Judge const& judge, trajectory<flow<F, Force, E, Sums>, Scale, V> co
     auto const equation = equation_of(method, T);
     return judge(equation, positions_along(equation, T, path), method.mechanics().force);
 }
-/// At states that were kept, as the flow walks them.
+/// At recorded states of the flow.
 template <class Judge, class F, class Force, class E, sums Sums, class S, class V, class Scale>
     requires requires(flow<F, Force, E, Sums> const& method, Scale const& T) { equation_of(method, scale_of_steps(T)); }
 auto judged(Judge const& judge, flow<F, Force, E, Sums> const& method, recording<S, V, Scale> const& run) {
@@ -83,12 +83,12 @@ auto judged(Judge const& judge, flow<F, Force, E, Sums> const& method, recording
 } // namespace detail
 
 /// The largest component of the residual of the equation that a flow was derived from, forces included: at positions q in C(T),
-/// largest_residual(method, q); along a trajectory, largest_residual(path); at states that were kept, largest_residual(method, recording).
-/// Terms of the size |p| / h cancel in it, and so do their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2: of this size it
-/// is along a solution. For compositions and adjoints along trajectories (composition/residual.hpp), and with fractional damping
+/// largest_residual(method, q); along a trajectory, largest_residual(path); at recorded states, largest_residual(method, recording). Terms
+/// of the size |p| / h cancel in it, but not their rounding errors, epsilon |p| / h and epsilon |dp/dv| |q| / h^2, which are its size along
+/// a solution. For compositions and adjoints along trajectories (composition/residual.hpp), and with fractional damping
 /// (fractional/residual.hpp).
 /// @throws error::singular, newton_failure where there are points inside the steps and no solution for them; error::mismatch where there is
-/// not a state at each point of its scale; what walking throws
+/// not a state at each point of its scale; the errors of the trajectory
 template <class Judged, class... Run>
     requires requires(Judged const& method, Run const&... run) { judged(detail::by_size{}, method, run...); }
 auto largest_residual(Judged const& method, Run const&... run) { return judged(detail::by_size{}, method, run...); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Some values of a function such that the rows of an equation beside them hold: those inside a step, or all between two ends.
+// Solves some rows of an equation for the values at their points: those inside a step, or all between two ends.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ template <class V>
 void put_straight_line(std::vector<V>& x, index_type begin, index_type end) {
     using S = scalar_of<V>;
     auto const at = [&](index_type j) -> V& { return x[static_cast<std::size_t>(j)]; };
-    V const first = at(begin - 1), way = at(end) - first;
-    for (index_type j = begin; j < end; ++j) at(j) = first + way * (S(j - begin + 1) / S(end - begin + 1));
+    V const first = at(begin - 1), displacement = at(end) - first;
+    for (index_type j = begin; j < end; ++j) at(j) = first + displacement * (S(j - begin + 1) / S(end - begin + 1));
 }
 /// T with its steps in proportion, so that it ends after a part of the time. @throws error::invalid_scale where no step is left
 template <class S>
@@ -37,11 +37,11 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
     for (S const& t : T) points.push_back(S(a + (t - a) * part));
     return time_scale<S>(std::move(points));
 }
-/// A row is a sum of some tens of terms and of what the formulas of L are made of: each rounds, and none does more often with more points.
+/// The roundings of a row: some tens of its terms and of the operations in L, independent of the number of points.
 inline constexpr int most_roundings = 256;
 
-/// The rows with the numbers from `begin` to `end` - 1 as an equation (newton/newton.hpp) for the values with these numbers in x, which has
-/// the values at all points that the equation reads, in their order; a row reads values that are at most `reach` numbers from its own.
+/// The rows with the numbers from `begin` to `end` - 1 as an equation (newton/newton.hpp) for the values with these numbers in x, which
+/// holds the values at all points of the equation, in order; a row reads values that are at most `reach` numbers from its own.
 template <class Action, class V, class Force>
 class rows_of_equation {
     using Root = typename Action::root_type;
@@ -64,7 +64,7 @@ public:
     rows_of_equation(rows_of_equation const&) = delete;
     rows_of_equation& operator=(rows_of_equation const&) = delete;
 
-    /// Those of the values with the numbers of the rows.
+    /// The values with the numbers of the rows.
     [[nodiscard]] vector unknown(std::vector<V> const& of) const {
         vector y(n_ * d_);
         for (int m = 0; m < n_; ++m)
@@ -75,11 +75,11 @@ public:
         for (int m = 0; m < n_; ++m)
             for (int c = 0; c < d_; ++c) s::component(at(begin_ + m), c) = y(m * d_ + c);
     }
-    /// A part of the time: the smaller it is, the nearer a straight line is to the root. 1 is the equation.
+    /// The part of the time interval: the smaller it is, the nearer a straight line is to the root. 1 is the equation itself.
     void set_share(S const& part) { on_ = part == S(1) ? T_ : shortened(T_, part); }
     S evaluate(vector const& y, vector& r) {
         put(y);
-        auto const residual = equation_.residual(now_, force_); // on the T that there is now
+        auto const residual = equation_.residual(now_, force_); // on the current T
         for (int m = 0; m < n_; ++m) {
             V const row = residual.get(begin_ + m);
             for (int c = 0; c < d_; ++c) r(m * d_ + c) = s::component(row, c);
@@ -108,9 +108,9 @@ public:
             worst = larger(worst, in_roundings<S>(r(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d_)], m % d_)));
         return worst;
     }
-    /// y after corrections as long as they halve its roundings, which are returned: where the derivative is nearly singular, as that of a
-    /// wall between two states that may be anywhere, a small correction does not prove that the equation is solved; and elimination is as
-    /// exact in each row after one more correction as in the largest (Skeel 1980).
+    /// Corrects y as long as this halves its residual in roundings, which is returned: where the derivative is nearly singular, a small
+    /// correction does not prove that the equation is solved; and one more correction makes elimination as exact in each row as in the
+    /// largest (Skeel 1980).
     S polish(vector& y) {
         vector r = y, d = y, next = y;
         evaluate(y, r);
@@ -129,9 +129,9 @@ public:
         put(y);
         return rest;
     }
-    /// By how much at most the unknown values change, for changes of 1 of the values beside them, each value in units of its component's
-    /// largest one: K^-1 is asked for these columns alone. That is 1 for a straight line and less than 2 / |sin T| for an oscillator on
-    /// [0, T], in any units and steps, where the norm of K^-1 itself grows with the number of points.
+    /// The largest change of the unknown values for changes of 1 of the values beside them, each relative to the largest of its component,
+    /// by these columns of K^-1 alone. It is 1 for a straight line and less than 2 / |sin T| for an oscillator on [0, T], in any units and
+    /// steps, where the norm of K^-1 itself grows with the number of points.
     S response_to_ends() {
         if (not linearize()) return S(1) / epsilon<S>();
         std::vector<vector> from_ends(static_cast<std::size_t>(2 * d_), vector::Zero(n_ * d_));
@@ -162,7 +162,7 @@ private:
                 for (int e = 0; e < d_; ++e) use(m * d_ + c, e, s::entry(block, c, e));
         }
     }
-    /// The largest value of each component, and of one that is zero the largest of all.
+    /// The largest value of each component; for a component that is zero the largest of all.
     [[nodiscard]] vector component_sizes() const {
         vector sizes = vector::Zero(d_);
         for (V const& value : x_)
@@ -188,11 +188,11 @@ private:
     S most_{0}, largest_{0}; ///< of the values beside the unknown ones; of the entries of K
 };
 
-/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: next to
-/// those that there are or, where `straight_line` has values on one, near them: by corrections that become smaller; where these do not come
-/// to a root, the one that motions in less time lead to, if it is not far away. The other arguments are
-/// those of rows_of_equation, and `what` names the rows in messages. Nothing is a root that does not solve its rows to the rounding of
-/// their terms. Returns how strongly the values respond to those at both sides, where `straight_line` has values.
+/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: a root next to
+/// the present values or, where `straight_line` is given, near them, by decreasing corrections; where these find no root, the one to which
+/// motions in less time lead, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the rows in
+/// messages. A root solves its rows to the rounding of their terms. Returns the response of the values to those at both sides, where
+/// `straight_line` is given.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Action, class V, class Force>
 auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,

@@ -23,22 +23,22 @@ auto given_ends(boundary_values<V> const& ends) {
     if (not all_finite(given.q0) or not all_finite(given.qN)) error::raise<error::not_finite>("the boundary values are finite");
     return given;
 }
-/// The first guess where no other one is given.
+/// The default first guess.
 struct straight_line {};
-/// Between the values at points of T, those inside the steps, `parts` of all for a step.
+/// Puts straight lines between the values at the points of T, with `parts` values a step.
 template <class Root, class V>
 void put_first_guess_inside(Root const& T, std::vector<V>& x, index_type parts) {
     for (index_type i = 0; parts > 1 and i < T.steps(); ++i) put_straight_line(x, parts * i + 1, parts * (i + 1));
 }
-/// The interior values of `x`. @throws error::mismatch
+/// Puts the first guess into the interior values of `x`. @throws error::mismatch where it lives on another T
 template <class Root, class V>
 void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, straight_line) {
     using S = scalar_of<V>;
-    V const first = x.front(), way = x.back() - first;
+    V const first = x.front(), displacement = x.back() - first;
     S const start(T.point(0)), length(T.point(T.steps()) - T.point(0));
     for (index_type i = 1; i < T.steps(); ++i) {
         S const share = Root::is_uniform ? S(S(i) / S(T.steps())) : S(S(T.point(i) - start) / length);
-        x[static_cast<std::size_t>(parts * i)] = first + way * share;
+        x[static_cast<std::size_t>(parts * i)] = first + displacement * share;
     }
     put_first_guess_inside(T, x, parts);
 }
@@ -58,23 +58,22 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
 
 } // namespace detail
 
-/// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0) or p0, or with the first two values q0 and q1: a function on T. The data are
-/// numbers or vectors, named in braces or not: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). With a force
-/// f(q, v) or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps the function
-/// lives there too.
+/// The solution with q(a) = q0 and p(a) = dL/dv(q0, v0) or p0, or with the first two values q0 and q1: a function on T. Data are numbers or
+/// vectors, in braces with names or typed: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}), solve(EL, T, initial_velocity{x, v}). With a force f(q, v)
+/// or f(t, q, v) beside dL/dq: solve(EL, T, {.q0 = 1.0, .v0 = 0.0}, f). Where the equation has points inside the steps, the function has
+/// values there too.
 /// @throws as flow::along does; a failed step says where the solution ends.
 template <class Action, initial_data Data, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, Data const& from, Force const& force = {}) {
     return detail::positions_along(equation, T, flow_of(equation, force).along(T, from));
 }
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
-/// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y}.
-/// Forces as above. The first guess is the straight line, or a function on T, of which the values at the ends do not count:
-/// solve(EL, T, ends, no_force{}, guess). On given points in O(N). Of several solutions one near the guess is looked for
-/// (hilger/newton/newton.hpp), and mostly found; a certain one is found from the solution of a problem that differs little. Throws
-/// no_convergence when `stop` is requested. A `report` gets how strongly the solution responds to its ends
-/// and how far the solutions on every second and fourth point are, which costs half as much again, and a warning where either says that it
-/// may be near no motion (integrator/two_ends.hpp).
+/// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y},
+/// in O(N). Forces as above. The first guess is the straight line, or a function on T, whose values at the ends are ignored: solve(EL, T,
+/// ends, no_force{}, guess). Of several solutions one near the guess is sought (hilger/newton/newton.hpp), and mostly found; to find a
+/// certain one, start from the solution of a slightly different problem. Throws no_convergence when `stop` is requested. A `report`
+/// receives the response of the solution to its ends and its distance from the solutions on every second and fourth point, at half the cost
+/// again, and a warning where either suggests that it may be near no motion (integrator/two_ends.hpp).
 /// @throws newton_failure, an error::no_convergence, where nothing solves the equation to the rounding of its terms; error::singular and
 ///         error::ill_conditioned where the ends do not determine the solution, as half a period of an oscillator; error::not_finite where
 ///         L is singular at an end or on the first guess; error::mismatch
@@ -98,7 +97,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
     index_type const last = Base::last(T.steps());
     std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
     x.back() = qN;
-    if constexpr (EL::reads.is_local() and one_step) // what was refused need not be compiled
+    if constexpr (EL::reads.is_local() and one_step) // a refused equation need not be instantiated
         if (last > 1) {
             detail::put_first_guess(T, x, parts, detail::straight_line{});
             auto const line = x;
@@ -128,8 +127,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
            Force const& force = {}) {
     return solve(equation, T, ends, force, detail::straight_line{});
 }
-/// Braces have no type that a size could be read from: a function for each kind of data and each size of states, 0 for numbers. `more` is a
-/// force, and between two ends a first guess.
+/// Braces have no type to deduce a size from: there is an overload for each kind of data and each size of states, 0 for numbers. `more` is
+/// a force, and between two ends a first guess.
 #define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
     template <class Action, class... More>                                                                                                 \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
@@ -169,7 +168,7 @@ auto solve(euler_lagrange<Action> const&, scale_interface<Derived> const&, detai
     return detail::not_initial_data<Derived>();
 }
 
-/// Of what steps by itself there is no equation here.
+/// Refused: a method has no equation to solve here.
 template <class Method, class Derived>
     requires std::derived_from<Method, stepping<Method>>
 auto solve(Method const&, scale_interface<Derived> const&, detail::anything_in_braces const&) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Whether a solution between two ends is one that means something: its equation holds to rounding (integrator/rows.hpp), its ends determine
-// it, and it is that of other steps too. A discrete equation has solutions that are near no motion, and a linear one has a solution for
-// nearly every N where its motions have none.
+// The validity of a solution between two ends: its equation holds to rounding (integrator/rows.hpp), its ends determine it, and other steps
+// have it too. A discrete equation has solutions that are near no motion, and a linear one has a solution for nearly every N even where
+// there is no motion.
 #pragma once
 
 #include <cmath>
@@ -16,21 +16,21 @@
 
 namespace hilger {
 
-/// What is known of a solution between two ends beside its values.
+/// A report on a solution between two ends.
 template <class S>
 struct ends_report {
-    /// The largest change of a value, in units of its component's largest one, for changes of 1 of those at both ends: 1 for a straight
+    /// The largest change of a value, relative to the largest of its component, for relative changes of 1 at both ends: 1 for a straight
     /// line, less than 2 / |sin T| for an oscillator on [0, T].
     S response{0};
     /// Its distance from the solution on every second point, joined by straight lines, and the distance of that from the one on every
-    /// second of these, as parts of the range of a component; below 0 where there is none.
+    /// second of these, relative to the range of a component; below 0 where there is none.
     S distance{-1}, coarser_distance{-1};
-    std::string warning; ///< a sentence, or nothing
+    std::string warning; ///< a sentence, or empty
 };
 
 namespace detail {
 
-/// Ends that are known to three digits do not determine a solution that responds so strongly, in any scalar.
+/// From this response on ends known to three digits do not determine a solution, in any scalar.
 inline constexpr int strong_response = 1000;
 
 /// @throws error::ill_conditioned
@@ -59,8 +59,7 @@ time_scale<S> coarsened(time_scale<S> const& T) {
     points.push_back(T.element(T.steps()));
     return time_scale<S>(std::move(points));
 }
-/// The straight lines between values x at the points of T, at those of another scale from the same start to the same end; `parts` of the
-/// values are in a step, of both.
+/// The values x on T interpolated linearly at the points of another scale with the same ends; both have `parts` values a step.
 template <class Root, class V>
 std::vector<V> on_straight_lines(Root const& T, std::vector<V> const& x, index_type parts, Root const& other) {
     using S = scalar_of<V>;
@@ -69,12 +68,12 @@ std::vector<V> on_straight_lines(Root const& T, std::vector<V> const& x, index_t
     for (index_type j = 0, i = 0; j < other.steps(); ++j) {
         S const t = other.element(j);
         while (i + 2 < T.size() and T.element(i + 1) <= t) ++i;
-        V const way = at(i + 1) - at(i);
-        made[static_cast<std::size_t>(parts * j)] = at(i) + way * S((t - T.element(i)) / (T.element(i + 1) - T.element(i)));
+        V const displacement = at(i + 1) - at(i);
+        made[static_cast<std::size_t>(parts * j)] = at(i) + displacement * S((t - T.element(i)) / (T.element(i + 1) - T.element(i)));
     }
     return made;
 }
-/// The largest difference of two lists of values at the points, component by component, in units of the range of the first.
+/// The largest difference of two lists of values at the points, for each component, relative to the range of the first.
 template <class V>
 std::vector<scalar_of<V>> distances(std::vector<V> const& x, std::vector<V> const& y, index_type parts) {
     using s = shape<V>;
@@ -94,9 +93,8 @@ std::vector<scalar_of<V>> distances(std::vector<V> const& x, std::vector<V> cons
 }
 
 /// Compares x, a solution on T, with those on every second point and every second of these, which solve(scale, values) finds near values.
-/// As h -> 0 the distances of neighbouring ones fall by a half at least: order one halves them, and straight lines between the points of
-/// any higher order quarter them. What falls by less than half of an order, and is more than a thousandth of the range, is no motion that
-/// these steps show.
+/// As h -> 0 the distances at least halve: order one halves them, and linear interpolation of any higher order quarters them. A solution
+/// whose distances fall by less than half an order, and exceed a thousandth of the range, is reported: these steps do not resolve it.
 template <class Root, class V, class Solve>
 void compare_with_coarser(Root const& T, std::vector<V> const& x, index_type parts, Solve const& solve, ends_report<scalar_of<V>>& report) {
     using S = scalar_of<V>;
@@ -139,7 +137,7 @@ template <class Derivatives>
 inline constexpr int parts_of_derivatives = 1;
 template <class F, class Force>
 inline constexpr int parts_of_derivatives<derivatives_by_node<problem<F, Force>>> = parts_of<F>;
-/// @throws error::not_finite where the derivatives of L are, at the points of T, along first values x
+/// @throws error::not_finite where the derivatives of L are not finite at the points of T, along first values x
 template <class Derivatives, class Root, class V>
 void require_regular(Derivatives const& derivatives, Root const& T, std::vector<V> const& x, index_type parts) {
     using S = scalar_of<V>;

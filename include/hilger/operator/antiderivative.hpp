@@ -10,8 +10,8 @@ namespace hilger {
 
 namespace detail {
 
-/// Adds up values that are linear in a floating scalar with the error of two additions, however many there are: what each addition rounds
-/// away is added up beside it (Neumaier 1974, in the form without comparisons). Exact values are added as they are.
+/// A sum of values that are linear in a floating scalar, with the error of two additions however many there are: the rounding errors are
+/// summed beside it (Neumaier 1974, without comparisons). Exact values are simply added.
 template <class V, class S>
 class running_sum {
     static constexpr bool rounds = std::numeric_limits<S>::is_specialized and not std::numeric_limits<S>::is_exact;
@@ -26,7 +26,7 @@ public:
         } else
             sum_ = sum_ + y;
     }
-    /// Where the sum is infinite, so it stays.
+    /// An infinite sum stays infinite.
     constexpr V value() const {
         if constexpr (rounds)
             return is_finite(rest_) ? V(sum_ + rest_) : sum_;
@@ -40,8 +40,8 @@ private:
 
 } // namespace detail
 
-/// int_a^t f Delta_lambda for t in T. A value is a sum over the points before it, formed when asked; tabulate(antiderivative[f]) forms each
-/// from the one before it.
+/// int_a^t f Delta_lambda for t in T. A value is a sum over the points before it, formed at each access; tabulate(antiderivative[f]) forms
+/// each from the one before it.
 template <class Lambda>
 struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     using from = between<Lambda>;
@@ -75,7 +75,7 @@ struct antiderivative_at : linear_operator<antiderivative_at<Lambda>> {
     constexpr auto adjoint() const;
 };
 
-/// int_t^b g nabla seen on T_lambda: the sum of g over the points after t_{i,lambda} where g is defined.
+/// int_t^b g nabla on T_lambda: the sum of g over the points after t_{i,lambda} where g is defined.
 template <class Lambda>
 struct tail_integral_at : linear_operator<tail_integral_at<Lambda>> {
     using from = nodes;

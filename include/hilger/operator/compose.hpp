@@ -38,8 +38,8 @@ struct identity_on : linear_operator<identity_on<Base, From, To>> {
     }
 };
 
-/// f times the ratio of two weights, w_From / w_To: what carries an equation from the sum with weights w_From to the one with
-/// w_To. On a uniform scale it is the identity at every inner point.
+/// f times the ratio of two weights, w_From / w_To: it carries an equation from the sum with weights w_From to the one with w_To. On a
+/// uniform scale it is the identity at every inner point.
 template <class Base, class From, class To>
 struct reweight : linear_operator<reweight<Base, From, To>> {
     using from = Base;
@@ -60,7 +60,7 @@ struct reweight : linear_operator<reweight<Base, From, To>> {
 };
 
 namespace detail {
-/// 1/c, divided in the scalar of what it multiplies.
+/// 1/c, in the scalar of the function that it multiplies. @throws error::invalid_parameter for c = 0
 template <class C>
 struct one_over {
     C c;
@@ -74,7 +74,7 @@ struct one_over {
     }
     friend constexpr bool operator==(one_over const&, one_over const&) = default;
 };
-/// True when c, or what c is one over, is a whole number or a fraction.
+/// True when c, or its reciprocal, is a whole number or a fraction.
 template <class C>
 inline constexpr bool is_exact_factor = std::is_empty_v<C> or std::is_integral_v<C>;
 template <class C>
@@ -196,8 +196,8 @@ struct operator_sum : linear_operator<operator_sum<A, B>> {
     constexpr auto adjoint() const { return adjoint_of_terms<from_weight, to_weight>(); }
 };
 
-/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are. Sums have it term by
-/// term: beside a term with other weights, ratios of weights would come and go where one of them vanishes, at an end, and lose it.
+/// The adjoint of A between the sums with weights P (on A's from) and Q (on A's to), whatever A's own weights are. For sums it is taken
+/// term by term: otherwise a ratio of weights and its inverse would lose the end at which a weight vanishes.
 template <class P, class Q, linear_map A>
 constexpr auto adjoint_between(A const& a) {
     using Ap = typename A::from_weight;
@@ -234,6 +234,7 @@ constexpr auto map_to_two() {
 }
 } // namespace detail
 
+/// A B, A + B, A - B, -A and c A; operators whose scales do not meet do not compile.
 template <linear_map A, linear_map B>
 constexpr auto operator*(A a, B b) {
     if constexpr (composes_with<A, B>)
@@ -277,8 +278,8 @@ constexpr auto operator/(A a, C c) {
         return multiple<detail::one_over<C>, A>(detail::one_over<C>(std::move(c)), std::move(a));
 }
 
-/// True when nothing about the operator is known at run time only, so that operators compare by what they do; factors and divisors that
-/// are whole numbers are allowed.
+/// True when the operator is known at compile time, except for whole-number factors and divisors, so that operators compare by their
+/// values.
 template <class A>
 inline constexpr bool known_by_type = std::is_empty_v<A>;
 template <class C, class A>

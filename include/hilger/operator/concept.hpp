@@ -38,14 +38,14 @@ template <class A, class B>
 concept composes_with = linear_map<A> and linear_map<B> and std::same_as<typename A::from, typename B::to>;
 
 namespace detail {
-/// The values at all points cost as much as the last of them: A forms each from the one before.
+/// A forms each value from the one before: all of them cost as much as the last.
 template <class A, class F, class Use>
 concept in_order = requires(A const& a, F const& f, Use const& use) {
     a.evaluate_all(f, use);
 };
 } // namespace detail
 
-/// A[f], evaluated when asked.
+/// A[f], evaluated at each access.
 template <linear_map A, function_expression F>
 struct applied {
     using function_type = void;
@@ -81,7 +81,7 @@ applied(A, F) -> applied<A, F>;
 
 namespace detail {
 
-// Functions of their own, so that a message has the names of these types and not how they were found.
+// Separate functions, so that a message names these types and not their derivation.
 template <class A, class From, class Domain>
 constexpr auto acts_elsewhere() {
     return does_not_compile<A::name() + " acts on functions on " + From::name() + ", and this one lives on " + Domain::name()>{};
@@ -93,8 +93,8 @@ constexpr auto needs_one_step() {
 
 } // namespace detail
 
-/// What every operator inherits: application and composition by brackets. The nested name marks an operator; a common base class
-/// would give compositions of empty operators a size.
+/// The base of every operator: application and composition by brackets. The nested name marks an operator; a common base class would give
+/// compositions of empty operators a size.
 template <class A>
 struct linear_operator {
     using operator_type = void;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // A number as the unevaluated sum of two floats, with twice the digits (Dekker 1971; the operations of Joldes, Muller, Popescu 2017): for
-// the few recurrences whose cancellation a result in one float must not show.
+// the few recurrences that cancel.
 #pragma once
 
 #include <concepts>
@@ -62,7 +62,7 @@ private:
     S high_{}, low_{};
 };
 
-/// Where a recurrence in S runs: double_double for the processor's floats, S itself for numbers that are as wide or exact as asked for.
+/// The numbers of a recurrence for S: double_double for the processor's floats, S itself for wide or exact numbers.
 template <class S>
 struct wider {
     using type = S;

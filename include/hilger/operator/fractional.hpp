@@ -18,7 +18,7 @@ namespace hilger {
 
 namespace detail {
 
-/// How many weights a whole order has, when they end; 0 where they do not.
+/// The number of weights of a whole order where they end, else 0.
 template <generating_function G, class Order>
 inline constexpr index_type weights_end = 0;
 template <generating_function G, int P>
@@ -36,8 +36,8 @@ std::vector<S> const& kept_weights(S const& alpha, index_type count) {
     return w;
 }
 
-/// omega(0)^alpha h^-alpha. A scale may know better (the generic one that operators are compared on). @throws error::invalid_parameter for
-/// exact scalars where it is no rational number.
+/// omega(0)^alpha h^-alpha. The generic scale that operators are compared on has its own. @throws error::invalid_parameter for exact
+/// scalars where it is no rational number.
 template <generating_function G, class Order, class Root>
 constexpr auto leading_factor(Root const& T, Order const& order) {
     using S = typename Root::scalar_type;
@@ -82,6 +82,7 @@ constexpr void sums_to_the_last() {
 
 } // namespace detail
 
+/// Delta_-^alpha or Delta_+^alpha with the weights of G, on functions on a uniform T (Bourdin et al. (7), (8)).
 template <generating_function G, class Order, side Side>
 struct fractional_difference : linear_operator<fractional_difference<G, Order, Side>> {
     using from = nodes;
@@ -116,7 +117,7 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
             return domain<nodes, F, 0>{};
         }
     }
-    /// By the sum itself, O(k) at point k; toeplitz_triangle of history/convolution.hpp has all points at once.
+    /// By the sum itself, O(k) at point k; for all points at once see toeplitz_triangle (history/convolution.hpp).
     template <class F>
     constexpr auto evaluate(F const& f, index_type k) const {
         using root = typename F::root_type;
@@ -192,7 +193,7 @@ constexpr auto operator*(fractional_difference<G, O, Side> const& a, composition
     return (a * b.a) * b.b;
 }
 
-/// f - f(a): what a Caputo derivative of order below 1 differentiates. Its adjoint is the identity up to the first point.
+/// f - f(a), the argument of a Caputo derivative of order below 1. Its adjoint is the identity up to the first point.
 struct from_start : linear_operator<from_start> {
     using from = nodes;
     using to = nodes;

@@ -12,8 +12,7 @@
 
 namespace hilger {
 
-/// The sum of W(t) f(t) over all points of f's domain. In a floating scalar within 2 epsilon of the sum of |W(t) f(t)|, however many points
-/// there are.
+/// The sum of W(t) f(t) over all points of f's domain, in a floating scalar within 2 epsilon times the sum of |W(t) f(t)|.
 template <class W, discrete_function F>
 constexpr auto weighted_sum(F const& f) {
     using S = typename F::root_type::scalar_type;
@@ -24,7 +23,7 @@ constexpr auto weighted_sum(F const& f) {
 
 namespace detail {
 
-/// Families whose points an integral counts with weights of their own: nodes of a quadrature.
+/// Families with weights of their own: nodes of a quadrature.
 template <class Base, class Root>
 inline constexpr bool has_own_weights = requires(Base const& base, Root const& T) {
     base.weight(T, index_type(0));
@@ -117,7 +116,7 @@ constexpr auto integral(F f, Scale const& scale) {
         return weighted_sum<delta_weight>(detail::restrict_to(std::move(f), domain<Base, 0, 1>{scale.domain().base}));
 }
 
-/// The nabla integral over T or T_o: f is needed on T^-.
+/// The nabla integral over T or T_o: f is needed on T^-. @throws error::mismatch when f lives on another scale
 template <discrete_function F, time_scale_like Scale>
 constexpr auto nabla_integral(F f, Scale const& scale) {
     static_assert(not detail::has_own_weights<typename Scale::domain_type::base_type, typename Scale::root_type>,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Which operator a symbolic expression applies to its unknown: operator_of(Delta_o_plus[extend[q]]) is Delta_o_plus * extend.
+// The operator that a symbolic expression applies to its unknown: operator_of(Delta_o_plus[extend[q]]) is Delta_o_plus * extend.
 #pragma once
 
 #include "hilger/function/unknown.hpp"
@@ -14,6 +14,7 @@ constexpr auto operator_of(unknown<Name, Base> const&) {
     else
         return identity_on<Base, natural_weight_t<fraction<1, 2>>>{};
 }
+/// The operator A in A[q], composed where q is an expression itself.
 template <linear_map A, symbolic_function F>
 constexpr auto operator_of(applied<A, F> const& expression) {
     if constexpr (requires { F::name(); }) // the unknown itself

@@ -9,6 +9,7 @@
 
 namespace hilger {
 
+/// The direction of an operator: to the next point or to the previous one.
 enum class side { plus, minus };
 
 constexpr side opposite_of(side s) { return s == side::plus ? side::minus : side::plus; }
@@ -45,6 +46,7 @@ constexpr auto sided_name(PlusName const& p, MinusName const& m) {
 }
 } // namespace detail
 
+/// f(sigma(t)), or f(rho(t)) for side::minus (Cresson-Safi, definition 3).
 template <class Base, side Side>
 struct shift : linear_operator<shift<Base, Side>> {
     using from = Base;
@@ -69,6 +71,7 @@ struct shift : linear_operator<shift<Base, Side>> {
     constexpr auto adjoint() const { return shift<Base, opposite<Side>>{}; }
 };
 
+/// (f(sigma(t)) - f(t)) / mu(t), or (f(t) - f(rho(t))) / nu(t) for side::minus (Cresson-Safi (27), (28)).
 template <class Base, side Side>
 struct derivative : linear_operator<derivative<Base, Side>> {
     using from = Base;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
-// The reach of an operator: which points of f the value A[f](t) depends on. It is a fact of the operator's type,
+// The reach of an operator: the points of f that the value A[f](t) depends on. It is a constant of the operator's type,
 //   local(l, r)     the points from l steps before t to r steps after it
 //   causal(r)       every point from the first one to r steps after t      (antiderivatives, Delta_-^alpha)
 //   anticausal(l)   every point from l steps before t to the last one      (their adjoints)
 //   everywhere()    all of them
-// and it obeys: composition adds, a sum takes the hull, the adjoint mirrors. What reads the two ends of one step can be stepped from
-// initial values; what is not local cannot. A point of T_lambda counts as half a step from both ends of its step.
+// and it obeys: composition adds, a sum takes the hull, the adjoint mirrors. An equation that reads the two ends of one step can be stepped
+// from initial values; one that is not local cannot. A point of T_lambda counts as half a step from both ends of its step.
 #pragma once
 
 #include "hilger/scale/base.hpp"
 
 namespace hilger {
 
+/// See above; `|` is the hull.
 class reach {
     static constexpr int unlimited = 1 << 28;
     static constexpr int halves(double steps) { return static_cast<int>(2 * steps); }
@@ -26,7 +27,7 @@ public:
         [[nodiscard]] constexpr bool to_end() const { return last == unlimited; }
         friend constexpr bool operator==(span, span) = default;
     };
-    span on_T{}, between{}; ///< where the value is wanted at a point of T, and where at one between two of them
+    span on_T{}, between{}; ///< for values at points of T, and at points between two of them
 
     static constexpr reach nothing() { return {}; }
     /// In steps; halves of them are exact.
@@ -37,7 +38,7 @@ public:
     static constexpr reach causal(double after = 0) { return {{-unlimited, halves(after)}, {-unlimited, halves(after)}}; }
     static constexpr reach anticausal(double before = 0) { return {{-halves(before), unlimited}, {-halves(before), unlimited}}; }
     static constexpr reach everywhere() { return {{-unlimited, unlimited}, {-unlimited, unlimited}}; }
-    /// What is read for values at points of Base: other points have none.
+    /// The same for values at the points of Base alone.
     template <class Base>
     [[nodiscard]] constexpr reach at() const {
         return {has_nodes<Base> ? on_T : span{}, has_between<Base> ? between : span{}};
@@ -45,7 +46,7 @@ public:
 
     [[nodiscard]] constexpr span whole() const { return hull(on_T, between); }
     [[nodiscard]] constexpr bool is_local() const { return not whole().from_start() and not whole().to_end(); }
-    /// The number of steps with all that one value depends on; only of what is local.
+    /// The number of steps that one value depends on, for a local reach.
     [[nodiscard]] constexpr int steps() const { return std::max({0, width(on_T), width(between)}); }
 
     friend constexpr bool operator==(reach, reach) = default;
@@ -96,7 +97,7 @@ private:
         if (a == -unlimited or b == -unlimited) return -unlimited;
         return a == unlimited or b == unlimited ? unlimited : a + b;
     }
-    /// What b reads at the points of Middle that a reads at a point of the given parity: the two outermost ones at each end decide.
+    /// The reach of b at the points of Middle that a reads at a point of the given parity; the two outermost ones at each end decide.
     template <class Middle>
     static constexpr span through(span a, int parity, reach b) {
         span s{};

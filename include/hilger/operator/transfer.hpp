@@ -17,7 +17,7 @@ struct extension;
 template <class Lambda>
 struct step_mean_at;
 
-/// Zero at the other points: the adjoints of the restrictions, up to a factor 2 for the split weights.
+/// Extension by zero: the adjoints of the restrictions, up to a factor 2 for the split weights.
 template <class Lambda, bool ToNodes>
 struct insertion : linear_operator<insertion<Lambda, ToNodes>> {
     using from = std::conditional_t<ToNodes, nodes, between<Lambda>>;

@@ -68,7 +68,7 @@ struct trapezoid {
 
 namespace detail {
 
-/// x^alpha for alpha >= 0. An exact scalar has it where x is 1 or alpha a whole number; where it has not, `refuse` throws.
+/// x^alpha for alpha >= 0. In an exact scalar x is 1 or alpha a whole number; else `refuse` throws.
 template <class S, class Refuse>
 constexpr S power_or(S const& x, S const& alpha, Refuse const& refuse) {
     if (x == S(1)) return S(1);
@@ -86,8 +86,8 @@ constexpr S power_or(S const& x, S const& alpha, Refuse const& refuse) {
 
 } // namespace detail
 
-/// omega(0)^alpha, the weight of the present: 1 for Gruenwald-Letnikov, (3/2)^alpha for G^alpha. Exact scalars have it where it is 1 or
-/// alpha is a whole number. @throws error::invalid_parameter where it is not a number of type S.
+/// omega(0)^alpha, the weight of the present: 1 for Gruenwald-Letnikov, (3/2)^alpha for G^alpha. In exact scalars it is 1 or alpha is a
+/// whole number. @throws error::invalid_parameter where it is not a number of type S.
 template <generating_function G, class S>
 S leading_weight(S const& alpha) {
     S const base = S(G::template numerator<S>()[0] / G::template denominator<S>()[0]);
@@ -139,7 +139,7 @@ public:
     }
 
 private:
-    /// That omega(z) is (1 - z) + O((1 - z)^2), and has a power where z = 0.
+    /// Checks that omega(z) is (1 - z) + O((1 - z)^2), and that omega(0) has a power. @throws error::invalid_parameter
     static constexpr void require_consistent() {
         auto const p = G::template numerator<S>();
         auto const q = G::template denominator<S>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A linear expression as it is written: a sum of terms, each with a rational factor, constants, weights that depend on t, and what they
-// multiply. One expression has two spellings, for a terminal and for LaTeX, so that both name the same operators.
+// A linear expression in notation: a sum of terms, each with a rational factor, constants, weights that depend on t, and an argument. An
+// expression carries both notations, for a terminal and for LaTeX, so that they name the same operators.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,11 @@
 
 namespace hilger {
 
+/// Unicode for a terminal, or LaTeX.
 enum class print_style { terminal, latex };
 
-/// How something is written, and what a reader has to be told about it ("" when nothing).
-struct spelled {
+/// A symbol for a terminal and in LaTeX, each with a note that explains it ("" when none).
+struct notation {
     std::string terminal, latex;
     std::string terminal_note{}, latex_note{};
 
@@ -32,7 +33,7 @@ inline std::string subscript(int n) {
 
 class expression;
 
-/// A part of a term: what it multiplies, or a factor before that. Expressions share parts, which never change.
+/// A part of a term: its argument, or a factor before that. Expressions share parts, which never change.
 struct written_part {
     enum class kind {
         name,        ///< q
@@ -41,7 +42,7 @@ struct written_part {
         marked       ///< inner after: q_o, and (inner) after where inner is longer than a name
     };
     kind is = kind::name;
-    spelled before{}, after{};
+    notation before{}, after{};
     std::shared_ptr<expression const> inner{};  ///< none in a name
     std::shared_ptr<written_part const> next{}; ///< the next factor
 };
@@ -61,13 +62,13 @@ class expression {
     using part = written_term::part;
 
 public:
-    static expression name(spelled as, bool has_sign = false) {
+    static expression name(notation as, bool has_sign = false) {
         expression e;
         e.terms_.emplace_back().what = made({has_sign ? kind::signed_name : kind::name, std::move(as)});
         return e;
     }
     [[nodiscard]] bool is_name() const { return terms_.size() == 1 and terms_[0].is_plain() and terms_[0].what->is == kind::name; }
-    /// What stands before a single term in brackets that no weight multiplies; "" elsewhere.
+    /// The opening bracket of a single term that no weight multiplies; else "".
     [[nodiscard]] std::string bracket() const {
         return terms_.size() == 1 and not terms_[0].weights and terms_[0].what->is == kind::bracketed ? terms_[0].what->before.terminal
                                                                                                       : "";
@@ -89,12 +90,12 @@ public:
         }
         return e;
     }
-    [[nodiscard]] expression times_constant(spelled const& c) const {
+    [[nodiscard]] expression times_constant(notation const& c) const {
         expression e = *this;
         for (auto& t : e.terms_) t.constants = before(t.constants, c);
         return e;
     }
-    [[nodiscard]] expression times_weight(spelled const& w) const {
+    [[nodiscard]] expression times_weight(notation const& w) const {
         expression e = *this;
         for (auto& t : e.terms_) t.weights = before(t.weights, w);
         return e;
@@ -104,13 +105,13 @@ public:
         return a;
     }
     /// before[this]after; the constants of a single term stand before it all.
-    [[nodiscard]] expression in_brackets(spelled before, spelled after) const {
+    [[nodiscard]] expression in_brackets(notation before, notation after) const {
         return enclosed({kind::bracketed, std::move(before), std::move(after)});
     }
-    [[nodiscard]] expression marked(spelled mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
-    /// Without what stands around a single term.
+    [[nodiscard]] expression marked(notation mark) const { return enclosed({kind::marked, {}, std::move(mark)}); }
+    /// A single term without its brackets.
     [[nodiscard]] expression without_brackets() const { return opened(terms_[0]); }
-    /// Without the mark `mark` on whole terms: where the text says by itself which points are meant.
+    /// Without the mark `mark` on whole terms, where the context names the points.
     [[nodiscard]] expression without(std::string const& mark) const {
         expression e;
         for (auto const& t : terms_)
@@ -133,7 +134,7 @@ public:
         }
         return text.empty() ? "0" : text;
     }
-    /// What the reader has to be told, each once.
+    /// The notes, each once.
     void collect_notes(print_style s, std::vector<std::string>& notes) const {
         for (auto const& t : terms_)
             for (auto const& first : {t.constants, t.weights, t.what})
@@ -146,7 +147,7 @@ public:
 
 private:
     static part made(written_part p) { return std::make_shared<written_part const>(std::move(p)); }
-    static part before(part const& others, spelled const& factor) { return made({kind::name, factor, {}, {}, others}); }
+    static part before(part const& others, notation const& factor) { return made({kind::name, factor, {}, {}, others}); }
     static void add_note(std::string const& note, std::vector<std::string>& notes) {
         bool is_known = note.empty();
         for (auto const& known : notes) is_known = is_known or known == note;
@@ -161,7 +162,7 @@ private:
     }
     [[nodiscard]] expression enclosed(written_part around) const {
         expression e;
-        if (terms_.empty()) return e; // an operator makes zero of zero
+        if (terms_.empty()) return e; // operators map zero to zero
         auto inner = *this;
         auto& t = e.terms_.emplace_back();
         if (terms_.size() == 1) {
@@ -193,7 +194,7 @@ private:
         text += what.after.in(s);
     }
     /// Whether a mark on it needs no brackets.
-    static bool may_be_marked(expression const& e, spelled const& mark) {
+    static bool may_be_marked(expression const& e, notation const& mark) {
         if (e.terms_.size() != 1 or not e.terms_[0].is_plain()) return false;
         auto const is = e.terms_[0].what->is;
         return is == kind::name or is == kind::marked or (mark.terminal[0] == '|' and is == kind::bracketed);

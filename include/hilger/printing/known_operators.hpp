@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The operators that have names in the papers. Whatever equals one of them up to a rational factor, on as many points, is written as that
-// one, however it was composed.
+// The operators that have names in the papers. An operator that equals one of them up to a rational factor, on as many points, is written
+// as that one, however it was composed.
 #pragma once
 
 #include "hilger/printing/words.hpp"
@@ -9,38 +9,43 @@ namespace hilger {
 
 namespace detail {
 
-/// How a known operator is written around its argument, and what it makes of a generic function.
+/// A known operator: the fingerprint of its values on a generic function, and its notation around an argument.
 struct known_operator {
     fingerprint print;
     expression (*write)(expression const&);
 };
 
-/// The operators with names, from From to To.
-template <bool Uniform, class From, class To>
-std::vector<known_operator> list_of_known_operators() {
-    auto const known = [](auto const& op, expression (*write)(expression const&)) {
-        return known_operator{fingerprint_of<Uniform>(op), write};
-    };
-    using half = fraction<1, 2>;
-    if constexpr (std::same_as<From, nodes> and std::same_as<To, nodes>)
+/// The operators with names, by the families that they map from and to.
+template <bool Uniform>
+struct operators_with_names {
+    template <class A>
+    static known_operator known(A const& op, expression (*write)(expression const&)) {
+        return {fingerprint_of<Uniform>(op), write};
+    }
+    template <class L>
+    using complement = fraction<L::denominator - L::numerator, L::denominator>;
+
+    static std::vector<known_operator> on_T() {
         return {known(identity_T, [](expression const& f) { return f; }),
                 known(sigma, [](expression const& f) { return with_symbol(f, shift_sign(nodes{}, side::plus)); }),
                 known(rho, [](expression const& f) { return with_symbol(f, shift_sign(nodes{}, side::minus)); }),
                 known(Delta_plus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::plus)); }),
                 known(Delta_minus, [](expression const& f) { return with_symbol(f, delta_sign(nodes{}, side::minus)); })};
-    else if constexpr (std::same_as<From, To> and is_between<From> and std::is_empty_v<From>) {
-        using L = std::remove_cvref_t<decltype(From{}.lambda)>;
-        constexpr identity_on<From, delta_weight> here{};
-        constexpr shift<From, side::plus> next{};
-        constexpr shift<From, side::minus> last{};
-        constexpr fraction<L::denominator - L::numerator, L::denominator> rest{};
+    }
+    /// On T_lambda.
+    template <class Base, class L>
+    static std::vector<known_operator> on_points_between() {
+        constexpr identity_on<Base, delta_weight> here{};
+        constexpr shift<Base, side::plus> next{};
+        constexpr shift<Base, side::minus> last{};
+        constexpr complement<L> rest{};
         constexpr projection<L, true> there{};
         return {
             known(here, [](expression const& f) { return f; }),
-            known(next, [](expression const& f) { return with_symbol(f, shift_sign(From{}, side::plus)); }),
-            known(last, [](expression const& f) { return with_symbol(f, shift_sign(From{}, side::minus)); }),
-            known(derivative<From, side::plus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::plus)); }),
-            known(derivative<From, side::minus>{}, [](expression const& f) { return with_symbol(f, delta_sign(From{}, side::minus)); }),
+            known(next, [](expression const& f) { return with_symbol(f, shift_sign(Base{}, side::plus)); }),
+            known(last, [](expression const& f) { return with_symbol(f, shift_sign(Base{}, side::minus)); }),
+            known(derivative<Base, side::plus>{}, [](expression const& f) { return with_symbol(f, delta_sign(Base{}, side::plus)); }),
+            known(derivative<Base, side::minus>{}, [](expression const& f) { return with_symbol(f, delta_sign(Base{}, side::minus)); }),
             known(rest * here + L{} * last, [](expression const& f) { return mean_of_neighbours<L>(f, side::minus); }),
             known(rest * here + L{} * next, [](expression const& f) { return mean_of_neighbours<L>(f, side::plus); }),
             known(there * step_mean_at<L>{}, [](expression const& f) { return step_weighted_mean(f, L{}); }),
@@ -51,40 +56,59 @@ std::vector<known_operator> list_of_known_operators() {
                       return written_alone(projection<L, true>{},
                                            with_symbol(on_nodes, delta_sign(nodes{}, side::minus)).times_weight(over));
                   })};
-    } else if constexpr (std::same_as<From, nodes> and is_between<To> and std::is_empty_v<To>) {
-        using L = std::remove_cvref_t<decltype(To{}.lambda)>;
+    }
+    template <class To, class L>
+    static std::vector<known_operator> from_T_to_points_between() {
         if constexpr (L::numerator > 0)
             return {known(restriction_to<L, false>{} * extension<L>{},
                           [](expression const& f) { return restricted_to_points(extended(f, foot(joined<L>{})), To{}); }),
                     known(projection<L, true>{} * Delta_plus, [](expression const& f) {
                         return restricted_to_points(with_symbol(extended(f, foot(joined<L>{})), delta_sign(joined<L>{}, side::plus)), To{});
                     })};
-    } else if constexpr (std::same_as<From, joined<half>> and std::same_as<To, nodes>)
-        return {known(mean_o, [](expression const& f) { return in_mean(f, {"∘", "\\circ"}); })};
-    else if constexpr (std::same_as<From, nodes> and std::same_as<To, joined<half>>)
-        return {known(extend, [](expression const& f) { return extended(f, {"∘", "\\circ"}); })};
-    else if constexpr (std::same_as<To, nodes> and is_between<From> and std::is_empty_v<From>) {
-        using L = std::remove_cvref_t<decltype(From{}.lambda)>;
+        return {};
+    }
+    template <class From, class L>
+    static std::vector<known_operator> from_points_between_to_T() {
         constexpr projection<L, false> on_T_of{};
         static constexpr auto written_on_T = [](expression const& f) { return written_alone(projection<L, false>{}, f); };
-        constexpr fraction<L::denominator - L::numerator, L::denominator> rest{};
         return {known(on_T_of, written_on_T),
                 known(on_T_of * derivative<From, side::minus>{},
                       [](expression const& f) { return written_on_T(with_symbol(f, delta_sign(From{}, side::minus))); }),
-                known(on_T_of * (rest * identity_on<From, delta_weight>{} + L{} * shift<From, side::minus>{}),
+                known(on_T_of * (complement<L>{} * identity_on<From, delta_weight>{} + L{} * shift<From, side::minus>{}),
                       [](expression const& f) { return written_on_T(mean_of_neighbours<L>(f, side::minus)); }),
                 known(step_mean_at<L>{}, [](expression const& f) { return written_on_T(step_weighted_mean(f, L{})); })};
     }
-    return {};
-}
+    template <class From, class To>
+    static std::vector<known_operator> all() {
+        using half = fraction<1, 2>;
+        if constexpr (std::same_as<From, nodes> and std::same_as<To, nodes>)
+            return on_T();
+        else if constexpr (std::same_as<From, joined<half>> and std::same_as<To, nodes>)
+            return {known(mean_o, [](expression const& f) { return in_mean(f, {"∘", "\\circ"}); })};
+        else if constexpr (std::same_as<From, nodes> and std::same_as<To, joined<half>>)
+            return {known(extend, [](expression const& f) { return extended(f, {"∘", "\\circ"}); })};
+        else if constexpr (std::same_as<From, To> and has_lambda_in_type<From>)
+            return on_points_between<From, std::remove_cvref_t<decltype(From{}.lambda)>>();
+        else if constexpr (std::same_as<From, nodes> and has_lambda_in_type<To>)
+            return from_T_to_points_between<To, std::remove_cvref_t<decltype(To{}.lambda)>>();
+        else if constexpr (std::same_as<To, nodes> and has_lambda_in_type<From>)
+            return from_points_between_to_T<From, std::remove_cvref_t<decltype(From{}.lambda)>>();
+        else
+            return {};
+    }
+
+private:
+    template <class Base>
+    static constexpr bool has_lambda_in_type = is_between<Base>and std::is_empty_v<Base>;
+};
 
 template <bool Uniform, class From, class To>
 std::vector<known_operator> const& known_operators() {
-    static std::vector<known_operator> const all = list_of_known_operators<Uniform, From, To>();
+    static std::vector<known_operator> const all = operators_with_names<Uniform>::template all<From, To>();
     return all;
 }
 
-/// f under the operator of this print, as one of those that are known, up to a rational factor; none where it is no such.
+/// f under the operator with this fingerprint, written as a known operator times a rational factor; none where no known one fits.
 inline std::optional<expression> as_known(fingerprint const& print, std::vector<known_operator> const& all, expression const& f) {
     for (auto const& known : all)
         if (auto const c = times(print, known.print)) return known.write(f).times(c->numerator, c->denominator);

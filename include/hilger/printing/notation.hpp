@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// Operators as mathematics writes them: std::cout << Delta_plus * sigma, latex(adjoint(extend)). An operator is run on the name of a
-// function: sums, multiples and compositions are taken apart as their types say, and what equals a known operator, up to a rational factor,
-// is written as that one (recognition.hpp). So what is written is what runs.
+// Operators in mathematical notation: std::cout << Delta_plus * sigma, latex(adjoint(extend)). An operator is applied to the name of a
+// function: sums, multiples and compositions are taken apart by their types, and an operator that equals a known one, up to a rational
+// factor, is written as that one (recognition.hpp). So the printed operator is the one that runs.
 //   sigma[f], rho[f]      f at the next, the previous point         Delta_+[f], Delta_-[f]     the differences
 //   f_o                   the extension to T_o                      f|T, f|T_half              a function on T_o at those points
 //   [f]_{1/2,-}           (f + rho f)/2 on T_half                   [f]_mu                     the mean with the steps as weights
 //   pi[f]                 f at t_{i+1/2} as a value at t_i          iota[f]                    zero at the points f does not live on
-// A foot says on which family: none on T, 1/2 on T_half, o on T_o, the number lambda on T_lambda.
+// A subscript names the family: none on T, 1/2 on T_half, o on T_o, the number lambda on T_lambda.
 #pragma once
 
 #include <ostream>
@@ -31,7 +31,7 @@ struct on_uniform_of<on_uniform<A>> {
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f);
 
-/// A factor that is known at run time only, or one over it.
+/// A factor known at run time only, or its reciprocal.
 template <class C>
 std::string written_factor(C const& c) {
     if constexpr (requires { c.c; })
@@ -108,7 +108,7 @@ inline constexpr bool is_made_of_others<composition<A, B>> = true;
 template <class A, class B>
 inline constexpr bool is_made_of_others<operator_sum<A, B>> = true;
 
-/// The operator on f; Uniform says that T has equal steps.
+/// The operator on f; Uniform for a T with equal steps.
 template <bool Uniform, class A>
 expression write_operator(A const& a, expression const& f) {
     using bare = decltype(without_factors(a, std::declval<std::vector<std::string>&>()));
@@ -148,7 +148,7 @@ concept writable_operator = linear_map<Op> or requires(Op const& a) {
 
 } // namespace detail
 
-/// What the operator makes of a function f, written for a terminal: Delta_plus * sigma is Δ₊[σ[f]].
+/// The operator applied to a function f, in Unicode for a terminal: Delta_plus * sigma is Δ₊[σ[f]].
 template <detail::writable_operator Op>
 std::ostream& operator<<(std::ostream& out, Op const& op) {
     return out << detail::with_notes(detail::written_on(op, detail::expression::name({"f", "f"})), print_style::terminal);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What an operator makes of one generic function (adjoint/normal_form.hpp), kept at run time, so that operators can be compared with many
-// others, up to a rational factor, when they are written down.
+// The value of an operator at one generic function (adjoint/normal_form.hpp), kept at run time, so that printing can compare it with many
+// others, up to a rational factor.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace hilger::detail {
 
-/// p/q with small numbers, when the residue is one.
+/// p/q with small numbers.
 struct small_ratio {
     long long numerator = 0, denominator = 1;
 };
@@ -29,7 +29,7 @@ inline std::optional<small_ratio> ratio_of_residue(prime_field x) {
     return s1 < 0 ? small_ratio{-r1, -s1} : small_ratio{r1, s1};
 }
 
-/// True when an operator works over a finite field: nothing is known at run time only, and no fractional power of the step is in it.
+/// True when an operator works over a finite field: all of it is known at compile time, and it has no fractional power of the step.
 template <class A>
 inline constexpr bool is_algebraic = true;
 template <class G, class Order, side Side>
@@ -74,12 +74,12 @@ struct residues : discrete_function_tag {
     [[nodiscard]] constexpr domain_type domain() const { return {base}; }
     [[nodiscard]] prime_field get(index_type i) const { return values[static_cast<std::size_t>(i)]; }
 };
-/// Where A[f] lives.
+/// The domain of A[f].
 template <class A>
 auto image_of(A const& a) {
     return a.image(domain<typename A::from>{base_of_argument(a)});
 }
-/// Its values there.
+/// The values of A[f].
 template <bool Uniform, class A>
 std::vector<prime_field> values_of(A const& a, residues<Uniform, typename A::from> const& f) {
     auto const image = image_of(a);
@@ -88,7 +88,7 @@ std::vector<prime_field> values_of(A const& a, residues<Uniform, typename A::fro
     return values;
 }
 
-/// What an operator makes of a generic function, and how many points it loses.
+/// The values of A[f] for a generic f, and the number of points that A loses.
 struct fingerprint {
     int front = 0, back = 0;
     std::vector<prime_field> values{};

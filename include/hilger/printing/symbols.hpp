@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How numbers, families of points, weights and domains are written, for a terminal and in LaTeX.
+// The notation of numbers, families of points, weights and domains, for a terminal and in LaTeX.
 #pragma once
 
 #include <iomanip>
@@ -11,7 +11,7 @@
 
 namespace hilger::detail {
 
-/// A number with as many digits as bring it back.
+/// Digits that are read back as the number.
 template <class C>
 std::string written_number(C const& c) {
     if constexpr (std::integral<C>)
@@ -27,12 +27,12 @@ std::string written_number(C const& c) {
     } else
         return "c";
 }
-/// -2.5 in a formula: the sign of a term stands by itself.
+/// 2.5 for -2.5: the sign of a term is written separately.
 inline std::string without_sign(std::string const& number) { return number.substr(number.starts_with('-') ? 1 : 0); }
 
-/// lambda: 1/2 is a half, 3/7 is 3/7, and what is known at run time is its value, where it is known here.
+/// lambda as a fraction, or as a number where it is known at run time.
 template <class Lambda>
-spelled written_lambda(Lambda const& lambda) {
+notation written_lambda(Lambda const& lambda) {
     if constexpr (requires { Lambda::denominator; }) {
         static constexpr struct {
             int p, q;
@@ -50,14 +50,14 @@ spelled written_lambda(Lambda const& lambda) {
     }
 }
 
-/// What stands at the foot of sigma, Delta, ... on Base: nothing on T.
-inline spelled foot(nodes) { return {"", ""}; }
+/// The subscript of sigma, Delta, ... on Base: none on T.
+inline notation foot(nodes) { return {"", ""}; }
 template <class Lambda>
-spelled foot(between<Lambda> const& base) {
+notation foot(between<Lambda> const& base) {
     return written_lambda(base.lambda);
 }
 template <class Lambda>
-spelled foot(joined<Lambda> const& base) {
+notation foot(joined<Lambda> const& base) {
     if constexpr (std::same_as<Lambda, fraction<1, 2>>)
         return {"∘", "\\circ"};
     else {
@@ -67,23 +67,23 @@ spelled foot(joined<Lambda> const& base) {
 }
 template <class Base>
     requires requires { Base::foot(); }
-spelled foot(Base const&) {
+notation foot(Base const&) {
     std::string const at(Base::foot().text().view());
     return {at, at.substr(at.starts_with('_') ? 1 : 0)};
 }
 /// A letter with a foot, and +, - after it.
-inline spelled letter(char const* terminal, char const* latex, spelled const& at, char const* sign_terminal = "",
-                      char const* sign_latex = "") {
+inline notation letter(char const* terminal, char const* latex, notation const& at, char const* sign_terminal = "",
+                       char const* sign_latex = "") {
     std::string const feet = at.latex + (at.latex.empty() or *sign_latex == '\0' ? "" : ",") + sign_latex;
     return {std::string(terminal) + at.terminal + (at.terminal.empty() or *sign_terminal == '\0' ? "" : ",") + sign_terminal,
             std::string(latex) + (feet.empty() ? "" : "_{" + feet + "}")};
 }
-inline spelled with_bracket(spelled s) {
+inline notation with_bracket(notation s) {
     s.terminal += "[";
     s.latex += "\\left[";
     return s;
 }
-inline spelled closing(spelled const& foot_of = {"", ""}) {
+inline notation closing(notation const& foot_of = {"", ""}) {
     return {"]" + foot_of.terminal, "\\right]" + (foot_of.latex.empty() ? "" : "_{" + foot_of.latex + "}")};
 }
 
@@ -116,7 +116,7 @@ inline std::string in_letters(linear_weight const& w, std::string const& mu, std
     return part(w.mu, mu) + " + " + part(w.nu, nu);
 }
 /// w_From / w_To as a factor: (nu/mu).
-inline spelled ratio_of(linear_weight from, linear_weight to, spelled const& at) {
+inline notation ratio_of(linear_weight from, linear_weight to, notation const& at) {
     auto const in = [&](std::string const& mu, std::string const& nu, print_style s) {
         linear_weight a = from, b = to; // a.over divides the other one
         std::string const by = std::to_string(b.over), of = std::to_string(a.over);
@@ -131,7 +131,7 @@ inline spelled ratio_of(linear_weight from, linear_weight to, spelled const& at)
         return "(" + times(by, above, false) + "/" + (of == "1" or denominator.empty() ? denominator : "(" + denominator + ")") + ")";
     };
     auto const mu = letter("μ", "\\mu", at), nu = letter("ν", "\\nu", at);
-    spelled s{in(mu.terminal, nu.terminal, print_style::terminal), in(mu.latex, nu.latex, print_style::latex)};
+    notation s{in(mu.terminal, nu.terminal, print_style::terminal), in(mu.latex, nu.latex, print_style::latex)};
     if ((from.other != nullptr and *from.other == 'w') or (to.other != nullptr and *to.other == 'w')) {
         s.terminal_note = "w = half the weight of T at its points, half the step between them";
         s.latex_note = "w \\text{ half the weight of } \\mathbb{T} \\text{ at its points, half the step between them}";
@@ -142,7 +142,7 @@ inline spelled ratio_of(linear_weight from, linear_weight to, spelled const& at)
 /// The name of a domain: T½⁻, T^{\pm}, ...
 template <class Domain>
 std::string written_domain(Domain const& d, print_style s) {
-    spelled const at = foot(d.base);
+    notation const at = foot(d.base);
     std::string base = s == print_style::latex ? "\\mathbb{T}" + (at.latex.empty() ? "" : "_{" + at.latex + "}") : "T" + at.terminal;
     std::string marks;
     if (Domain::front == 1 and Domain::back == 1)

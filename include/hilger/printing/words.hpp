@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How each operator that is not made of others is written around the name of a function, and the means.
+// The notation of each elementary operator around the name of a function, and of the means.
 #pragma once
 
 #include "hilger/operator/fractional.hpp"
@@ -10,23 +10,23 @@ namespace hilger {
 
 namespace detail {
 
-inline expression in_mean(expression const& f, spelled const& foot_of, spelled const& note = {}) {
-    spelled end = closing(foot_of);
+inline expression in_mean(expression const& f, notation const& foot_of, notation const& note = {}) {
+    notation end = closing(foot_of);
     end.terminal_note = note.terminal;
     end.latex_note = note.latex;
     return f.in_brackets({"[", "\\left["}, end);
 }
-inline expression with_symbol(expression const& f, spelled const& symbol) { return f.in_brackets(with_bracket(symbol), closing()); }
+inline expression with_symbol(expression const& f, notation const& symbol) { return f.in_brackets(with_bracket(symbol), closing()); }
 template <class Base>
-spelled delta_sign(Base const& base, side which) {
+notation delta_sign(Base const& base, side which) {
     return which == side::plus ? letter("Δ", "\\Delta", foot(base), "₊", "+") : letter("Δ", "\\Delta", foot(base), "₋", "-");
 }
 template <class Base>
-spelled shift_sign(Base const& base, side which) {
+notation shift_sign(Base const& base, side which) {
     return which == side::plus ? letter("σ", "\\sigma", foot(base)) : letter("ρ", "\\rho", foot(base));
 }
-inline expression extended(expression const& f, spelled const& circle) { return f.marked({circle.terminal, "_{" + circle.latex + "}"}); }
-/// f at the points of Base alone. What was extended to them by zero is itself there, and nothing elsewhere.
+inline expression extended(expression const& f, notation const& circle) { return f.marked({circle.terminal, "_{" + circle.latex + "}"}); }
+/// f restricted to the points of Base. A function that was extended by zero from them is itself there; one from other points is zero.
 template <class Base>
 expression restricted_to_points(expression const& f, Base const& base) {
     if (std::string const bracket = f.bracket(); bracket.starts_with("ι"))
@@ -36,12 +36,12 @@ expression restricted_to_points(expression const& f, Base const& base) {
 }
 /// Halves are Cresson and Safi's (25); any other mean is explained.
 template <class L>
-spelled mean_note(side which) {
+notation mean_note(side which) {
     if constexpr (std::same_as<L, fraction<1, 2>>)
         return {};
     else {
-        spelled const l = written_lambda(L{}), rest = written_lambda(fraction<L::denominator - L::numerator, L::denominator>{});
-        spelled const shift_of = shift_sign(between<L>{}, which);
+        notation const l = written_lambda(L{}), rest = written_lambda(fraction<L::denominator - L::numerator, L::denominator>{});
+        notation const shift_of = shift_sign(between<L>{}, which);
         bool const minus = which == side::minus;
         return {"[f]" + l.terminal + (minus ? ",₋ = " : ",₊ = ") + rest.terminal + " f + " + l.terminal + " " + shift_of.terminal + "[f]",
                 "\\left[f\\right]_{" + l.latex + (minus ? ",-} = " : ",+} = ") + rest.latex + "f + " + l.latex + shift_of.latex +
@@ -51,7 +51,7 @@ spelled mean_note(side which) {
 /// (1 - lambda) f + lambda rho[f] on T_lambda, or with sigma.
 template <class L>
 expression mean_of_neighbours(expression const& f, side which) {
-    spelled const l = foot(between<L>{});
+    notation const l = foot(between<L>{});
     bool const minus = which == side::minus;
     return in_mean(f, {l.terminal + (minus ? ",₋" : ",₊"), l.latex + (minus ? ",-" : ",+")}, mean_note<L>(which));
 }
@@ -59,7 +59,7 @@ expression mean_of_neighbours(expression const& f, side which) {
 template <class Lambda>
 expression step_weighted_mean(expression const& f, Lambda const& lambda) {
     auto const l = written_lambda(lambda), at = foot(between<Lambda>{lambda});
-    spelled mean = closing({"μ", "\\mu"});
+    notation mean = closing({"μ", "\\mu"});
     if constexpr (std::same_as<Lambda, fraction<1, 2>>) {
         mean.terminal_note = "[f]μ = (μ f + ν ρ½[f])/(μ + ν)";
         mean.latex_note = "\\left[f\\right]_{\\mu} = \\tfrac{\\mu f + \\nu \\rho_{\\frac{1}{2}}[f]}{\\mu + \\nu}";
@@ -72,7 +72,7 @@ expression step_weighted_mean(expression const& f, Lambda const& lambda) {
     return f.in_brackets({"[", "\\left["}, mean);
 }
 
-/// An operator that is not made of others.
+/// The notation of an elementary operator.
 template <class Base, class From, class To>
 expression written_alone(identity_on<Base, From, To> const&, expression const& f) {
     return f;
@@ -102,8 +102,8 @@ expression written_alone(restriction_to<Lambda, ToNodes> const& a, expression co
 }
 template <class Lambda, bool ToNodes>
 expression written_alone(insertion<Lambda, ToNodes> const& a, expression const& f) {
-    spelled const at = ToNodes ? spelled{"", ""} : foot(between<Lambda>{a.lambda});
-    spelled iota = letter("ι", "\\iota", at);
+    notation const at = ToNodes ? notation{"", ""} : foot(between<Lambda>{a.lambda});
+    notation iota = letter("ι", "\\iota", at);
     std::string const name = iota.terminal;
     iota = with_bracket(iota);
     iota.terminal_note = name + "[f] = f on T" + at.terminal + " and 0 between";
@@ -112,8 +112,8 @@ expression written_alone(insertion<Lambda, ToNodes> const& a, expression const& 
 }
 template <class Lambda, bool Inverse>
 expression written_alone(projection<Lambda, Inverse> const& a, expression const& f) {
-    spelled const at = std::same_as<Lambda, fraction<1, 2>> ? spelled{"", ""} : foot(between<Lambda>{a.lambda});
-    spelled name = letter("π", "\\pi", at);
+    notation const at = std::same_as<Lambda, fraction<1, 2>> ? notation{"", ""} : foot(between<Lambda>{a.lambda});
+    notation name = letter("π", "\\pi", at);
     if (Inverse) name = {name.terminal + "⁻¹", name.latex + "^{-1}"};
     return with_symbol(f, name);
 }
@@ -154,7 +154,7 @@ expression written_alone(fractional_difference<G, Order, Side> const& a, express
     return with_symbol(f, {(plain ? "Δ" : name) + (up ? "₊" : "₋") + "^" + order,
                            (plain ? std::string("\\Delta") : "\\mathrm{" + name + "}") + "_{" + (up ? "+" : "-") + "}^{" + shown + "}"});
 }
-/// An operator of the user's.
+/// A user's operator, by its name.
 template <class A>
 expression written_alone(A const&, expression const& f) {
     std::string const name(A::name().text().view());

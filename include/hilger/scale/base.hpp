@@ -15,6 +15,7 @@
 
 namespace hilger {
 
+/// T itself. A family has the number of its last point, its points and its steps, for T with a number of steps.
 struct nodes {
     static constexpr auto name() { return fixed_text("T"); }
     static constexpr index_type last(index_type steps) { return steps; }
@@ -45,6 +46,7 @@ struct lambda_name<fraction<1, 2>> {
 };
 } // namespace detail
 
+/// T_lambda: point i lies in the step from t_i to t_{i+1} (Cresson-Safi, definition 7).
 template <class Lambda>
 struct between {
     [[no_unique_address]] Lambda lambda{};
@@ -72,6 +74,7 @@ inline constexpr bool is_between = false;
 template <class Lambda>
 inline constexpr bool is_between<between<Lambda>> = true;
 
+/// T_{o,lambda}: point 2i is t_i, and point 2i + 1 is t_{i,lambda} (Cresson-Safi, definition 7).
 template <class Lambda>
 struct joined {
     [[no_unique_address]] Lambda lambda{};

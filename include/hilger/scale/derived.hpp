@@ -7,6 +7,7 @@
 
 namespace hilger {
 
+/// A family of points of `root`, restricted by `domain`.
 template <class Root, class Domain>
 class derived_scale : public scale_interface<derived_scale<Root, Domain>> {
 public:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What every time scale offers, whatever its points: size, sigma, rho, mu, nu, membership, and iteration as a C++20
-// random-access range. sigma maps T^+ to T^- and rho maps T^- to T^+ (Cresson-Safi, definition 3), so sigma of the last point and
-// rho of the first are errors, not fixed points.
+// The members of every time scale: size, sigma, rho, mu, nu, membership, and iteration as a C++20 random-access range. sigma maps T^+ to
+// T^- and rho maps T^- to T^+ (Cresson-Safi, definition 3), so sigma of the last point and rho of the first are errors, not fixed points.
 #pragma once
 
 #include <compare>
@@ -13,7 +12,7 @@
 
 namespace hilger {
 
-/// A random-access iterator over anything whose element(i) is a value. It borrows its owner, as every range's iterators do.
+/// A random-access iterator over anything whose element(i) is a value. It refers to its owner, as iterators of a range do.
 template <class Owner>
 class element_iterator {
 public:
@@ -62,7 +61,9 @@ public:
         require(i);
         return element(i);
     }
+    /// The same, unchecked.
     [[nodiscard]] constexpr auto element(index_type i) const { return domain().base.point(root(), i); }
+    /// The first and the last point. @throws error::outside_domain when the scale is empty
     [[nodiscard]] constexpr auto min() const { return point(first()); }
     [[nodiscard]] constexpr auto max() const { return point(last()); }
 
@@ -89,17 +90,19 @@ public:
     [[nodiscard]] constexpr auto nu(S const& t) const {
         return domain().base.step(root(), after_first(t, "nu"));
     }
+    /// Whether t is a point, up to the rounding of a + ih.
     template <class S>
     [[nodiscard]] constexpr bool contains(S const& t) const {
         return find(t) > last() ? false : true;
     }
-    /// The number of the point t. @throws error::outside_domain when there is none.
+    /// The number of the point t. @throws error::outside_domain when t is no point
     template <class S>
     [[nodiscard]] constexpr index_type number_of(S const& t) const {
         index_type const i = find(t);
         if (i > last()) error::raise<error::outside_domain>(t, " is not a point of ", self());
         return i;
     }
+    /// @throws error::outside_domain when no point has the number i
     constexpr void require(index_type i) const {
         if (i < first() or i > last())
             error::raise<error::outside_domain>("point number ", i, " is outside ", self(), ", whose points are numbered ", first(), " to ",

@@ -9,6 +9,7 @@
 
 namespace hilger {
 
+/// T = {t_0 < ... < t_N} from a table of points.
 template <class S>
 class time_scale : public scale_interface<time_scale<S>> {
     static_assert(

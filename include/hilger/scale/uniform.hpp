@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// T = {a + ih, i = 0..N} (Cresson-Safi, definition 1). Three numbers and a count, whatever N is: points are computed as a + ih, never by
-// adding h up, and the last one is b exactly.
+// T = {a + ih, i = 0..N} (Cresson-Safi, definition 1). It stores three numbers and a count: points are computed as a + ih, not by adding h
+// repeatedly, and the last one is b exactly.
 #pragma once
 
 #include "hilger/scale/interface.hpp"
@@ -18,6 +18,7 @@ interval(A, B) -> interval<std::conditional_t<std::is_integral_v<A> and not std:
 template <std::floating_point A, std::floating_point B>
 interval(A, B) -> interval<std::common_type_t<A, B>>;
 
+/// T = {a + ih} from a, h, the last point b and the number of steps; see uniform(). @throws error::invalid_scale
 template <ordered_scalar S>
 class uniform_scale : public scale_interface<uniform_scale<S>> {
 public:
@@ -71,7 +72,7 @@ private:
 
 namespace detail {
 
-/// The scalar in which two numbers meet: of a whole number and a scalar the scalar, of two floats the wider one.
+/// The common scalar of two numbers: the scalar beside a whole number, the wider of two floats.
 template <class A, class B>
 consteval auto common_scalar() {
     if constexpr (std::same_as<A, B> and ordered_scalar<A>)
@@ -92,7 +93,7 @@ consteval auto common_scalar() {
 template <class A, class B>
 using common_scalar_t = typename decltype(common_scalar<A, B>())::type;
 
-/// A number of steps that is given as a floating number, as 1e6. @throws error::invalid_scale where it is not whole
+/// A number of steps given as a floating number, as 1e6. @throws error::invalid_scale where it is not whole
 template <std::floating_point N>
 constexpr index_type whole_steps(N steps) {
     auto const count = whole(steps);
@@ -117,16 +118,16 @@ constexpr auto no_common_scalar() {
 
 } // namespace detail
 
-/// Two numbers do not say where T ends, or how long its steps are.
+/// Refused: two numbers leave the end of T, or the length of its steps, open.
 template <class A>
 constexpr auto uniform(A const&, index_type) {
     static_assert(
         not std::same_as<A, A>,
         "a uniform T has a start, the length of a step and the number of steps, uniform(a, h, N), or it is uniform(interval{a, b}, N)");
-    return uniform_scale<double>(0, 1, 1, 1); // so that what is made of it says no more
+    return uniform_scale<double>(0, 1, 1, 1); // so that no other error follows
 }
-/// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000), of the scalar in which a and
-/// h meet: uniform(0, 0.1, 10) is of doubles. The second number is not the end: of [a, b] in N steps that is uniform(interval{a, b}, N).
+/// T = {a + ih, i = 0..N}: the start, the length of a step and the number of steps, uniform(0.0, 0.1, 1000), in the common scalar of a and
+/// h: uniform(0, 0.1, 10) is of doubles. The second number is not the end: [a, b] in N steps is uniform(interval{a, b}, N).
 /// @throws error::invalid_scale when h <= 0, N < 1, or a point is not finite; error::invalid_parameter for a whole number without an equal
 /// in that scalar.
 template <class A, class H>

@@ -7,8 +7,8 @@
 
 namespace hilger {
 
-/// w(t) = (1 - lambda) mu(t) + lambda nu(t), a missing neighbour counting zero. lambda = 0 gives the Delta integral, 1 the nabla
-/// integral, 1/2 the trapezoid rule; on T it is what the lambda-integral becomes under the extension f -> f_{o,lambda}.
+/// w(t) = (1 - lambda) mu(t) + lambda nu(t), a missing neighbour counting zero. lambda = 0 gives the Delta integral, 1 the nabla integral,
+/// 1/2 the trapezoid rule; on T it is the lambda-integral of the extension f -> f_{o,lambda}.
 template <class Lambda>
 struct mean_weight {
     static constexpr bool vanishes_first = std::same_as<Lambda, fraction<1>>;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A checkpoint as text that reads back exactly: built-in floating numbers in hexadecimal, wide ones with all their digits, rationals as
-// they are. One labelled number a line, the version of the format in the first line and `end` in the last one. Before that stands where a
-// step alone leads from there, to half of the digits, so that another Lagrangian, force, damping or method does not go on in silence unless
-// it is the same there.
+// they are. One labelled number a line, the version of the format in the first line and `end` in the last one. Before that stands the state
+// that one step leads to, compared to half of the digits, so that another Lagrangian, force, damping or method is noticed unless that step
+// is the same.
 //   auto at = path.begin(); ...                       write_checkpoint(out, path, at.checkpoint());
 //   for (auto [t, q, p] : path.resume(read_checkpoint(in, path))) ...
 #pragma once
@@ -22,7 +22,7 @@ namespace detail {
 
 inline constexpr char const* checkpoint_version = "hilger checkpoint 2";
 
-/// What a checkpoint is read into must have the same numbers in it; the scalar is told by its binary digits.
+/// Visits all numbers of a checkpoint, in one order for writing and reading.
 template <class S, class V, class Memory, class Method, class Visit>
 void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Visit& each) {
     static_assert(
@@ -36,14 +36,14 @@ void visit_checkpoint(checkpoint<S, V, Memory>& point, Method const& method, Vis
 
 template <class Path>
 inline constexpr bool goes_by_its_history = has_history<std::remove_cvref_t<decltype(std::declval<Path>().method())>>;
-/// The length of the step that tells problems apart at a point of `path`: of the one after it, or at the end of T of the one before.
+/// The length of the step that distinguishes problems at point i of `path`: the one after it, or at the end of T the one before.
 template <class Path>
-auto telling_step(Path const& path, index_type i) {
+auto fingerprint_step(Path const& path, index_type i) {
     auto const& T = path.scale();
     return T.domain().base.step(T.root(), i < T.last() ? i : std::max(i - 1, T.first()));
 }
-/// Where a step of length h leads from the state of a checkpoint: without what is remembered but where a step is nothing without that, as
-/// with a fractional damping. Nothing where it fails.
+/// The state after a step of length h from a checkpoint: without its memory, unless the method has a history, as with fractional damping.
+/// Nothing where the step fails.
 template <class Path, class S>
 auto step_from(Path const& path, typename Path::checkpoint_type const& point, S const& h) {
     std::optional<std::remove_cvref_t<decltype(point.at)>> made;
@@ -55,7 +55,7 @@ auto step_from(Path const& path, typename Path::checkpoint_type const& point, S 
             made = std::move(x);
         } else
             made = path.method().step(point.at, h);
-    } catch (std::exception const&) { // then it tells nothing
+    } catch (std::exception const&) { // no fingerprint then
     }
     return made;
 }
@@ -67,12 +67,12 @@ std::string scalar_line() {
 
 } // namespace detail
 
-/// Writes a checkpoint of `path`.
+/// Writes a checkpoint of `path` as text, exactly.
 template <class Path>
 void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkpoint_type point) {
     detail::line_writer writer{{detail::checkpoint_version, detail::scalar_line<decltype(point.at.t)>()}};
     detail::visit_checkpoint(point, path.method(), writer);
-    auto const h = detail::telling_step(path, point.number);
+    auto const h = detail::fingerprint_step(path, point.number);
     auto next = detail::step_from(path, point, h);
     writer("step", next ? h : decltype(h)(0));
     if (next) {
@@ -83,8 +83,9 @@ void write_checkpoint(std::ostream& out, Path const& path, typename Path::checkp
     out << "end\n";
 }
 
-/// Reads what write_checkpoint has written for a trajectory of the same problem, method, scalar and dimension.
-/// @throws error::unreadable, naming the line and what it should be; error::mismatch where a step from there leads elsewhere than it did
+/// The checkpoint that write_checkpoint wrote for a trajectory of the same problem, method, scalar and dimension; `source` names it in
+/// errors.
+/// @throws error::unreadable, with the line and what is expected there; error::mismatch where a step from there leads elsewhere than it did
 template <class Path>
 typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& path, std::string const& source = "the input") {
     auto point = path.begin().checkpoint();
@@ -95,7 +96,7 @@ typename Path::checkpoint_type read_checkpoint(std::istream& in, Path const& pat
     reader.require(detail::checkpoint_version);
     reader.require(detail::scalar_line<decltype(point.at.t)>());
     detail::visit_checkpoint(point, path.method(), reader);
-    auto const own = detail::telling_step(path, point.number);
+    auto const own = detail::fingerprint_step(path, point.number);
     auto h = own;
     auto then = point.at;
     reader("step", h);

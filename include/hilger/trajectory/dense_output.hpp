@@ -19,7 +19,7 @@ struct slopes {
 };
 
 namespace detail {
-/// The slopes at a state of the problem, by derivatives that are kept; `near` is a velocity near that one, where several have its momentum.
+/// The slopes at a state of the problem, by kept derivatives; `near` selects a velocity where several have its momentum.
 template <class F, class Force, class S, class V>
 slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V> const& x, V const& near) {
     V v = velocity_by(kept, x.t, x.q, x.p, near);
@@ -27,7 +27,7 @@ slopes<V> slopes_by(kept_derivatives<problem<F, Force>> const& kept, state<S, V>
         if constexpr (is_traced_at<problem<F, Force>, V>)
             return kept.by_q(x.t, x.q, v);
         else if constexpr (shape<V>::size != Eigen::Dynamic and shape<V>::size <= one_evaluation)
-            return expand_at(kept.what(), x.t, x.q, v).e.by_q; // one evaluation, which a step has compiled already
+            return expand_at(kept.what(), x.t, x.q, v).e.by_q; // one evaluation, instantiated by the step already
         else {
             V by_q = gradient_first(at_time{kept.what().lagrangian, x.t}, x.q, v);
             if constexpr (not std::same_as<Force, no_force>) by_q += evaluated(at_time{kept.what().force, x.t}(x.q, v));
@@ -54,7 +54,7 @@ slopes<V> slopes_at(Problem const& mechanics, state<S, V> const& x) {
 
 namespace detail {
 
-/// The derivatives of what a method steps, damping aside, kept.
+/// The kept derivatives of the problem of a method, without damping.
 template <class Method>
 auto derivatives_of(Method const& method) {
     if constexpr (requires { method.undamped(); })
@@ -65,12 +65,12 @@ auto derivatives_of(Method const& method) {
         return kept_derivatives(method.mechanics());
     }
 }
-/// A composition may be of several problems, and its slopes of none. @throws error::mismatch
+/// A composition of several problems has no slopes. @throws error::mismatch
 template <class Method, class State>
 void require_one_problem(Method const& method, State const& x) {
     if constexpr (requires { method.require_one_problem(x); }) method.require_one_problem(x);
 }
-/// The slopes at x, the state that a walk has reached or, `back`, the one before, with the force of a history.
+/// The slopes at x, the current state of an iterator or with `back` the one before, with the force of a history.
 template <class Walk, class Kept, class State, class V>
 auto slopes_on(Walk const& walk, Kept const& kept, State const& x, V const& near, bool back) {
     auto result = slopes_by(kept, x, near);
@@ -80,7 +80,7 @@ auto slopes_on(Walk const& walk, Kept const& kept, State const& x, V const& near
 
 } // namespace detail
 
-/// The states between two neighbouring ones.
+/// The cubic Hermite interpolant in (q, p) between two neighbouring states.
 template <class S, class V>
 class dense_step {
 public:
@@ -102,7 +102,7 @@ public:
         y.t = t;
         return y;
     }
-    /// The state at (1 - x) t_i + x t_{i+1}, 0 <= x <= 1: q and p do not know how t rounds.
+    /// The state at (1 - x) t_i + x t_{i+1}, 0 <= x <= 1: q and p do not depend on the rounding of t.
     [[nodiscard]] state<S, V> at_fraction(S const& x) const {
         if (x == S(1)) return b_;
         S const h = b_.t - a_.t;
@@ -120,8 +120,8 @@ private:
     slopes<V> da_, db_;
 };
 
-/// The states between those of a trajectory, which is walked for it, or of one that was kept: dense_output(path), or of a flow without a
-/// history dense_output(flow.mechanics(), states).
+/// The interpolant of a trajectory, which is computed for it, or of recorded states of a flow without a history: dense_output(path),
+/// dense_output(flow.mechanics(), states).
 template <class S, class V>
 class dense_output {
 public:
@@ -137,7 +137,7 @@ public:
             slopes_.push_back(detail::slopes_by(kept, states_[i], detail::mean_velocity(states_[before], states_[before + 1])));
         }
     }
-    /// @throws what walking throws, and slopes_at
+    /// @throws as the trajectory and slopes_at do
     template <class Path>
         requires requires(Path const& path) { path.begin(), path.method(); }
     explicit dense_output(Path const& path) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// What geometric integrators are judged by, measured on any method, problem and scalar:
+// Quality measures of geometric integrators, for any method, problem and scalar:
 //   drift_along(path, energy(L))                       error of the energy: largest, slope against time, correlation with time
 //   drift_along(path, momentum_map(xi))                the same of the momentum p.xi(q) of a symmetry with generator xi (Noether)
 //   symplecticity_error(jacobian_of_step(...))         |M^T J M - J|
 //   reversibility_error(method, adjoint, x, h)         a step there with the method and back with its adjoint
 //   largest_residual(equation, x)                      of the discrete Euler-Lagrange equation at a trajectory
-// Bounded energy errors without drift are what backward error analysis promises of symplectic methods (Hairer, Lubich, Wanner, Geometric
-// Numerical Integration, theorem IX.8.1).
+// Backward error analysis predicts bounded energy errors without drift for symplectic methods (Hairer, Lubich, Wanner, Geometric Numerical
+// Integration, theorem IX.8.1).
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@
 
 namespace hilger {
 
-/// How a quantity e(t) that should stay what it was at the start does not.
+/// The drift of a quantity e(t) that should be constant.
 template <class S>
 struct drift_statistics {
     S largest{0};                                  ///< max |e(t) - e(start)|
@@ -35,7 +35,7 @@ struct drift_statistics {
 };
 
 namespace detail {
-/// quantity(x), of a quantity that may be that of one of several velocities of the one near the velocity that led to x.
+/// quantity(x), or quantity(x, v) with the last velocity for a quantity that depends on which of several velocities is meant.
 template <class Quantity, class Path, class State>
 auto along_a_walk(Quantity const& quantity, Path const& path, std::optional<State>& before, State const& x) {
     if constexpr (requires { typename Quantity::depends_on_velocity; }) {
@@ -76,7 +76,7 @@ auto drift_along(Path const& path, Quantity const& quantity) {
 }
 
 /// The energy H(p, q) = p.v - L(q, v) of a state, for L(q, v) or L(t, q, v): energy(L)(x). Where several velocities have the momentum of x,
-/// as with L = v^4 - v^2, energy(L)(x, v) is that of the one near v.
+/// as with L = v^4 - v^2, energy(L)(x, v) takes the one near v.
 template <class L>
 class energy_of_states {
 public:
@@ -90,6 +90,7 @@ public:
 private:
     detail::kept_derivatives<problem<L>> kept_;
 };
+/// energy_of_states of a Lagrangian L(q, v) or L(t, q, v). @throws as the inverse Legendre map does
 template <class L>
 auto energy(L lagrangian) {
     return energy_of_states<L>(std::move(lagrangian));
@@ -114,8 +115,8 @@ S& phase_component(state<S, V>& x, int k) {
 }
 } // namespace detail
 
-/// The derivative M of one step (q, p) -> (q', p'), 2d x 2d, by central differences of order 4. With steps of epsilon^(1/5) their error and
-/// that of rounding are of the size of epsilon^(4/5); in an exact scalar M is exact where the step is linear. @throws as a step does
+/// The derivative M of one step (q, p) -> (q', p'), 2d x 2d, by central differences of order 4. With increments of epsilon^(1/5) their
+/// error and rounding are of the size of epsilon^(4/5); in an exact scalar M is exact where the step is linear. @throws as a step does
 template <class Method, class S, class V>
 auto jacobian_of_step(Method const& method, state<S, V> const& x, S const& h) {
     int const n = 2 * detail::shape<V>::dimension(x.q);
@@ -167,7 +168,7 @@ S reversibility_error(Method const& method, Adjoint const& adjoint, state<S, V> 
 
 /// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T), with a force f(q, v) or f(t, q, v) beside
 /// dL/dq where one is given; 0 where T has no inner point. Terms of the size |p| / h cancel in it, so it is a few epsilons of that where x
-/// is a solution. Of a restricted principle it is that of the equation of the first curve, with its damping.
+/// is a solution. For a restricted principle the equation is that of the first curve, with its damping.
 template <class Equation, discrete_function X, class... Force>
     requires requires(Equation const& equation, X const& x, Force const&... force) { equation.residual(x, force...); }
 auto largest_residual(Equation const& equation, X const& x, Force const&... force) {

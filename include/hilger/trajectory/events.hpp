@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Where a real function g of the state passes zero along a trajectory: Poincare sections, periods, impacts. A change of sign between two
-// points is located on the dense output of that step to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748); nothing is stored.
+// The zeros of a real function g of the state along a trajectory: Poincare sections, periods, impacts. A change of sign between two points
+// is located on the dense output of that step to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748); nothing is stored.
 //   for (auto const& x : events(path, g, crossing::rising)) ...        the states where g passes zero
 //   for (auto const& x : until(path, g)) ...                           the states up to there, and that one last
-// Where g is true or false an event is where it changes, rising where it becomes true.
-// An event is where g, not zero before, reaches or passes zero within a step: g = 0 at the start is none. Two within one step are not seen.
+// The events of a g that is true or false are its changes, rising where it becomes true. An event is where g, not zero before, reaches or
+// passes zero within a step: g = 0 at the start is none. Two within one step are not seen.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace hilger {
 
-/// Which events are meant: g from negative to positive, from positive to negative, or both.
+/// The direction of events: g from negative to positive, from positive to negative, or both.
 enum class crossing { any, rising, falling };
 
 namespace detail {
@@ -29,7 +29,7 @@ S fraction_at_zero(G const& g, S const& was, S const& now) {
     return boost::math::tools::toms748_solve(g, S(0), S(1), was, now, near_enough, most).second;
 }
 
-/// Walks a trajectory and notices sign changes of g.
+/// Advances along a trajectory and detects sign changes of g.
 template <class Path, class G>
 class crossing_search {
     using walk = decltype(std::declval<Path const&>().begin());
@@ -61,8 +61,7 @@ public:
             dense_step(before_, slopes_on(walk_, kept_, before_, near, true), *walk_, slopes_on(walk_, kept_, *walk_, near, false));
         S const largest = std::max(S(magnitude(was_)), S(magnitude(now_)));
         bool const stays = now_ == zero;
-        // At a pole it may be infinite, which says on which side it is. Where it stays zero, as a penetration does, its first zero is
-        // meant.
+        // At a pole g may be infinite, with the sign of its side. Where it stays zero, as a penetration does, its first zero is located.
         auto const below_infinity = [&](S const& x) {
             S const y = number(inside.at_fraction(x)), most = (std::numeric_limits<S>::max)();
             if (stays and y == zero) return S(-was_);
@@ -71,7 +70,7 @@ public:
         located_ = inside.at_fraction(fraction_at_zero(below_infinity, was_, stays ? S(-was_) : now_));
         return magnitude(number(located_)) <= largest;
     }
-    /// The first state at or behind the zero of g that step() told of.
+    /// The first state at or behind the zero of g that step() found.
     [[nodiscard]] state_type const& located() const { return located_; }
 
 private:
@@ -163,13 +162,15 @@ private:
 
 } // namespace detail
 
-/// The states at which g(state) passes zero, found as the range is walked. @throws error::not_finite when g is, and as the trajectory does
+/// A range of the states at which g(state), a number or bool, passes zero, found during iteration. @throws error::not_finite when g is NaN
+/// or infinite, and as the trajectory does
 template <class Path, class G>
 auto events(Path path, G g, crossing which = crossing::any) {
     detail::require_function_of_a_state<Path, G>();
     return detail::event_range<Path, G, false>(std::move(path), std::move(g), which);
 }
 /// The states of the trajectory up to the first event, with the state at that event as the last one; all of them when there is none.
+/// @throws as events does
 template <class Path, class G>
 auto until(Path path, G g, crossing which = crossing::any) {
     detail::require_function_of_a_state<Path, G>();

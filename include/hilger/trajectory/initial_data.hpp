@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a trajectory starts from: initial_velocity{q0, v0}, initial_momentum{q0, p0}, or the first two positions, initial_positions{q0, q1}.
-// Where they are asked for they can be written in braces, with the names of their parts and anything that may be given as a state:
+// Initial data of a trajectory: initial_velocity{q0, v0}, initial_momentum{q0, p0}, or the first two positions, initial_positions{q0, q1}.
+// As arguments they can be written in braces, with the names of their parts and anything that may be given as a state:
 //   solve(EL, T, {.q0 = 1.0, .v0 = 0})        flow.along(T, {.q0 = Eigen::Vector2d(1, 0), .q1 = x})        {.q0 = {1.0, 0.0}, .v0 = ...}
 // A list in braces has no type from which the kind of state could be deduced, so there is one overload for each: numbers, vectors of a
 // fixed size up to 6, vectors of dynamic size. Other states take the name of the type.
@@ -51,8 +51,8 @@ concept initial_data = detail::starts_a_trajectory<Data>;
 
 namespace detail {
 
-/// One type for two parts: numbers in the type of their sum; a vector as it is evaluated, of the length that both types say, or of a
-/// dynamic one, so that it is looked whether they have the same.
+/// One type for two parts: numbers in the type of their sum; a vector, evaluated, of the length of both types, or of dynamic length where
+/// they differ, to be compared at run time.
 template <class X, class Y>
 struct common_parts {
     using number = typename given_vector<X>::number;
@@ -97,7 +97,7 @@ struct braced<Eigen::Matrix<S, Size, 1>> {
         requires(sizeof...(X) == Size)
     explicit(false) braced(X const&... x) : value(as_state<V>(std::array<S, sizeof...(X)>{exactly<S>(x)...})) {}
 };
-/// What stands first in these lists and cannot be written, so that their parts must be named.
+/// The first member of these lists, which cannot be written, so that the others must be named.
 struct named {
     explicit named() = default;
 };
@@ -134,8 +134,7 @@ struct ends_in_braces {
     [[nodiscard]] constexpr boundary_values<V> data() const { return {q0.value, qN.value}; }
 };
 
-/// Takes every part that nothing above takes. A function with a list of these takes its scale by a conversion, which makes it the last
-/// choice.
+/// Takes every part that nothing above takes. A function of a list of these converts its scale, so that it is the last choice.
 struct anything {
     template <class... X>
         requires(sizeof...(X) > 0)

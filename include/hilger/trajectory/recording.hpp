@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A trajectory kept in memory. A recording is whole: what a step throws is thrown by it. Who wants what there is of a run that fails says
-// so, and finds in `stopped` why and where it ended.
+// A trajectory kept in memory. record throws what a step throws; with keep_partial it returns the states reached, and `stopped` says why
+// and where the run ended.
 //   auto const run = record(flow.along(T, q0, p0));                  run.states, run.positions(), run.momenta()
 //   auto const part = record(flow.along(T, q0, p0), keep_partial);   if (part.stopped) std::cerr << *part.stopped;
 #pragma once
@@ -13,15 +13,15 @@
 
 namespace hilger {
 
-/// Asks for what there is of a trajectory that stops before its end.
+/// Requests the states reached by a trajectory that stops before its end.
 inline constexpr struct keep_partial_t {
 } keep_partial{};
 
-/// States in the order of time; the last one is where the walk ended.
+/// States in the order of time up to the end of the run, possibly incomplete: see stopped.
 template <class S, class V, class Scale>
 struct recording {
     std::vector<state<S, V>> states;
-    std::optional<std::string> stopped; ///< what() of the error that ended the walk, if one did: with keep_partial alone
+    std::optional<std::string> stopped; ///< what() of the error that ended the run, if one did: with keep_partial only
     Scale scale;
 
     /// q in C(T), one value per point. @throws error::mismatch when there is not one state for each point of T.
@@ -48,7 +48,7 @@ using recording_of = recording<std::remove_cvref_t<decltype((*std::declval<Path 
                                std::remove_cvref_t<decltype((*std::declval<Path const&>().begin()).q)>,
                                std::remove_cvref_t<decltype(std::declval<Path const&>().scale())>>;
 
-/// A stride as it is given, as 10 or 1e3. @throws error::invalid_parameter where it is no whole number from 1
+/// A stride, given as 10 or 1e3. @throws error::invalid_parameter where it is not a positive whole number
 template <arithmetic N>
 index_type whole_stride(N stride) {
     auto const count = whole(stride);
@@ -57,13 +57,13 @@ index_type whole_stride(N stride) {
             "a recording keeps every stride-th state, a whole number from 1, and its stride was given as ", stride);
     return *count;
 }
-/// Keeps states as it walks, the one that was reached in any case; so that whoever catches what a step throws has them.
+/// Records states, always with the last one reached, also when a step throws.
 template <class Path>
 void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
     auto at = path.begin();
-    if (at == path.end()) return; // of a walk to its events there may be none
+    if (at == path.end()) return; // a range of events may be empty
     auto last = *at;
-    bool kept = false; // is the state that `at` stands on
+    bool kept = false; // whether the state at `at` is
     auto const finish = [&] {
         if (not kept) to.states.push_back(std::move(last));
     };
@@ -80,7 +80,7 @@ void record_into(recording_of<Path>& to, Path const& path, index_type stride) {
     finish();
 }
 
-/// A state for each point of T. @throws error::mismatch
+/// @throws error::mismatch where there is not one state for each point of T
 template <class S, class V, class Scale>
 void require_complete(recording<S, V, Scale> const& run) {
     if (run.stopped or std::ssize(run.states) != run.scale.size())
@@ -90,8 +90,8 @@ void require_complete(recording<S, V, Scale> const& run) {
 
 } // namespace detail
 
-/// Walks a trajectory, or what is left of one, and keeps the first state, every stride-th one after it, and the last.
-/// @throws error::invalid_parameter when stride < 1 or not whole, and what steps throw: nothing is kept then
+/// Computes a trajectory, or the rest of one, and records the first state, every stride-th one after it, and the last.
+/// @throws error::invalid_parameter when stride < 1 or not whole, and what steps throw, without a result
 template <class Path, detail::arithmetic N = index_type>
 [[nodiscard]] auto record(Path const& path, N stride = 1) {
     auto const every = detail::whole_stride(stride);
@@ -99,8 +99,8 @@ template <class Path, detail::arithmetic N = index_type>
     detail::record_into(result, path, every);
     return result;
 }
-/// The same, and where a step fails the states that were reached stay, the last of them at any stride: `stopped` says why and where. It is
-/// to be read before anything else. @throws error::invalid_parameter as above
+/// The same, with the states reached where a step fails, the last of them at any stride: check `stopped`, which says why and where. @throws
+/// error::invalid_parameter as above
 template <class Path, detail::arithmetic N>
 [[nodiscard]] auto record(Path const& path, N stride, keep_partial_t) {
     auto const every = detail::whole_stride(stride);

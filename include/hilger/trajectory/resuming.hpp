@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// A walk goes on with the numbers of what was remembered, and not with what the memory knew of its problem: masses, dampings and methods of
-// one type have other numbers in another trajectory. What is remembered of the problem itself, as the force at the last point, is seen in
-// the next step. A memory names its numbers in one function, visit(method, each): a trajectory that resumes takes them over as the lines of
-// text that a checkpoint has in a file (checkpoint.hpp).
+// A trajectory resumes with the numbers of a memory, not with its problem: masses, dampings and methods of one type may have other values
+// in another trajectory. A difference in the problem itself, as the force at the last point, shows in the next step. A memory visits its
+// numbers in one function, visit(method, each): a resumed trajectory reads them as the lines of text that a checkpoint has in a file
+// (checkpoint.hpp).
 #pragma once
 
 #include <charconv>
@@ -21,7 +21,7 @@
 
 namespace hilger::detail {
 
-/// Whether a step from `start` leads to b as it led to a, but for what compilers make different of the same formula.
+/// Whether a and b are the same result of a step from `start`, up to the differences between compilers.
 template <class V>
 bool is_the_same(V const& start, V const& a, V const& b) {
     using S = scalar_of<V>;
@@ -43,7 +43,7 @@ std::string exact_text(X const& x) {
     return out.str();
 }
 
-/// The number that the whole word spells. @throws std::exception when it spells none.
+/// The number that the whole word reads as. @throws std::exception when it is none.
 template <class S>
 S number_from(std::string const& word) {
     if constexpr (std::is_floating_point_v<S>) {
@@ -55,7 +55,7 @@ S number_from(std::string const& word) {
         return S(word);
 }
 
-/// Writes what it visits as lines of text, `label number`.
+/// Writes the visited numbers as lines of text, `label number`.
 struct line_writer {
     std::vector<std::string> lines{};
     template <class X>
@@ -63,13 +63,13 @@ struct line_writer {
         lines.push_back(std::string(label).append(" ") + exact_text(x));
     }
 };
-/// Reads into what it visits the lines that line_writer has made of it.
+/// Reads the lines of a line_writer into the visited numbers.
 struct line_reader {
     std::vector<std::string> const& lines;
     std::string const& source;
     std::size_t read = 0;
 
-    /// @throws error::unreadable where the next line is another one
+    /// Reads the line `text`. @throws error::unreadable where the next line is another one
     void require(std::string const& text) {
         if (next("'" + text + "'", text) != text) refuse("'" + text + "'");
     }
@@ -104,9 +104,9 @@ private:
     }
 };
 
-/// What a trajectory of `method` remembers where another memory does, as far as it shows it.
+/// A memory of `method` with the numbers of another memory, as far as it visits them. @throws error::mismatch where their number differs
 template <class S, class V, class Memory, class Method>
-Memory taken_over(Memory from, Method const& method, S const& h, V const& like) {
+Memory transfer_memory(Memory from, Method const& method, S const& h, V const& like) {
     if constexpr (requires(line_writer each) { from.visit(method, each); }) {
         line_writer write;
         from.visit(method, write);
@@ -126,7 +126,7 @@ Memory taken_over(Memory from, Method const& method, S const& h, V const& like) 
     } else
         return from;
 }
-/// That a step of length h leads where another memory leads that knows more, or nothing, of another problem. @throws error::mismatch
+/// Checks that a step of length h leads to the same state with the memory `other(at, x)`. @throws error::mismatch
 template <class S, class V, class Method, class Memory, class Other>
 void require_same_step(Memory remembered, Other const& other, Method const& method, state<S, V> const& at, S const& h) {
     std::optional<state<S, V>> with, without;
@@ -138,7 +138,7 @@ void require_same_step(Memory remembered, Other const& other, Method const& meth
         x = at;
         another.advance(method, x, h);
         without = x;
-    } catch (std::exception const&) { // then it tells nothing
+    } catch (std::exception const&) { // no comparison then
     }
     if (without and not(is_the_same(at.q, with->q, without->q) and is_the_same(at.p, with->p, without->p)))
         error::raise<error::mismatch>(
@@ -146,7 +146,7 @@ void require_same_step(Memory remembered, Other const& other, Method const& meth
             ", leads elsewhere. With another Lagrangian, force or damping a new trajectory begins at that "
             "state");
 }
-/// That a step of length h with what is remembered leads where one without it does. @throws error::mismatch
+/// Checks that a step of length h leads to the same state with and without the memory. @throws error::mismatch
 template <class S, class V, class Memory, class Method>
 void require_its_own(Memory const& remembered, Method const& method, state<S, V> const& at, S const& h) {
     require_same_step(

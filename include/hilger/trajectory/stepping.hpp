@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Everything that steps, a flow or a composition of flows, derives from `stepping`, offers memory<S, V> (trajectory/trajectory.hpp), and
-// walks from initial data.
+// The base of all methods, flows and compositions of flows: they offer memory<S, V> (trajectory/trajectory.hpp), and `along` makes
+// trajectories from initial data.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace hilger {
 
 namespace detail {
-/// What a walk that was refused looks like: one of no states, so that what is made of it says no more.
+/// The result of a refused `along`: an empty range, so that no other error follows.
 template <class S, class V, class Scale>
 struct refused_walk {
     Scale const& T;
@@ -28,6 +28,7 @@ refused_walk<S, V, Scale> no_walk(Scale const& T) {
 }
 } // namespace detail
 
+/// See above. Method has memory<S, V>, momentum(t, q, v) and momentum_between(t, q0, q1, h).
 template <class Method>
 class stepping : public detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic> {
     template <class Scale>
@@ -37,17 +38,21 @@ public:
     /// Also from initial data in braces: along(T, {.q0 = 1.0, .v0 = 0.0}).
     using detail::along_in_braces_of<Method, 0, 2, 3, 4, 5, 6, Eigen::Dynamic>::along;
 
-    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time as the range is walked. Two numbers or two
-    /// vectors, or what becomes such without losing a digit (hilger/variational/given_state.hpp); states are of the kind that q0 is.
-    /// @throws error::not_finite at once when q0 or p0 is not finite, error::mismatch when they have different lengths; while walking, a
+    /// The states at the points of T, from (q0, p0) at its first one, computed one at a time during iteration. q0 and p0 are two numbers or
+    /// two vectors of one length, or convert to such exactly (hilger/variational/given_state.hpp); states are of the kind of q0.
+    /// @throws error::not_finite at once when q0 or p0 is not finite, error::mismatch when they have different lengths; during iteration, a
     /// step_failure with the last good state.
     template <time_scale_like Scale, class X, class Y>
     auto along(Scale const& T, X const& q0, Y const& p0) const {
-        return walked<X, Y>(T, [&]<class V>(std::type_identity<V>) { return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)}; });
+        return make_trajectory<X, Y>(T, [&]<class V>(std::type_identity<V>) {
+            return std::pair{detail::as_state<V>(q0), detail::as_state<V>(p0)};
+        });
     }
+    /// From other initial data: p0 = dL/dv(t_0, q0, v0), p0 itself, or p0 = -d_1 L_h(q0, q1). @throws as above, and where that momentum
+    /// does not exist
     template <time_scale_like Scale, class W>
     auto along(Scale const& T, initial_velocity<W> const& from) const {
-        return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+        return make_trajectory<W, W>(T, [&]<class V>(std::type_identity<V>) {
             V q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
             detail::require_same_dimension(q0, v0, "the initial position and velocity");
             V p0 = self().momentum(T.min(), q0, v0);
@@ -68,7 +73,7 @@ public:
         static_assert(says_momentum, "two positions say which momentum a step of an embedding begins with; with fractional damping, and of "
                                      "structures, a trajectory begins at {.q0 = ..., .v0 = ...}");
         if constexpr (says_momentum)
-            return walked<W, W>(T, [&]<class V>(std::type_identity<V>) {
+            return make_trajectory<W, W>(T, [&]<class V>(std::type_identity<V>) {
                 scalar_on<Scale> const h = T.domain().base.step(T.root(), T.first());
                 V q0 = detail::as_state<V>(from.q0), q1 = detail::as_state<V>(from.q1);
                 detail::require_same_dimension(q0, q1, "the first two positions");
@@ -102,7 +107,7 @@ public:
                       "both ends say no step to begin with: solve(variation(S), T, {.q0 = ..., .qN = ...}) joins them");
         return detail::no_walk<S, S>(T);
     }
-    /// One step of length h, remembering nothing. @throws error::no_convergence, error::singular, error::not_finite
+    /// The state after one step of length h, without memory of others. @throws error::no_convergence, error::singular, error::not_finite
     template <class S, class V>
     state<S, V> step(state<S, V> from, std::type_identity_t<S> const& h) const {
         typename Method::template memory<S, V> memory(self(), h, from.q);
@@ -110,17 +115,17 @@ public:
         return from;
     }
 
-    /// The trajectory from a state. Methods that ask more of T or of a state have a function of this name.
+    /// The trajectory from a state. Methods with more conditions on T or the state have a function of this name.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
         return trajectory<Method, Scale, V>(self(), T, std::move(q0), std::move(p0));
     }
 
 private:
-    /// The trajectory from the position and momentum, and perhaps velocity, that begin(type) makes of what was given, an X and a Y; or
-    /// nothing, after a sentence that says why.
+    /// The trajectory from the position and momentum, and perhaps velocity, that begin(type) makes of data of types X and Y; an empty one
+    /// after a refusal in one sentence.
     template <class X, class Y, class Scale, class Begin>
-    auto walked(Scale const& T, Begin const& begin) const {
+    auto make_trajectory(Scale const& T, Begin const& begin) const {
         using S = scalar_on<Scale>;
         using V = detail::given_state_t<S, X>;
         using F = typename detail::mechanics_of<Method>::lagrangian;

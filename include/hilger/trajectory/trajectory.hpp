@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A trajectory as a range of states, one at each point of a time scale, computed as it is walked by what a method remembers, its
-// memory<S, V>, which advances a state in place.
+// A trajectory as a range of states, one at each point of a time scale, computed during iteration by the memory<S, V> of a method, which
+// advances a state in place.
 #pragma once
 
 #include <iterator>
@@ -15,16 +15,16 @@
 
 namespace hilger {
 
-/// Steps of one length need not ask for it each time; what goes wrong in advance_equally is thrown as a step_failure, from where a step
-/// can say so without keeping its state in memory for it.
+/// Steps of one length, prepared once by begin. advance_equally throws step_failure itself, so that the state need not be kept in memory
+/// for the message.
 template <class Memory, class Method, class S, class State>
 concept advances_equally = requires(Memory m, Method const& f, State x, S const& h) {
     m.begin(f, x, h);
     m.advance_equally(f, x);
 };
 
-/// A point of a trajectory with everything that the steps after it depend on: the state, what the method remembers (first guesses, what
-/// rounding cut off), and the number of the point.
+/// A point of a trajectory with everything that the steps after it depend on: the state, the memory of the method (first guesses, rounding
+/// errors of sums), and the number of the point.
 template <class S, class V, class Memory>
 struct checkpoint {
     state<S, V> at;
@@ -70,6 +70,7 @@ inline constexpr bool has_history = requires {
 
 } // namespace detail
 
+/// The trajectory of a method on T from (q0, p0), as a range of state<S, V>. @throws error::not_finite, error::mismatch as `along` does
 template <class Method, time_scale_like Scale, class V>
 class trajectory {
     using S = typename Scale::root_type::scalar_type;
@@ -77,6 +78,7 @@ class trajectory {
 
 public:
     using checkpoint_type = checkpoint<S, V, memory>;
+    /// An input iterator; operator++ takes one step. @throws step_failure with the last good state
     class iterator {
     public:
         using iterator_concept = std::input_iterator_tag;
@@ -93,11 +95,11 @@ public:
             return *this;
         }
         HILGER_ALWAYS_INLINE void operator++(int) { advance(); }
-        /// The number of the point of T that the state is at.
+        /// The number of the current point of T.
         [[nodiscard]] index_type number() const { return number_; }
-        /// What the method remembers there.
+        /// The memory of the method there.
         [[nodiscard]] auto const& remembered() const { return memory_; }
-        /// What trajectory::resume continues from, bit for bit as if it had not stopped.
+        /// The argument of trajectory::resume, which continues bit for bit as if not stopped.
         [[nodiscard]] checkpoint_type checkpoint() const { return {at_, memory_, number_}; }
         friend bool operator==(iterator const& i, std::default_sentinel_t) { return i.number_ > i.last_; }
 
@@ -119,8 +121,7 @@ public:
         static constexpr bool equal_steps = Scale::root_type::is_uniform and
                                             detail::has_equal_steps<typename Scale::domain_type::base_type> and
                                             advances_equally<memory, Method, S, value_type>;
-        // What comes before the first step stays out of the loop that a user writes: calls there would keep the state out of registers
-        // here.
+        // The preparation of the first step stays out of the user's loop: calls there would keep the state out of registers.
         [[gnu::noinline]] static memory begun(trajectory const& path) {
             index_type const first = path.T_.first();
             checkpoint_type from{path.start_, memory(path.method_, path.step(first), path.start_.q), first};
@@ -137,7 +138,7 @@ public:
                 }
             return std::move(from.memory);
         }
-        /// Whose address no call has seen.
+        /// A copy whose address has not escaped.
         HILGER_ALWAYS_INLINE static memory moved(memory&& begun) { return std::move(begun); }
         trajectory const* path_;
         memory memory_;
@@ -151,7 +152,7 @@ public:
             error::raise<error::not_finite>("the initial position and momentum are finite numbers, and these contain NaN or infinity");
         detail::require_same_dimension(start_.q, start_.p, "the initial position and momentum");
     }
-    /// The velocity that the initial momentum is from, where several have it (L = v^4 - v^2); or one near it.
+    /// The velocity of the initial momentum, or one near it, where several have that momentum (L = v^4 - v^2).
     void starts_with(V velocity) { velocity_ = std::move(velocity); }
     [[nodiscard]] std::optional<V> const& starting_velocity() const { return velocity_; }
     [[nodiscard]] iterator begin() const& { return iterator(*this); }
@@ -163,7 +164,7 @@ public:
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
     [[nodiscard]] Scale const& scale() const { return T_; }
     [[nodiscard]] Method const& method() const { return method_; }
-    /// The rest of the trajectory, beginning with the checkpoint's own state; T may go further than the one that the checkpoint is from.
+    /// The rest of the trajectory, beginning with the checkpoint's own state; T may extend beyond that of the checkpoint.
     /// @throws error::mismatch when the checkpoint's point is not the one of that number in T, or its memory is another problem's.
     [[nodiscard]] resumed<trajectory> resume(checkpoint_type from) const {
         if (from.number < T_.first() or T_.last() < from.number or not(T_.element(from.number) == from.at.t))
@@ -172,8 +173,8 @@ public:
         detail::require_same_dimension(start_.q, from.at.q, "a trajectory and the checkpoint that it resumes from");
         if (from.number < T_.last()) {
             S const h = step(from.number);
-            auto own = detail::taken_over(from.memory, method_, h, from.at.q);
-            if constexpr (detail::has_history<Method>) // the other one knows its orders and coefficients
+            auto own = detail::transfer_memory(from.memory, method_, h, from.at.q);
+            if constexpr (detail::has_history<Method>) // the other memory has its own orders and coefficients
                 detail::require_same_step(
                     own, [&](auto const&, auto const&) { return from.memory; }, method_, from.at, h);
             else

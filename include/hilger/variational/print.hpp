@@ -37,7 +37,7 @@ constexpr auto hamiltonian_form(euler_lagrange<action_sum<First, Second>> const&
 namespace detail {
 
 /// dL/dq, dH/dp, ... of arguments in brackets; of the L with this number in a sum.
-inline spelled derivative_of(char function, char by, spelled const& arguments, bool negative = false, spelled const& number = {"", ""}) {
+inline notation derivative_of(char function, char by, notation const& arguments, bool negative = false, notation const& number = {"", ""}) {
     return {(negative ? "−∂" : "∂") + std::string(1, function) + number.terminal + "/∂" + by + arguments.terminal,
             (negative ? "-\\frac{\\partial " : "\\frac{\\partial ") + std::string(1, function) + number.latex + "}{\\partial " + by + "}" +
                 arguments.latex};
@@ -68,7 +68,7 @@ public:
     }
     /// The same on T, of the part of a sum with this number.
     [[nodiscard]] expression term() const {
-        spelled const at{"(⋆" + number_.terminal + ")", "(\\star" + number_.latex + ")"};
+        notation const at{"(⋆" + number_.terminal + ")", "(\\star" + number_.latex + ")"};
         return written_on(EL_.force_on_T(), expression::name(derivative_of('L', 'q', at, false, number_))) +
                written_on(EL_.momentum_on_T(), expression::name(derivative_of('L', 'v', at, false, number_)));
     }
@@ -118,7 +118,7 @@ public:
     [[nodiscard]] expression velocity() const { return of_q(EL_.action().velocity); }
 
 private:
-    inline static spelled const star{"(⋆)", "(\\star)"};
+    inline static notation const star{"(⋆)", "(\\star)"};
 
     [[nodiscard]] base_type base() const { return EL_.action().position.image(domain<from>{}).base; }
     [[nodiscard]] auto domain_of_equation() const {
@@ -133,7 +133,7 @@ private:
         else
             return e.without("|" + written_domain(domain<base_type>{base()}, print_style::terminal));
     }
-    [[nodiscard]] spelled p() const {
+    [[nodiscard]] notation p() const {
         if constexpr (not on_lambda)
             return {"p", "p"};
         else {
@@ -141,13 +141,13 @@ private:
             return {"p" + circle.terminal, "p_{" + circle.latex + "}"};
         }
     }
-    [[nodiscard]] spelled state() const {
+    [[nodiscard]] notation state() const {
         return {"(" + p().terminal + ", " + position().in(print_style::terminal) + ")",
                 "(" + p().latex + ", " + position().in(print_style::latex) + ")"};
     }
     euler_lagrange<Action, P> const& EL_;
     print_style s_;
-    spelled number_{"", ""};
+    notation number_{"", ""};
 };
 
 /// The sum of the parts of an equation on T, where each reads its Lagrangian, and what has to be said of symbols.

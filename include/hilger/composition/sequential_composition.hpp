@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A composition as its flows make it, part after part of each step, where it is not made of kicks and drifts (splitting.hpp).
+// A composition by its flows, part after part of each step, where it does not consist of kicks and drifts (splitting.hpp).
 #pragma once
 
 #include <array>
@@ -16,24 +16,23 @@ template <parts_of_a_step Parts, class... Flows>
 class composed_flow;
 
 namespace detail {
-/// A value in a place of its own: what holds it can be in registers.
+/// A value on the heap, so that its owner can live in registers.
 template <class T>
-class in_its_place : public std::unique_ptr<T> {
+class boxed : public std::unique_ptr<T> {
 public:
-    in_its_place() : std::unique_ptr<T>(std::make_unique<T>()) {}
-    in_its_place(in_its_place const& other) : std::unique_ptr<T>(std::make_unique<T>(*other)) {}
-    in_its_place& operator=(in_its_place const& other) {
+    boxed() : std::unique_ptr<T>(std::make_unique<T>()) {}
+    boxed(boxed const& other) : std::unique_ptr<T>(std::make_unique<T>(*other)) {}
+    boxed& operator=(boxed const& other) {
         **this = *other;
         return *this;
     }
-    in_its_place(in_its_place&&) = default;
-    in_its_place& operator=(in_its_place&&) = default;
+    boxed(boxed&&) = default;
+    boxed& operator=(boxed&&) = default;
 };
 
-/// What a composition remembers whose flows take turns: one memory for each part, whose steps have one length, c_k h, and whose guesses are
-/// made from its own steps.
+/// The memory of a composition by its flows: one for each part, whose steps have the length c_k h and give its first guesses.
 template <class S, class V, class Parts, class... Flows>
-class by_turns {
+class sequential_composition {
     using composed = composed_flow<Parts, Flows...>;
     static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
     using all = std::index_sequence_for<Flows...>;
@@ -41,10 +40,10 @@ class by_turns {
     using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
 
 public:
-    by_turns(composed const& f, S const& h, V const& like)
+    sequential_composition(composed const& f, S const& h, V const& like)
         : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
     }
-    /// The velocity that the first step begins with: the parts of that step begin with the one of the part before.
+    /// The initial velocity of the first step; each later part of that step begins with the mean velocity of the part before.
     void start_with(composed const& f, state<S, V> const& x, V const& v) {
         begin_part(std::get<0>(f.flows()), std::get<0>(memories_)[0], x, v);
     }
@@ -108,7 +107,7 @@ private:
     numbers parts_;
     S h_;
     numbers lengths_;
-    /// Inside the step: handed over when its last part is made.
+    /// The state inside the step, returned after its last part.
     state<S, V> x_;
     std::tuple<of_a_turn<Flows>...> memories_;
     bool has_begun_ = false; ///< a step was made
