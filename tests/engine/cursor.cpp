@@ -9,9 +9,11 @@
 #include "hilger/text/embedding.hpp"
 #include "stated.hpp"
 
+namespace cursor_tests {
+
 using namespace hilger;
 using engine::second_datum;
-using hilger::testing::stated;
+using testing::stated;
 using vector = Eigen::VectorXd;
 
 namespace {
@@ -134,3 +136,5 @@ TEST_CASE("the list of methods has those that there are") {
     CHECK(engine::method_names(what, engine::scalar_kind::machine, true) ==
           std::vector<std::string>{"order-one", "order-one-left", "mid-point"});
 }
+
+} // namespace cursor_tests
