@@ -39,7 +39,6 @@
 #include "hilger/integrator/solve.hpp"
 
 // Memory of all that was, at almost no cost; what is damped by it, and problems with values at both ends
-#include "hilger/boundary/extrapolation.hpp"
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"

@@ -14,8 +14,7 @@ namespace hilger {
 
 struct boundary_options {
     int most_iterations = 50;    ///< of Newton's method, for one equation
-    int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
-    int most_applications = 600; ///< of a derivative, in one linear equation
+    int most_applications = 600; ///< of a derivative, in one linear equation; each keeps a vector of the size of the solution
     std::stop_token stop = {};   ///< who asks it to stop gets an error::no_convergence
 };
 
@@ -146,7 +145,7 @@ private:
         if constexpr (exact)
             return {eliminated(A, at.rest), S(0)};
         else {
-            auto solution = gmres<V>(A, at.rest, small(), {options_.krylov_columns, options_.most_applications});
+            auto solution = gmres<V>(A, at.rest, small(), options_.most_applications);
             return {std::move(solution.x), std::move(solution.residual)};
         }
     }
