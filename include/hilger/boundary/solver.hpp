@@ -116,26 +116,13 @@ private:
         return largest;
     }
     static S relative_size(values const& y, values const& v) {
-        if constexpr (exact)
-            return largest_of(y);
-        else {
-            S const of = euclidean_norm(v);
-            return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
-        }
+        S const of = euclidean_norm(v);
+        return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
     }
     /// Rounding alone is left.
-    static bool at_rest(point const& at) {
-        if constexpr (exact)
-            return largest_of(at.rest) == S(0);
-        else
-            return at.merit <= S(32) * epsilon<S>() * euclidean_norm(at.v);
-    }
+    static bool at_rest(point const& at) { return at.merit <= S(32) * epsilon<S>() * euclidean_norm(at.v); }
 
-    struct linear_solution {
-        values correction;
-        S accuracy;
-    };
-    [[nodiscard]] linear_solution solve_linear(point const& at) {
+    [[nodiscard]] krylov_solution<V> solve_linear(point const& at) {
         if (not at.coupled) return {at.rest, S(0)};
         auto const A = [&](values const& y) {
             ++applications_;
@@ -144,10 +131,8 @@ private:
         };
         if constexpr (exact)
             return {eliminated(A, at.rest), S(0)};
-        else {
-            auto solution = gmres<V>(A, at.rest, small(), options_.most_applications);
-            return {std::move(solution.x), std::move(solution.residual)};
-        }
+        else
+            return gmres<V>(A, at.rest, small(), options_.most_applications);
     }
     /// Gauss's elimination with the matrix written down: exact scalars have no square roots.
     template <class Apply>

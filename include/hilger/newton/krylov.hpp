@@ -30,19 +30,22 @@ scalar_of<V> inner_product(std::vector<V> const& x, std::vector<V> const& y) {
 /// Of values up to the ends of the scalar's range: they are squared in a unit, a power of two, that is near the largest.
 template <class V>
 scalar_of<V> euclidean_norm(std::vector<V> const& x) {
-    using std::frexp, std::ldexp, std::sqrt;
     using S = scalar_of<V>;
     S largest(0);
     for (auto const& value : x) largest = std::max(largest, S(magnitude(value)));
     if (largest == S(0) or not is_finite(largest)) return largest;
-    int exponent = 0;
-    (void)frexp(largest, &exponent);
-    S const unit = ldexp(S(1), exponent - 1);
-    S const square = pairwise_sum(0, x.size(), [&](std::size_t i) {
-        V const part = x[i] / unit;
-        return S(dot_product(part, part));
-    });
-    return unit * S(sqrt(square));
+    if constexpr (not std::numeric_limits<S>::is_exact) { // else there are no roots, and the largest is a norm too
+        using std::frexp, std::ldexp, std::sqrt;
+        int exponent = 0;
+        (void)frexp(largest, &exponent);
+        S const unit = ldexp(S(1), exponent - 1);
+        S const square = pairwise_sum(0, x.size(), [&](std::size_t i) {
+            V const part = x[i] / unit;
+            return S(dot_product(part, part));
+        });
+        return unit * S(sqrt(square));
+    }
+    return largest;
 }
 /// x + c y
 template <class V>
