@@ -117,11 +117,11 @@ traced<S> operator-(traced<S> const& x, traced<S> const& y) {
 }
 
 #define HILGER_WITH_CONSTANTS(operation)                                                                                                   \
-    template <class S, constant_beside<S> K>                                                                                               \
+    template <class S, constant_for<S> K>                                                                                                  \
     traced<S> operator operation(traced<S> const& x, K const& c) {                                                                         \
         return x operation traced<S>(c);                                                                                                   \
     }                                                                                                                                      \
-    template <class S, constant_beside<S> K>                                                                                               \
+    template <class S, constant_for<S> K>                                                                                                  \
     traced<S> operator operation(K const& c, traced<S> const& x) {                                                                         \
         return traced<S>(c) operation x;                                                                                                   \
     }

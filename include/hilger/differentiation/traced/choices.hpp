@@ -57,15 +57,6 @@ template <class S>
 struct pair_of_<traced<S>, traced<S>> {
     using type = traced<S>;
 };
-template <class S, constant_beside<S> K>
-struct pair_of_<traced<S>, K> {
-    using type = traced<S>;
-};
-template <class S, constant_beside<S> K>
-struct pair_of_<K, traced<S>> {
-    using type = traced<S>;
-};
-
 /// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
 /// @throws error::no_formula in a formula without values
 template <class X, class Y>

@@ -143,7 +143,7 @@ template <class Y, class X>
         return detail::make_traced<detail::atan2_traced>(T(y), T(x));
     }
 /// x^n with a whole n is exact for every x; other powers need x > 0.
-template <class S, constant_beside<S> K>
+template <class S, constant_for<S> K>
 traced<S> pow(traced<S> const& x, K const& exponent) {
     if constexpr (std::is_integral_v<K>) {
         traced<S> y(1), square = x;
@@ -160,7 +160,7 @@ template <class S>
 traced<S> pow(traced<S> const& x, traced<S> const& y) {
     return y.is_constant() ? detail::make_traced<detail::power_traced>(x, y) : exp(y * log(x));
 }
-template <class S, constant_beside<S> K>
+template <class S, constant_for<S> K>
 traced<S> pow(K const& base, traced<S> const& x) {
     traced<S> const b(base);
     return b.is(0) ? b : detail::make_traced<detail::exponential_traced>(b, x); // 0^x is 0 for all x > 0
