@@ -17,11 +17,6 @@ template <class F>
 concept takes_one_type = requires {
     &F::operator();
 };
-/// f(x, y) or f(t, x, y).
-template <class F, class S, class X, class Y>
-concept takes_states = not takes_one_type<F> and (
-                                                     requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); } or
-                                                     requires(F const& f, X const& x, Y const& y) { f(x, y); });
 /// Whether F is a Lagrangian of states V at times S. L is called here before it is called anywhere else, so that what is wrong inside of it
 /// is reported with few lines around it.
 template <class F, class S, class V>
@@ -34,17 +29,26 @@ consteval bool is_lagrangian() {
     else if constexpr (
         requires(F const& f, V const& x) { f.expand(x, x); } or requires(F const& f, S const& t, V const& x) { f.expand(t, x, x); })
         return true;
-    else if constexpr (not takes_states<F, S, X, Y>)
+    else if constexpr (takes_one_type<F>)
         return false;
     else if constexpr (requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); })
         return gives<J, F, S, X, Y>;
-    else
+    else if constexpr (requires(F const& f, X const& x, Y const& y) { f(x, y); })
         return gives<J, F, X, Y>;
+    else
+        return false;
 }
 template <class Force, class S, class V>
 consteval bool is_force() {
-    using X = typename jets_for<V>::of_force;
-    return std::same_as<Force, no_force> or takes_states<Force, S, X, X>;
+    if constexpr (std::same_as<Force, no_force>)
+        return true;
+    else if constexpr (takes_one_type<Force>)
+        return false;
+    else {
+        using X = typename jets_for<V>::of_force;
+        return requires(Force const& f, S const& t, X const& x) { f(t, x, x); }
+        or requires(Force const& f, X const& x) { f(x, x); };
+    }
 }
 /// Says in one sentence why they are not.
 template <class F, class Force, class S, class V>
@@ -52,9 +56,12 @@ constexpr void refuse_mechanics() {
     using X = typename jets_for<V>::position;
     using Y = typename jets_for<V>::velocity;
     if constexpr (not is_lagrangian<F, S, V>()) {
-        if constexpr (takes_states<F, S, X, Y>)
-            static_assert(not takes_states<F, S, X, Y>,
-                          "a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
+        constexpr bool takes_states =
+            not takes_one_type<F> and (
+                                          requires(F const& f, S const& t, X const& x, Y const& y) { f(t, x, y); } or
+                                          requires(F const& f, X const& x, Y const& y) { f(x, y); });
+        if constexpr (takes_states)
+            static_assert(not takes_states, "a Lagrangian L(q, v) returns a number, and this one returns something else, a vector perhaps");
         else {
             constexpr bool time_first = takes_one_type<F> or not requires(F const& f, S const& t, X const& x, Y const& y) { f(x, y, t); };
             static_assert(time_first, "the time stands before the states, L(t, q, v), and this Lagrangian takes it behind them");

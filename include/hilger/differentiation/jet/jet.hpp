@@ -139,16 +139,22 @@ struct jet : detail::keeps_its_derivatives<S> {
     template <int F, int C>
         requires(not(F >= First and F + C <= First + Count))
     constexpr jet& operator=(jet<S, F, C, Order> const& x) { return assigned(x); }
-#define HILGER_ASSIGNMENT(operation)                                                                                                       \
-    template <class Y>                                                                                                                     \
-    HILGER_ALWAYS_INLINE constexpr jet& operator operation##=(Y const& y) {                                                                \
-        return assigned(*this operation y);                                                                                                \
+    template <class Y>
+    HILGER_ALWAYS_INLINE constexpr jet& operator+=(Y const& y) {
+        return assigned(*this + y);
     }
-    HILGER_ASSIGNMENT(+)
-    HILGER_ASSIGNMENT(-)
-    HILGER_ASSIGNMENT(*)
-    HILGER_ASSIGNMENT(/)
-#undef HILGER_ASSIGNMENT
+    template <class Y>
+    HILGER_ALWAYS_INLINE constexpr jet& operator-=(Y const& y) {
+        return assigned(*this - y);
+    }
+    template <class Y>
+    HILGER_ALWAYS_INLINE constexpr jet& operator*=(Y const& y) {
+        return assigned(*this * y);
+    }
+    template <class Y>
+    HILGER_ALWAYS_INLINE constexpr jet& operator/=(Y const& y) {
+        return assigned(*this / y);
+    }
 };
 
 template <class T>
