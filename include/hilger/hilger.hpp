@@ -39,7 +39,6 @@
 #include "hilger/integrator/solve.hpp"
 
 // Histories as sums of exponentials; fractional damping, and problems with values at both ends
-#include "hilger/boundary/extrapolation.hpp"
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
 #include "hilger/fractional/flow.hpp"

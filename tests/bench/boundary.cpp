@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Two-sided fractional problems: the Dirichlet example of Bourdin, Cresson, Greff, Inizan (2013), section 3.4, and the harmonic oscillator
 // of 4.3, for alpha = 3/4. Time, the memory that the process has had at its peak so far, and for Dirichlet the error at t = 1/2 (the closed
-// form has 2F1(1/4, 1; 7/4; 1/2) in it, computed here by its series), plain and extrapolated.
+// form has 2F1(1/4, 1; 7/4; 1/2) in it, computed here by its series).
 #include <fstream>
 
-#include "hilger/boundary/extrapolation.hpp"
+#include "hilger/boundary/solve.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -64,20 +64,6 @@ void boundary() {
         std::cout << std::setw(9) << N << std::scientific << std::setprecision(1) << std::setw(10) << line << " s" << std::setw(9) << error
                   << std::setw(13) << residual << std::setw(10) << spring << " s" << std::defaultfloat << std::setw(14) << applications
                   << std::fixed << std::setprecision(0) << std::setw(11) << memory << " MB\n"
-                  << std::defaultfloat;
-    }
-    std::cout << "\nDirichlet extrapolated, error at t = 1/2\n   N from   to      time       error      change\n";
-    for (int N : {10, 20, 40, 80}) {
-        int levels = 0;
-        while ((N << (levels + 1)) <= 2560) ++levels;
-        auto const T = hilger::uniform(hilger::interval{0.0, 1.0}, N);
-        double error = 0, change = 0;
-        double const time = seconds(3, [&] {
-            auto const x = extrapolated(equation_of(dirichlet, T), hilger::boundary_values{0, 1}, levels);
-            error = std::abs(x.q[N / 2] - exact), change = x.change;
-        });
-        std::cout << std::setw(9) << N << std::setw(5) << (N << levels) << std::scientific << std::setprecision(1) << std::setw(10) << time
-                  << " s" << std::setw(11) << error << std::setw(12) << change << '\n'
                   << std::defaultfloat;
     }
 }

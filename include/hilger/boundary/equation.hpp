@@ -25,7 +25,6 @@ class boundary_equation<fractional_action<F, G, Order, Root>, V> {
     using action_type = fractional_action<F, G, Order, Root>;
     using S = scalar_of<V>;
     using s = shape<V>;
-    static constexpr bool exact = std::numeric_limits<S>::is_exact;
 
 public:
     using values = std::vector<V>; ///< one for each of t_1 ... t_N
@@ -119,7 +118,7 @@ public:
         at.stiffness = inverted(pairwise_sum(0, count_, [&](std::size_t i) { return block_of<V>(S(g(i) * g(i)) * at.at[i].vv); }));
         at.forces = at.rest;
         at.rest = projected(at, std::move(at.rest));
-        if constexpr (not exact) at.merit = euclidean_norm(at.rest);
+        at.merit = euclidean_norm(at.rest);
     }
     /// The derivative of P(p + A^-T F) = y + P C y by v in the direction y.
     [[nodiscard]] values derivative(point const& at, values const& y) const {
@@ -127,13 +126,11 @@ public:
         values force = y, c = y;
         for (std::size_t i = 0; i < count_; ++i) {
             auto const& e = at.at[i];
-            if constexpr (s::is_scalar) {
+            if constexpr (s::is_scalar)
                 c[i] = e.qv * q[i];
-                force[i] = e.qq * q[i] + e.qv * y[i];
-            } else {
+            else
                 c[i] = e.qv.transpose() * q[i];
-                force[i] = e.qq * q[i] + e.qv * y[i];
-            }
+            force[i] = e.qq * q[i] + e.qv * y[i];
         }
         force = integrated_back(force);
         for (std::size_t i = 0; i < count_; ++i) c[i] = c[i] + force[i];
@@ -142,12 +139,7 @@ public:
         return c;
     }
     /// The size of the rest at a later point, measured as at the earlier one: a norm that changed with the point would not be monotone.
-    [[nodiscard]] S natural(point const& earlier, point const& later) const {
-        if constexpr (exact)
-            return S(0);
-        else
-            return euclidean_norm(projected(earlier, later.forces));
-    }
+    [[nodiscard]] S natural(point const& earlier, point const& later) const { return euclidean_norm(projected(earlier, later.forces)); }
 
 private:
     void take_share(expansion<V>& e, V const& v) const {

@@ -15,8 +15,7 @@ namespace hilger {
 /// Options of two-sided problems.
 struct boundary_options {
     int most_iterations = 50;    ///< of Newton's method, for one equation
-    int krylov_columns = 60;     ///< vectors that GMRES keeps before it starts again, each of the size of the solution
-    int most_applications = 600; ///< of a derivative, in one linear equation
+    int most_applications = 600; ///< of a derivative, in one linear equation; each keeps a vector of the size of the solution
     std::stop_token stop = {};   ///< throws error::no_convergence when a stop is requested
 };
 
@@ -118,26 +117,13 @@ private:
         return largest;
     }
     static S relative_size(values const& y, values const& v) {
-        if constexpr (exact)
-            return largest_of(y);
-        else {
-            S const of = euclidean_norm(v);
-            return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
-        }
+        S const of = euclidean_norm(v);
+        return S(0) < of ? S(euclidean_norm(y) / of) : S(1);
     }
     /// Whether only rounding is left.
-    static bool at_rest(point const& at) {
-        if constexpr (exact)
-            return largest_of(at.rest) == S(0);
-        else
-            return at.merit <= S(32) * epsilon<S>() * euclidean_norm(at.v);
-    }
+    static bool at_rest(point const& at) { return at.merit <= S(32) * epsilon<S>() * euclidean_norm(at.v); }
 
-    struct linear_solution {
-        values correction;
-        S accuracy;
-    };
-    [[nodiscard]] linear_solution solve_linear(point const& at) {
+    [[nodiscard]] krylov_solution<V> solve_linear(point const& at) {
         if (not at.coupled) return {at.rest, S(0)};
         auto const A = [&](values const& y) {
             ++applications_;
@@ -146,10 +132,8 @@ private:
         };
         if constexpr (exact)
             return {eliminated(A, at.rest), S(0)};
-        else {
-            auto solution = gmres<V>(A, at.rest, small(), {options_.krylov_columns, options_.most_applications});
-            return {std::move(solution.x), std::move(solution.residual)};
-        }
+        else
+            return gmres<V>(A, at.rest, small(), options_.most_applications);
     }
     /// Gauss's elimination with the matrix written down: exact scalars have no square roots.
     template <class Apply>

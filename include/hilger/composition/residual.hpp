@@ -98,30 +98,20 @@ private:
 template <class Parts, class... Flows, class S, class V>
 class judged_part<composed_flow<Parts, Flows...>, S, V> {
     using of = composed_flow<Parts, Flows...>;
-    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
-    using all = std::index_sequence_for<Flows...>;
 
 public:
     judged_part(of const& f, S const& h, V const& like) : lengths_(whole<S>(f.parts())) {
-        for (std::size_t turn = 0; turn < turns; ++turn) add(f, turn, h, like, all{});
+        for_each_part(f, parts_, [&](std::size_t k, auto const& flow, auto& list) { list.emplace_back(flow, S(lengths_[k] * h), like); });
     }
     template <class Differences>
     void go(of const& f, state<S, V>& x, V& size, S const& h, V const& near, V const* end, S const& whole, Differences& off) {
-        auto const one = [&](std::size_t k, auto const& flow, auto& part) {
-            part.go(flow, x, size, S(lengths_[k] * h), near, k + 1 == Parts::size ? end : nullptr, whole, off);
-        };
-        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, one, all{});
+        for_each_part(f, parts_, [&](std::size_t k, auto const& flow, auto& list) {
+            V const* const end_of_part = k + 1 == Parts::size ? end : nullptr;
+            list[k / sizeof...(Flows)].go(flow, x, size, S(lengths_[k] * h), near, end_of_part, whole, off);
+        });
     }
 
 private:
-    template <std::size_t... J>
-    void add(of const& f, std::size_t turn, S const& h, V const& like, std::index_sequence<J...>) {
-        (std::get<J>(parts_).emplace_back(std::get<J>(f.flows()), S(lengths_[turn * sizeof...(Flows) + J] * h), like), ...);
-    }
-    template <class One, std::size_t... J>
-    void take(of const& f, std::size_t turn, One const& one, std::index_sequence<J...>) {
-        (one(turn * sizeof...(Flows) + J, std::get<J>(f.flows()), std::get<J>(parts_)[turn]), ...);
-    }
     std::array<S, Parts::size> lengths_;
     std::tuple<std::vector<judged_part<Flows, S, V>>...> parts_;
 };
@@ -147,25 +137,23 @@ auto judged_parts(Judge const&, Flow const& method, Scale const& T, States const
     return off.largest;
 }
 
-/// The residual of a trajectory in the equations of a composition's parts, forces included, divided by the step: of the size of the
-/// residual of one step (integrator/residual.hpp).
-template <class Judge, class Parts, class... Flows, class Scale, class V>
-auto judged(Judge const& judge, trajectory<composed_flow<Parts, Flows...>, Scale, V> const& path) {
-    return judged_parts(judge, path.method(), path.scale(), path);
-}
-/// The same of an embedding that is read from the end of each step (composition/reversed.hpp).
-template <class Judge, class F, class Force, class E, sums Sums, class Scale, class V>
-auto judged(Judge const& judge, trajectory<flow<F, Force, reversed<E>, Sums>, Scale, V> const& path) {
-    return judged_parts(judge, path.method(), path.scale(), path);
-}
+/// Compositions, and embeddings that are read from the end of each step (composition/reversed.hpp).
+template <class Flow>
+inline constexpr bool is_judged_by_parts = false;
+template <class Parts, class... Flows>
+inline constexpr bool is_judged_by_parts<composed_flow<Parts, Flows...>> = true;
+template <class F, class Force, class E, sums Sums>
+inline constexpr bool is_judged_by_parts<flow<F, Force, reversed<E>, Sums>> = true;
+
+/// The residual of a trajectory in the equations of the parts, forces included, divided by the step: of the size of that of one step
+/// (integrator/residual.hpp).
+template <class Judge, class Flow, class Scale, class V>
+    requires is_judged_by_parts<Flow>
+auto judged(Judge const& judge, trajectory<Flow, Scale, V> const& path) { return judged_parts(judge, path.method(), path.scale(), path); }
 /// The same for recorded states, of any origin.
-template <class Judge, class Parts, class... Flows, class S, class V, class Scale>
-auto judged(Judge const& judge, composed_flow<Parts, Flows...> const& method, recording<S, V, Scale> const& run) {
-    require_complete(run);
-    return judged_parts(judge, method, run.scale, run.states);
-}
-template <class Judge, class F, class Force, class E, sums Sums, class S, class V, class Scale>
-auto judged(Judge const& judge, flow<F, Force, reversed<E>, Sums> const& method, recording<S, V, Scale> const& run) {
+template <class Judge, class Flow, class S, class V, class Scale>
+    requires is_judged_by_parts<Flow>
+auto judged(Judge const& judge, Flow const& method, recording<S, V, Scale> const& run) {
     require_complete(run);
     return judged_parts(judge, method, run.scale, run.states);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "hilger/composition/parts.hpp"
 #include "hilger/step/state.hpp"
@@ -30,18 +31,24 @@ public:
     boxed& operator=(boxed&&) = default;
 };
 
+/// Calls use(k, flow, list) for the parts k = 0, 1, ... of a step: with the flow that takes the part, and the list that is its own.
+template <class Parts, class... Flows, class Lists, class Use>
+void for_each_part(composed_flow<Parts, Flows...> const& f, Lists& lists, Use const& use) {
+    auto const turn = [&]<std::size_t... J>(std::size_t k, std::index_sequence<J...>) {
+        (use(k + J, std::get<J>(f.flows()), std::get<J>(lists)), ...);
+    };
+    for (std::size_t k = 0; k < Parts::size; k += sizeof...(Flows)) turn(k, std::index_sequence_for<Flows...>{});
+}
+
 /// The memory of a composition by its flows: one for each part, whose steps have the length c_k h and give its first guesses.
 template <class S, class V, class Parts, class... Flows>
 class sequential_composition {
     using composed = composed_flow<Parts, Flows...>;
-    static constexpr std::size_t turns = Parts::size / sizeof...(Flows);
-    using all = std::index_sequence_for<Flows...>;
-    template <class Flow>
-    using of_a_turn = std::array<typename Flow::template memory<S, V>, turns>;
 
 public:
     sequential_composition(composed const& f, S const& h, V const& like)
-        : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like}, memories_(made(f, lengths_, like, all{})) {
+        : parts_(whole<S>(f.parts())), h_(h), lengths_(scaled(parts_, h)), x_{S(0), like, like} {
+        for_each_part(f, memories_, [&](std::size_t k, auto const& flow, auto& list) { list.emplace_back(flow, lengths_[k], like); });
     }
     /// The initial velocity of the first step; each later part of that step begins with the mean velocity of the part before.
     void start_with(composed const& f, state<S, V> const& x, V const& v) {
@@ -54,7 +61,7 @@ public:
         }
         x_ = x;
         mean_.reset();
-        for (std::size_t turn = 0; turn < turns; ++turn) take(f, turn, all{});
+        for_each_part(f, memories_, [&](std::size_t k, auto const& flow, auto& list) { part(flow, list[k / sizeof...(Flows)], k); });
         x_.t = x.t + h;
         x = x_;
         has_begun_ = true;
@@ -64,7 +71,7 @@ public:
     void visit(composed const& f, Visit& each) {
         each("step", h_);
         lengths_ = scaled(parts_, h_);
-        for (std::size_t turn = 0; turn < turns; ++turn) visit(f, each, turn, all{});
+        for_each_part(f, memories_, [&](std::size_t k, auto const& flow, auto& list) { list[k / sizeof...(Flows)].visit(flow, each); });
     }
 
 private:
@@ -72,18 +79,6 @@ private:
     static numbers scaled(numbers c, S const& h) {
         for (S& part : c) part = part * h;
         return c;
-    }
-    template <std::size_t... J>
-    static auto made(composed const& f, numbers const& lengths, V const& like, std::index_sequence<J...>) {
-        return std::tuple<of_a_turn<Flows>...>(of_flow<J>(std::get<J>(f.flows()), lengths, like, std::make_index_sequence<turns>{})...);
-    }
-    template <std::size_t J, class Flow, std::size_t... Turn>
-    static of_a_turn<Flow> of_flow(Flow const& flow, numbers const& lengths, V const& like, std::index_sequence<Turn...>) {
-        return {typename Flow::template memory<S, V>(flow, lengths[Turn * sizeof...(Flows) + J], like)...};
-    }
-    template <std::size_t... J>
-    void take(composed const& f, std::size_t turn, std::index_sequence<J...>) {
-        (part(std::get<J>(f.flows()), std::get<J>(memories_)[turn], turn * sizeof...(Flows) + J), ...);
     }
     template <class Flow, class Memory>
     void part(Flow const& flow, Memory& memory, std::size_t k) {
@@ -99,19 +94,14 @@ private:
         if constexpr (requires { memory.start_with(flow, x, v); }) memory.start_with(flow, x, v);
     }
 
-    template <class Visit, std::size_t... J>
-    void visit(composed const& f, Visit& each, std::size_t turn, std::index_sequence<J...>) {
-        (std::get<J>(memories_)[turn].visit(std::get<J>(f.flows()), each), ...);
-    }
-
     numbers parts_;
     S h_;
     numbers lengths_;
     /// The state inside the step, returned after its last part.
     state<S, V> x_;
-    std::tuple<of_a_turn<Flows>...> memories_;
-    bool has_begun_ = false; ///< a step was made
-    std::optional<V> mean_;  ///< the velocity of the part before, in that step
+    std::tuple<std::vector<typename Flows::template memory<S, V>>...> memories_; ///< of the turns of each flow
+    bool has_begun_ = false;                                                     ///< a step was made
+    std::optional<V> mean_;                                                      ///< the velocity of the part before, in that step
 };
 
 } // namespace detail

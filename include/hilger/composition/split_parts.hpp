@@ -18,13 +18,12 @@ template <class Problem, class S, class V>
 class small_parts {
     using s = shape<V>;
     static constexpr std::size_t N = s::size;
-    using components = std::array<S, N>;
 
 public:
-    using vector = components;
+    using vector = std::array<S, N>;
     static constexpr bool has_whole_vectors = false;
     small_parts(Problem const&, V const&) {}
-    static vector taken(V const& x) { return taken(x, all{}); }
+    static vector taken(V const& x) { return components(x, all{}); }
     static void give(vector const& x, V& to) {
         for (std::size_t k = 0; k < N; ++k) s::component(to, static_cast<int>(k)) = x[k];
     }
@@ -46,10 +45,6 @@ public:
 
 private:
     using all = std::make_integer_sequence<int, static_cast<int>(N)>;
-    template <int... K>
-    HILGER_ALWAYS_INLINE static vector taken(V const& x, std::integer_sequence<int, K...>) {
-        return {s::component(x, K)...};
-    }
     template <int... K, std::size_t... M>
     HILGER_ALWAYS_INLINE bool velocity(Problem const& what, vector const& q, vector const& p, vector& v,
                                        std::integer_sequence<int, K...> every, std::index_sequence<M...>) {

@@ -7,21 +7,13 @@
 #include <type_traits>
 
 #include "hilger/differentiation/branches.hpp"
+#include "hilger/differentiation/numbers.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
 
 namespace detail {
 
-/// Of two operands, one of which may be a constant, the type of both: jets and traced numbers say it, and have watched(how, x, y).
-template <class X, class Y>
-struct pair_of_ {};
-template <class X, class Y>
-using pair_of = typename pair_of_<X, Y>::type;
-template <class X, class Y>
-concept watched_pair = requires {
-    typename pair_of<X, Y>;
-};
 template <class T>
 HILGER_ALWAYS_INLINE constexpr bool is_written_out() {
     if constexpr (requires { T::is_written_out(); })

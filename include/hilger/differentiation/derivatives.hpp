@@ -61,45 +61,32 @@ using qv_jet = jet<S, 0, 2 * N, Order>;
 /// flattened: the body of f is inlined here before anything is optimised, and then most derivatives of a formula turn out to be zeros and
 /// cost nothing. That takes f being called from here on variables made here, and its result being built in place: with the variables made
 /// by a function of their own a step takes several times as long. A wide number's arithmetic is too long to be flattened.
-template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
-HILGER_FLATTEN inline qv_jet<S, static_cast<int>(Size), Order>
-flat_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v, std::integer_sequence<int, K...>, Time const&... t) {
-    constexpr int N = static_cast<int>(Size);
-    using J = qv_jet<S, N, Order>;
-    if constexpr (Scalar) {
-        auto const x = q_jet<S, N, Order>::variable(q[0], 0, {1, 0});
-        auto const y = v_jet<S, N, Order>::variable(v[0], N, {0, 1});
-        if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
-            return f(t..., x, y);
-        else
-            return as_jet<J>(f(t..., x, y));
-    } else {
-        jet_vector<q_jet<S, N, Order>, N> x;
-        jet_vector<v_jet<S, N, Order>, N> y;
-        ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
-        if constexpr (std::same_as<decltype(f(t..., x, y)), J>)
-            return f(t..., x, y);
-        else
-            return as_jet<J>(f(t..., x, y));
+#define HILGER_JETS_OF(name, inlined)                                                                                                      \
+    template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>                                         \
+    inlined inline qv_jet<S, static_cast<int>(Size), Order> name(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,   \
+                                                                 std::integer_sequence<int, K...>, Time const&... t) {                     \
+        constexpr int N = static_cast<int>(Size);                                                                                          \
+        using J = qv_jet<S, N, Order>;                                                                                                     \
+        if constexpr (Scalar) {                                                                                                            \
+            auto const x = q_jet<S, N, Order>::variable(q[0], 0, {1, 0});                                                                  \
+            auto const y = v_jet<S, N, Order>::variable(v[0], N, {0, 1});                                                                  \
+            if constexpr (std::same_as<decltype(f(t..., x, y)), J>)                                                                        \
+                return f(t..., x, y);                                                                                                      \
+            else                                                                                                                           \
+                return as_jet<J>(f(t..., x, y));                                                                                           \
+        } else {                                                                                                                           \
+            jet_vector<q_jet<S, N, Order>, N> x;                                                                                           \
+            jet_vector<v_jet<S, N, Order>, N> y;                                                                                           \
+            ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);       \
+            if constexpr (std::same_as<decltype(f(t..., x, y)), J>)                                                                        \
+                return f(t..., x, y);                                                                                                      \
+            else                                                                                                                           \
+                return as_jet<J>(f(t..., x, y));                                                                                           \
+        }                                                                                                                                  \
     }
-}
-/// The same as a function of its own.
-template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
-qv_jet<S, static_cast<int>(Size), Order> plain_jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
-                                                       std::integer_sequence<int, K...>, Time const&... t) {
-    constexpr int N = static_cast<int>(Size);
-    using J = qv_jet<S, N, Order>;
-    if constexpr (Scalar) {
-        auto const x = q_jet<S, N, Order>::variable(q[0], 0, {1, 0});
-        auto const y = v_jet<S, N, Order>::variable(v[0], N, {0, 1});
-        return as_jet<J>(f(t..., x, y));
-    } else {
-        jet_vector<q_jet<S, N, Order>, N> x;
-        jet_vector<v_jet<S, N, Order>, N> y;
-        ((x(K) = q_jet<S, N, Order>::variable(q[K], K, {1, 0}), y(K) = v_jet<S, N, Order>::variable(v[K], N + K, {0, 1})), ...);
-        return as_jet<J>(f(t..., x, y));
-    }
-}
+HILGER_JETS_OF(flat_jets_of, HILGER_FLATTEN)
+HILGER_JETS_OF(plain_jets_of, )
+#undef HILGER_JETS_OF
 template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>
 qv_jet<S, static_cast<int>(Size), Order> jets_of(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,
                                                  std::integer_sequence<int, K...> all, Time const&... t) {
@@ -159,20 +146,17 @@ traced_there<V> trace_there(F const& f, V const& q, V const& v, std::uint8_t sec
     return {q, v, seconds_by, [&](auto const& x, auto const& y, std::vector<T>&) { return as_jet<T>(call(f, x, y)); }};
 }
 template <class F, class V>
-expansion<V> expand_traced(F const& f, V const& q, V const& v, std::uint8_t by) {
+expansion<V> expand_traced(F const& f, V const& q, V const& v) {
     using s = shape<V>;
-    int const d = s::dimension(q);
-    auto there = trace_there(f, q, v, by);
+    auto const there = trace_there(f, q, v, on_position | on_velocity);
     auto const& at = there.formula.places;
-    bool const all = by == (on_position | on_velocity);
-    auto const block = [&](block_number number, bool needed) {
-        block_of<V> made = needed ? s::zero_block(d) : block_of<V>{};
-        if (needed) there.for_each_in(number, [&](int row, int column, auto const& x) { s::entry(made, row, column) = x; });
+    auto const block = [&](block_number number) {
+        block_of<V> made = s::zero_block(s::dimension(q));
+        there.for_each_in(number, [&](int row, int column, auto const& x) { s::entry(made, row, column) = x; });
         return made;
     };
-    expansion<V> e{std::move(there.by_q), std::move(there.by_v), block(block_qq, all), block(block_qv, all), block(block_vv, true), {}};
-    e.on = {all ? at.degree(block_qq) : dependence::no_polynomial, at.degree(block_vv), not all or not at.entries[block_vq].empty()};
-    return e;
+    dependence const on{at.degree(block_qq), at.degree(block_vv), not at.entries[block_vq].empty()};
+    return {there.by_q, there.by_v, block(block_qq), block(block_qv), block(block_vv), on};
 }
 
 template <class V, class Jet, int... K>
@@ -227,20 +211,11 @@ expansion<V> expand(F const& f, V const& q, V const& v) {
     if constexpr (requires { f.expand(q, v); })
         return f.expand(q, v);
     else if constexpr (detail::is_traced_state<V>)
-        return detail::expand_traced(f, q, v, detail::on_position | detail::on_velocity);
+        return detail::expand_traced(f, q, v);
     else {
         constexpr std::make_integer_sequence<int, s::size> all;
         return detail::unpacked<V>(detail::jets_of<2, s::is_scalar>(f, detail::components(q, all), detail::components(v, all), all), all);
     }
-}
-
-/// Of the second argument alone, at least: by_v and vv.
-template <class F, class V>
-expansion<V> expand_second(F const& f, V const& q, V const& v) {
-    if constexpr (requires { f.expand(q, v); } or not detail::is_traced_state<V>)
-        return expand(f, q, v);
-    else
-        return detail::expand_traced(f, q, v, detail::on_velocity);
 }
 
 } // namespace hilger

@@ -21,28 +21,19 @@ HILGER_ALWAYS_INLINE inline S slope_of_log(S const& x) {
     using std::log;
     return x < S(0) ? S(log(x)) : S(S(1) / x);
 }
-/// 2 / sqrt(pi)
+/// 2 / sqrt(pi), a constant also of numbers with derivatives.
 template <class S>
 S two_over_root_of_pi() {
     if constexpr (std::is_floating_point_v<S>)
         return S(1.1283791670955125738961589031215451717L);
+    else if constexpr (requires { typename S::scalar_type; })
+        return S(two_over_root_of_pi<typename S::scalar_type>());
     else {
         using std::atan, std::sqrt;
         static S const value = S(1) / S(sqrt(S(atan(S(1)))));
         return value;
     }
 }
-/// The scalar of the constants in it.
-template <class T>
-struct constants_of_ {
-    using type = T;
-};
-template <class T>
-    requires requires { typename T::scalar_type; }
-struct constants_of_<T> {
-    using type = typename T::scalar_type;
-};
-
 #define HILGER_FUNCTION(function, slope_at, bend_at)                                                                                       \
     struct function##_function {                                                                                                           \
         static constexpr char const* name = #function;                                                                                     \
@@ -79,7 +70,7 @@ HILGER_FUNCTION(atanh, (slope_of_log(T(T(1) + x)) + slope_of_log(T(T(1) - x))) /
 HILGER_FUNCTION(cbrt, T(1) / T(T(3) * T(y * y)), T(-2) * s * s / y)
 HILGER_FUNCTION(expm1, exp(x), s)
 HILGER_FUNCTION(log1p, slope_of_log(T(T(1) + x)), -s* s)
-HILGER_FUNCTION(erf, T(two_over_root_of_pi<typename constants_of_<T>::type>()) * T(exp(T(-x * x))), -(x + x) * s)
+HILGER_FUNCTION(erf, two_over_root_of_pi<T>() * T(exp(T(-x * x))), -(x + x) * s)
 #undef HILGER_FUNCTION
 
 } // namespace hilger::detail

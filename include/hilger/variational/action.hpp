@@ -16,10 +16,12 @@ struct action {
     using root_type = Root;
     using position_type = A;
     using velocity_type = B;
+    static constexpr bool is_sum = false; ///< of actions
     F function;
     [[no_unique_address]] A position;
     [[no_unique_address]] B velocity;
     Root T;
+    [[nodiscard]] constexpr Root const& scale() const { return T; }
 
     /// The action of a function on T, or with its points inside the steps where A reads them.
     template <discrete_function X>

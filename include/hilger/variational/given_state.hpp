@@ -76,11 +76,7 @@ inline constexpr bool is_exact_state = exact_in<typename given_vector<X>::number
 /// The state over times S that X becomes.
 template <class S, int Size>
 struct state_of_size {
-    using type = Eigen::Matrix<S, Size, 1>;
-};
-template <class S>
-struct state_of_size<S, 0> {
-    using type = S;
+    using type = std::conditional_t<Size == 0, S, Eigen::Matrix<S, Size, 1>>;
 };
 template <class S, class X>
 struct given_state : state_of_size<S, given_size<X>> {};

@@ -41,7 +41,7 @@ V velocity_found(L const& lagrangian, V const& q, V const& p, Find const& find) 
         });
     else
         return find([&](V const& v) {
-            auto d = expand_second(lagrangian, q, v);
+            auto d = expand(lagrangian, q, v);
             return newton_system<V>{V(d.by_v - p), std::move(d.vv)};
         });
 }

@@ -31,37 +31,22 @@ public:
     static constexpr bool has_derivatives_alone = true; ///< and no formula that jets pass through
     constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
 
-    /// p with dH/dp(p, q) = v, and v = dH/dp(p, q). H may depend on the time.
-    /// @throws error::singular where d2H/dp2 is, error::no_convergence
-    template <class V>
-        requires detail::is_hamiltonian<H, V>
-    [[nodiscard]] V momentum(V const& q, V const& v) const { return momentum_for(hamiltonian_, q, v); }
-    template <class S, class V>
-        requires detail::is_hamiltonian_of_time<H, S, V>
-    [[nodiscard]] V momentum(S const& t, V const& q, V const& v) const { return momentum_for(detail::at_time{hamiltonian_, t}, q, v); }
-    template <class V>
-        requires detail::is_hamiltonian<H, V>
-    [[nodiscard]] V velocity(V const& q, V const& p) const { return gradient_first(hamiltonian_, p, q); }
-    template <class S, class V>
-        requires detail::is_hamiltonian_of_time<H, S, V>
-    [[nodiscard]] V velocity(S const& t, V const& q, V const& p) const { return gradient_first(detail::at_time{hamiltonian_, t}, p, q); }
-    /// L(q, v), a number, and L(t, q, v) where H depends on the time.
-    template <class V>
-        requires detail::is_hamiltonian<H, V>
-    [[nodiscard]] scalar_of<V> operator()(V const& q, V const& v) const { return value_of(hamiltonian_, q, v); }
-    template <class S, class V>
-        requires detail::is_hamiltonian_of_time<H, S, V>
-    [[nodiscard]] scalar_of<V> operator()(S const& t, V const& q, V const& v) const {
-        return value_of(detail::at_time{hamiltonian_, t}, q, v);
-    }
-    template <class V>
-        requires detail::is_hamiltonian<H, V>
-    [[nodiscard]] expansion<V> expand(V const& q, V const& v) const { return expand_with(hamiltonian_, q, v); }
-    template <class S, class V>
-        requires detail::is_hamiltonian_of_time<H, S, V>
-    [[nodiscard]] expansion<V> expand(S const& t, V const& q, V const& v) const {
-        return expand_with(detail::at_time{hamiltonian_, t}, q, v);
-    }
+    // Each of (q, v), or of (t, q, v) where H depends on the time.
+#define HILGER_OF_HAMILTONIAN(type, member, what_is_asked)                                                                                 \
+    template <class V>                                                                                                                     \
+        requires detail::is_hamiltonian<H, V>                                                                                              \
+    [[nodiscard]] type member(V const& x, V const& y) const { return what_is_asked(hamiltonian_, x, y); }                                  \
+    template <class S, class V>                                                                                                            \
+        requires detail::is_hamiltonian_of_time<H, S, V>                                                                                   \
+    [[nodiscard]] type member(S const& t, V const& x, V const& y) const { return what_is_asked(detail::at_time{hamiltonian_, t}, x, y); }
+    /// p with dH/dp(p, q) = v, of (q, v). @throws error::singular where d2H/dp2 is, error::no_convergence
+    HILGER_OF_HAMILTONIAN(V, momentum, momentum_for)
+    /// v = dH/dp(p, q), of (q, p).
+    HILGER_OF_HAMILTONIAN(V, velocity, velocity_for)
+    /// L(q, v), a number.
+    HILGER_OF_HAMILTONIAN(scalar_of<V>, operator(), value_of)
+    HILGER_OF_HAMILTONIAN(expansion<V>, expand, expand_with)
+#undef HILGER_OF_HAMILTONIAN
 
 private:
     template <class F, class V>
@@ -71,6 +56,10 @@ private:
             return newton_system<V>{V(e.by_q - v), e.qq};
         };
         return newton_near(equation, zero_like(v), v, "the Legendre map p -> dH/dp");
+    }
+    template <class F, class V>
+    static V velocity_for(F const& h, V const& q, V const& p) {
+        return gradient_first(h, p, q);
     }
     template <class F, class V>
     static scalar_of<V> value_of(F const& h, V const& q, V const& v) {

@@ -43,37 +43,22 @@ struct at_time {
         else
             return call(f, x, y);
     }
-    template <class V>
-        requires(
-            requires(F const& g, V const& x) { g.expand(x, x); } or requires(F const& g, S const& u, V const& x) { g.expand(u, x, x); })
-    expansion<V> expand(V const& q, V const& v)
-    const {
-        if constexpr (requires { f.expand(t, q, v); })
-            return f.expand(t, q, v);
-        else
-            return f.expand(q, v);
+    /// The derivatives of an L that has its own, its Legendre map and the inverse of that.
+#define HILGER_MEMBER_AT_TIME(type, member)                                                                                                \
+    template <class V>                                                                                                                     \
+        requires(                                                                                                                          \
+            requires(F const& g, S const& u, V const& x) { g.member(u, x, x); } or requires(F const& g, V const& x) { g.member(x, x); })   \
+    type member(V const& x, V const& y)                                                                                                    \
+    const {                                                                                                                                \
+        if constexpr (requires { f.member(t, x, y); })                                                                                     \
+            return f.member(t, x, y);                                                                                                      \
+        else                                                                                                                               \
+            return f.member(x, y);                                                                                                         \
     }
-    /// The Legendre map and its inverse of an L that has them.
-    template <class V>
-        requires(
-            requires(F const& g, V const& x) { g.momentum(x, x); } or requires(F const& g, S const& u, V const& x) { g.momentum(u, x, x); })
-    V momentum(V const& q, V const& v)
-    const {
-        if constexpr (requires { f.momentum(t, q, v); })
-            return f.momentum(t, q, v);
-        else
-            return f.momentum(q, v);
-    }
-    template <class V>
-        requires(
-            requires(F const& g, V const& x) { g.velocity(x, x); } or requires(F const& g, S const& u, V const& x) { g.velocity(u, x, x); })
-    V velocity(V const& q, V const& p)
-    const {
-        if constexpr (requires { f.velocity(t, q, p); })
-            return f.velocity(t, q, p);
-        else
-            return f.velocity(q, p);
-    }
+    HILGER_MEMBER_AT_TIME(expansion<V>, expand)
+    HILGER_MEMBER_AT_TIME(V, momentum)
+    HILGER_MEMBER_AT_TIME(V, velocity)
+#undef HILGER_MEMBER_AT_TIME
 };
 template <class F, class S>
 at_time(F const&, S const&) -> at_time<F, S>;

@@ -54,8 +54,10 @@ struct action_sum {
     using position_type = typename First::position_type;
     static_assert(std::same_as<typename position_type::from, typename Second::position_type::from>,
                   "actions add up of functions that live on the same points: on T, or with the same points inside its steps");
+    static constexpr bool is_sum = true;
     First first;
     Second second;
+    [[nodiscard]] constexpr root_type const& scale() const { return first.scale(); }
 
     template <discrete_function X>
     constexpr auto operator()(X const& x) const {
@@ -66,31 +68,17 @@ struct action_sum {
 namespace detail {
 
 template <class S>
-inline constexpr bool is_action = false;
-template <class F, linear_map A, linear_map B, class W, class Root>
-inline constexpr bool is_action<action<F, A, B, W, Root>> = true;
-template <class First, class Second>
-inline constexpr bool is_action<action_sum<First, Second>> = true;
-template <class S>
-inline constexpr bool is_action_sum = false;
-template <class First, class Second>
-inline constexpr bool is_action_sum<action_sum<First, Second>> = true;
-template <class S>
-concept some_action = is_action<S>;
+concept some_action = requires {
+    S::is_sum;
+};
+template <some_action S>
+inline constexpr bool is_action_sum = S::is_sum;
 /// Of a Hamiltonian: such a Lagrangian is no function that could be added up, or multiplied.
 template <class S>
-inline constexpr bool has_derivatives_alone = false;
-template <class F, linear_map A, linear_map B, class W, class Root>
-    requires requires { requires F::has_derivatives_alone; }
-inline constexpr bool has_derivatives_alone<action<F, A, B, W, Root>> = true;
+concept has_derivatives_alone = requires {
+    requires S::function_type::has_derivatives_alone;
+};
 
-template <class S>
-constexpr auto const& scale_of(S const& s) {
-    if constexpr (is_action_sum<S>)
-        return scale_of(s.first);
-    else
-        return s.T;
-}
 /// What is summed up, for momenta and energies.
 template <class S>
 constexpr auto function_of(S const& s) {
@@ -128,9 +116,8 @@ constexpr auto operator+(S const& s, R const& r) {
     else if constexpr (not std::same_as<typename S::root_type, typename R::root_type>)
         return does_not_compile<"actions add up on one scale, and these are on two kinds of scales", S>{};
     else {
-        if (not(detail::scale_of(s) == detail::scale_of(r)))
-            error::raise<error::mismatch>("actions add up on one scale, and these are on ", detail::scale_of(s), " and on ",
-                                          detail::scale_of(r));
+        if (not(s.scale() == r.scale()))
+            error::raise<error::mismatch>("actions add up on one scale, and these are on ", s.scale(), " and on ", r.scale());
         return detail::sum_of(s, r);
     }
 }

@@ -26,44 +26,38 @@ template <int Parts>
 inline constexpr bool has_equal_steps<parts_of_steps<Parts>> = true;
 
 /// A without the reweightings that do nothing on a uniform T.
-template <linear_map A>
-constexpr auto on_equal_steps(A const& a) {
-    return a;
-}
-template <class Base, class From, class To>
-constexpr auto on_equal_steps(reweight<Base, From, To> const& a);
-template <class C, linear_map A>
-constexpr auto on_equal_steps(multiple<C, A> const& a);
-template <linear_map A, linear_map B>
-constexpr auto on_equal_steps(operator_sum<A, B> const& s);
-template <linear_map A, linear_map B>
-constexpr auto on_equal_steps(composition<A, B> const& ab);
-template <class Base, class From, class To>
-constexpr auto on_equal_steps(reweight<Base, From, To> const& a) {
-    if constexpr (has_equal_steps<Base>)
-        return identity_on<Base, From, To>{};
-    else
+struct on_equal_steps {
+    template <linear_map A>
+    static constexpr auto of(A const& a) {
         return a;
-}
-template <class C, linear_map A>
-constexpr auto on_equal_steps(multiple<C, A> const& a) {
-    return a.c * on_equal_steps(a.a);
-}
-template <linear_map A, linear_map B>
-constexpr auto on_equal_steps(operator_sum<A, B> const& s) {
-    return on_equal_steps(s.a) + on_equal_steps(s.b);
-}
-template <linear_map A, linear_map B>
-constexpr auto on_equal_steps(composition<A, B> const& ab) {
-    auto const a = on_equal_steps(ab.a);
-    auto const b = on_equal_steps(ab.b);
-    if constexpr (is_identity<std::remove_cvref_t<decltype(a)>>)
-        return b;
-    else if constexpr (is_identity<std::remove_cvref_t<decltype(b)>>)
-        return a;
-    else
-        return a * b;
-}
+    }
+    template <class Base, class From, class To>
+    static constexpr auto of(reweight<Base, From, To> const& a) {
+        if constexpr (has_equal_steps<Base>)
+            return identity_on<Base, From, To>{};
+        else
+            return a;
+    }
+    template <class C, linear_map A>
+    static constexpr auto of(multiple<C, A> const& a) {
+        return a.c * of(a.a);
+    }
+    template <linear_map A, linear_map B>
+    static constexpr auto of(operator_sum<A, B> const& s) {
+        return of(s.a) + of(s.b);
+    }
+    template <linear_map A, linear_map B>
+    static constexpr auto of(composition<A, B> const& ab) {
+        auto const a = of(ab.a);
+        auto const b = of(ab.b);
+        if constexpr (is_identity<std::remove_cvref_t<decltype(a)>>)
+            return b;
+        else if constexpr (is_identity<std::remove_cvref_t<decltype(b)>>)
+            return a;
+        else
+            return a * b;
+    }
+};
 
 /// 1 at one point of a family, 0 at the others.
 template <class Root, class Base>
@@ -99,9 +93,9 @@ class euler_lagrange {
         if constexpr (not Root::is_uniform)
             return adjoint_between<P, W>(a);
         else if constexpr (detail::has_equal_steps<typename Op::to>)
-            return detail::on_equal_steps(a.adjoint());
+            return detail::on_equal_steps::of(a.adjoint());
         else
-            return detail::on_equal_steps(adjoint_between<P, W>(a));
+            return detail::on_equal_steps::of(adjoint_between<P, W>(a));
     }
     template <linear_map Op>
     static constexpr auto written_on_T(Op const& a) {
@@ -188,7 +182,7 @@ public:
             [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.e.qq * of_q + at.e.qv * of_v); }, seconds, a, b);
         auto const of_velocity = apply_pointwise(
             [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.vq_ * of_q + at.e.vv * of_v); }, seconds, a, b);
-        return at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)]);
+        return sum_of_adjoints(of_position, of_velocity);
     }
     /// The sum of the sizes of the terms of the residual at its point k: the same operators, with the absolute values of their weights, of
     /// the absolute values of the derivatives of L.
@@ -199,15 +193,13 @@ public:
         auto const firsts =
             action_.at_nodes(x, [kept](auto const& t, auto const& q, auto const& v) { return kept.gradients(0, t, V(q), V(v)); });
         detail::unit_at<Root, typename A::from> const unit{{}, &x.root(), k};
-        auto const of_position =
-            apply_pointwise([](auto const& at, S const& weight) { return V(detail::sizes(at.first) * S(weight < S(0) ? -1 : 1)); }, firsts,
-                            action_.position[unit]);
-        auto const of_velocity =
-            apply_pointwise([](auto const& at, S const& weight) { return V(detail::sizes(at.second) * S(weight < S(0) ? -1 : 1)); }, firsts,
-                            action_.velocity[unit]);
-        return V(
-            at_inner_points(adjoint_on_T(action_.position)[counted(of_position)] + adjoint_on_T(action_.velocity)[counted(of_velocity)])
-                .get(k));
+        auto const sized = [&](auto const& op, auto part) {
+            return apply_pointwise(
+                [part](auto const& at, S const& weight) { return V(detail::sizes(at.*part) * S(weight < S(0) ? -1 : 1)); }, firsts,
+                op[unit]);
+        };
+        using pair = std::pair<V, V>;
+        return V(sum_of_adjoints(sized(action_.position, &pair::first), sized(action_.velocity, &pair::second)).get(k));
     }
     /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
     static constexpr reach reads = [] {
@@ -230,7 +222,13 @@ private:
     constexpr auto residual_of(X const& x, First first, Second second) const {
         auto const Lq = read_by<A>(action_.at_nodes(x, std::move(first)));
         auto const Lv = read_by<B>(action_.at_nodes(x, std::move(second)));
-        return at_inner_points(adjoint_on_T(action_.position)[counted(Lq)] + adjoint_on_T(action_.velocity)[counted(Lv)]);
+        return sum_of_adjoints(Lq, Lv);
+    }
+    /// The left-hand side with these instead of dL/dq and dL/dv.
+    template <discrete_function Lq, discrete_function Lv>
+    constexpr auto sum_of_adjoints(Lq by_q, Lv by_v) const {
+        return at_inner_points(adjoint_on_T(action_.position)[counted(std::move(by_q))] +
+                               adjoint_on_T(action_.velocity)[counted(std::move(by_v))]);
     }
     /// What the adjoint of Op reads again and again, at every point, is formed once.
     template <linear_map Op, discrete_function G>

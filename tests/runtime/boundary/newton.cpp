@@ -96,7 +96,6 @@ TEST_CASE("near resonance, where the condition of the problem magnifies rounding
     for (double const alpha : {0.3, 0.4, 0.5})
         for (int N : {20, 40, 100})
             for (int k : {5, 7, 20}) {
-                if (alpha == 0.3 and N == 100 and k == 20) continue; // the linear equations are beyond 60 columns
                 auto const T = uniform(interval{0.0, 1.0}, N);
                 auto const x = solve(two_sided(straight{-k}, alpha, T), T, boundary_values{0.3, 1}, boundary_options{});
                 CHECK(x.residual <= (1 + k) * rounding(x.q, alpha));
@@ -114,16 +113,13 @@ struct steep {
     }
 };
 
-TEST_CASE("steps are shortened where whole ones would not converge, and GMRES may start again") {
+TEST_CASE("steps are shortened where whole ones would not converge") {
     for (double const alpha : {1.0, 0.75})
         for (bool kink : {true, false}) {
             auto const T = uniform(interval{0.0, 1.0}, 50);
             auto const x = solve(two_sided(steep{kink}, alpha, T), T, boundary_values{0, 1}, boundary_options{});
             CHECK(x.iterations > 3);
             CHECK(x.residual <= 10 * rounding(x.q, alpha)); // the force is ten times its argument
-            auto const restarted = solve(two_sided(steep{kink}, alpha, T), T, boundary_values{0, 1}, boundary_options{.krylov_columns = 5});
-            CHECK(restarted.applications > x.applications);
-            for (int k = 0; k <= 50; ++k) CHECK(std::abs(restarted.q[k] - x.q[k]) <= 1e4 * epsilon<double>());
         }
 }
 

@@ -2,7 +2,7 @@
 // Two-sided problems of the fractional embedding: exact solutions, limits h -> 0, and what is refused.
 #include <doctest/doctest.h>
 
-#include "hilger/boundary/extrapolation.hpp"
+#include "hilger/boundary/solve.hpp"
 #include "hilger/multiprecision.hpp"
 #include "support/orders.hpp"
 #include "support/two_sided.hpp"
@@ -168,9 +168,6 @@ TEST_CASE("what is no boundary value problem is refused") {
     CHECK_THROWS_WITH_AS((void)solve(two_sided(dirichlet, Q(1, 2), exact), exact, boundary_values{0, 1}),
                          "in an exact scalar a fractional difference of order 1/2 takes steps of length 1, and this one is 1/2",
                          error::invalid_parameter);
-    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.5, T), boundary_values{0, 1}, 3), error::invalid_parameter);
-    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.75, T), boundary_values{0, 1}, -1), error::invalid_parameter);
-    CHECK_THROWS_AS((void)extrapolated(two_sided(dirichlet, 0.75, T), boundary_values{0.1, 1}, 3), error::invalid_parameter);
 }
 
 } // namespace boundary_tests

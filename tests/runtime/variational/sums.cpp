@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("what steps solves the equation, in states of all kinds, on e
                    Eigen::VectorXd) {
     initial_velocity<V> const from{some_state<V>(0.8), some_state<V>(-0.5)};
     auto const holds = [&](auto const& S) {
-        auto const& T = hilger::detail::scale_of(S);
+        auto const& T = S.scale();
         auto const EL = variation(S);
         auto const x = solve(EL, T, from);
         // |p|/h, and eight times |q| for each end of a step

@@ -32,7 +32,7 @@ Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index_type k
     std::vector<D> moved;
     for (std::size_t i = 0; i < x.size(); ++i)
         moved.push_back(static_cast<hilger::index_type>(i) == k ? D::variable(x[i], 0, {1, 0}) : D(x[i]));
-    auto const& root = hilger::detail::scale_of(S);
+    auto const& root = S.scale();
     auto const T = derived_scale(root, domain<nodes>{});
     auto const f = function_on(root, [&](Q const& t) { return moved[static_cast<std::size_t>(T.number_of(t))]; });
     return D(S(f)).by<0>();
@@ -42,7 +42,7 @@ Q along_variation(Action const& S, std::vector<Q> const& x, hilger::index_type k
 template <class Weight, class Action>
 void is_the_derivative_of(Action const& S) {
     std::vector<Q> x;
-    auto const& T = hilger::detail::scale_of(S);
+    auto const& T = S.scale();
     for (int i = 0; i <= T.steps(); ++i) x.push_back(some_value<Q>(i, 1));
     auto const f = function_on(T, x);
     auto const residual = variation(S).residual(f);

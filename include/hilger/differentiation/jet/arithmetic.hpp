@@ -3,14 +3,22 @@
 // no lambdas, which an optimiser sees through less well.
 #pragma once
 
+#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/jet.hpp"
-#include "hilger/inlining.hpp"
 
 namespace hilger {
 
 namespace detail {
 
-/// A jet whose derivatives are given by a rule: Rule::d1<J>(arguments...) and Rule::d2<J, K>(arguments...).
+/// Row and column of the n-th entry of a lower triangle.
+constexpr int row(int n) {
+    int j = 0;
+    while ((j + 1) * (j + 2) / 2 <= n) ++j;
+    return j;
+}
+constexpr int column(int n) { return n - row(n) * (row(n) + 1) / 2; }
+
+/// A jet whose derivatives are given by a rule: Rule::by<J>(arguments...) and Rule::by<J, K>(arguments...).
 template <class Jet, class Rule>
 struct build {
     template <class... Arguments>
@@ -24,20 +32,16 @@ private:
     HILGER_ALWAYS_INLINE static constexpr Jet expand(std::integer_sequence<int, J...>, std::integer_sequence<int, N...>,
                                                      typename Jet::scalar_type const& value, dependence on, Arguments const&... arguments) {
         return {value,
-                {Rule::template d1<Jet::first + J>(arguments...)...},
-                {Rule::template d2<Jet::first + row(N), Jet::first + column(N)>(arguments...)...},
+                {Rule::template by<Jet::first + J>(arguments...)...},
+                {Rule::template by<Jet::first + row(N), Jet::first + column(N)>(arguments...)...},
                 on};
     }
 };
 
 struct widened {
-    template <int J, class X>
-    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x) {
-        return x.template by<J>();
-    }
-    template <int J, int K, class X>
-    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x) {
-        return x.template by<J, K>();
+    template <int... JK, class X>
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x) {
+        return x.template by<JK...>();
     }
 };
 /// x + y; with a common factor left out, x / c + y / c.
@@ -47,37 +51,25 @@ struct added {
         return common ? plus(x.template unscaled<JK...>(), y.template unscaled<JK...>())
                       : plus(x.template by<JK...>(), y.template by<JK...>());
     }
-    template <int J, class X, class Y>
-    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, Y const& y, bool common) {
-        return by<J>(x, y, common);
-    }
-    template <int J, int K, class X, class Y>
-    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, Y const& y, bool common) {
-        return by<J, K>(x, y, common);
-    }
 };
 struct multiplied {
     template <int J, class X, class Y>
-    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, Y const& y) {
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x, Y const& y) {
         return plus(times(x.template by<J>(), y.value), times(x.value, y.template by<J>()));
     }
     template <int J, int K, class X, class Y>
-    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, Y const& y) {
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x, Y const& y) {
         return plus(plus(times(x.value, y.template by<J, K>()), times(x.template by<J>(), y.template by<K>())),
                     plus(times(x.template by<J, K>(), y.value), times(x.template by<K>(), y.template by<J>())));
     }
 };
 
-/// The jet in the variables of both.
-template <class X, class Y>
-struct hull_;
+/// Two jets make one in the variables of both.
 template <class S, int F, int C, int G, int D, int O>
-struct hull_<jet<S, F, C, O>, jet<S, G, D, O>> {
+struct pair_of_<jet<S, F, C, O>, jet<S, G, D, O>> {
     static constexpr int first = std::min(F, G), last = std::max(F + C, G + D);
     using type = jet<S, first, last - first, O>;
 };
-template <class X, class Y>
-using hull = typename hull_<X, Y>::type;
 
 } // namespace detail
 
@@ -100,7 +92,7 @@ HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> operator-(jet<S, F, C, O> const& 
 }
 template <class S, int F, int C, int G, int D, int O>
 HILGER_ALWAYS_INLINE constexpr auto operator+(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
-    using both = detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>;
+    using both = detail::pair_of<jet<S, F, C, O>, jet<S, G, D, O>>;
     // One constant factor stays a factor: the derivative of (x x + y y) / 2 is then x, and not 2 x / 2.
     bool const common = detail::is_one_constant(x.constant(), y.constant());
     both z = detail::build<both, detail::added>::from(S(x.value + y.value), x.on + y.on, x, y, common);
@@ -160,7 +152,8 @@ HILGER_ALWAYS_INLINE constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G
             return z;
         }
     }
-    return detail::build<detail::hull<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x, y);
+    return detail::build<detail::pair_of<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x,
+                                                                                                      y);
 }
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {

@@ -109,21 +109,5 @@ struct NumTraits<hilger::jet<S, F, C, O>> : NumTraits<S> {
     using Literal = typename NumTraits<S>::Literal;
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = C + 1, AddCost = C + 1, MulCost = 3 * C + 1 };
 };
-// A vector in q beside a vector in v makes a vector in both; beside constants it stays what it is.
-template <class S, int F, int C, int G, int D, int O, class Operation>
-    requires(F != G or C != D)
-struct ScalarBinaryOpTraits<hilger::jet<S, F, C, O>, hilger::jet<S, G, D, O>, Operation> {
-    using ReturnType = hilger::detail::hull<hilger::jet<S, F, C, O>, hilger::jet<S, G, D, O>>;
-};
-template <class S, int F, int C, int O, class K, class Operation>
-    requires hilger::constant_for<K, S>
-struct ScalarBinaryOpTraits<hilger::jet<S, F, C, O>, K, Operation> {
-    using ReturnType = hilger::jet<S, F, C, O>;
-};
-template <class S, int F, int C, int O, class K, class Operation>
-    requires hilger::constant_for<K, S>
-struct ScalarBinaryOpTraits<K, hilger::jet<S, F, C, O>, Operation> {
-    using ReturnType = hilger::jet<S, F, C, O>;
-};
 
 } // namespace Eigen

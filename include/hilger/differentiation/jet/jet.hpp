@@ -15,86 +15,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "hilger/differentiation/jet/known_numbers.hpp"
+#include "hilger/differentiation/numbers.hpp"
 #include "hilger/inlining.hpp"
 
 namespace hilger {
-
-namespace detail {
-
-/// Numbers that say themselves what a compiler sees of them, as those that count their operations.
-template <class S>
-concept says_what_is_constant = requires(S const& x) {
-    { x.is_constant() } -> std::same_as<bool>;
-};
-/// IEEE rules forbid a compiler to drop 0 * x and 0 + x; derivatives are full of zeros that are exact.
-template <class S>
-HILGER_ALWAYS_INLINE constexpr bool is_known_zero(S const& x) {
-    if constexpr (std::is_floating_point_v<S>)
-        return __builtin_constant_p(x) and x == S(0);
-    else if constexpr (says_what_is_constant<S>)
-        return x.is_constant() and x == S(0);
-    else if constexpr (requires { x.is_zero(); }) // many digits: nothing is made to compare with
-        return x.is_zero();
-    else
-        return x == S(0);
-}
-template <class S>
-HILGER_ALWAYS_INLINE constexpr bool is_known_one(S const& x) {
-    if constexpr (std::is_floating_point_v<S>)
-        return __builtin_constant_p(x) and x == S(1);
-    else if constexpr (says_what_is_constant<S>)
-        return x.is_constant() and x == S(1);
-    else
-        return x == S(1);
-}
-/// Both are one constant that the compiler can see.
-template <class S>
-HILGER_ALWAYS_INLINE constexpr bool is_one_constant(S const& x, S const& y) {
-    if constexpr (std::is_floating_point_v<S>)
-        return __builtin_constant_p(x) and __builtin_constant_p(y) and x == y;
-    else if constexpr (says_what_is_constant<S>)
-        return x.is_constant() and y.is_constant() and x == y;
-    else
-        return false;
-}
-/// Whether to look for numbers that are known is worth the calls.
-template <class S>
-inline constexpr bool knows_numbers = numbers_are_known or not std::is_floating_point_v<S>;
-template <class S>
-HILGER_ALWAYS_INLINE constexpr S times(S const& x, S const& y) {
-    if constexpr (knows_numbers<S>) {
-        if (is_known_zero(x) or is_known_zero(y)) return S(0);
-        if (is_known_one(x)) return y;
-        if (is_known_one(y)) return x;
-    }
-    return x * y;
-}
-template <class S>
-HILGER_ALWAYS_INLINE constexpr S plus(S const& x, S const& y) {
-    if constexpr (knows_numbers<S>) {
-        if (is_known_zero(x)) return y;
-        if (is_known_zero(y)) return x;
-    }
-    return x + y;
-}
-template <class S>
-HILGER_ALWAYS_INLINE constexpr S minus(S const& x, S const& y) {
-    if constexpr (knows_numbers<S>) {
-        if (is_known_zero(y)) return x;
-        if (is_known_zero(x)) return -y;
-    }
-    return x - y;
-}
-
-/// Row and column of the n-th entry of a lower triangle.
-constexpr int row(int n) {
-    int j = 0;
-    while ((j + 1) * (j + 2) / 2 <= n) ++j;
-    return j;
-}
-constexpr int column(int n) { return n - row(n) * (row(n) + 1) / 2; }
-
-} // namespace detail
 
 /// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Bounds from above, found along the way; they decide
 /// what need not be iterated.
@@ -117,37 +42,6 @@ struct dependence {
         return {q > 0 ? no_polynomial : 0, v > 0 ? no_polynomial : 0, on_both()};
     }
 };
-
-namespace detail {
-/// std::cos and its siblings take plain numbers, and a number with derivatives does not become one. They find this conversion and are told
-/// so. It is to one type that S is not, so that both branches of c ? x * x : 0.0 still have one type only. Wide scalars are asked by
-/// Boost what converts to them, and have none.
-template <class S>
-struct keeps_its_derivatives {};
-template <std::floating_point S>
-struct keeps_its_derivatives<S> {
-    using Plain = std::conditional_t<std::same_as<S, long double>, float, long double>;
-    template <std::same_as<Plain> T>
-    constexpr explicit(false) operator T() const {
-        static_assert(not std::same_as<T, Plain>,
-                      "write sin(q), pow(q, 2), max(q, 0.0) without std:: in a Lagrangian, Hamiltonian or force, and "
-                      "auto const& instead of double: derivatives pass through its numbers");
-        return T();
-    }
-#define HILGER_NO_SUCH_FUNCTION(name, instead)                                                                                             \
-    friend S name(keeps_its_derivatives const&, auto const&...) {                                                                          \
-        static_assert(not std::same_as<S, S>, #name " is none of the functions of numbers with derivatives: write " instead);              \
-        return S();                                                                                                                        \
-    }
-    HILGER_NO_SUCH_FUNCTION(log2, "log(q) / std::log(2.0)")
-    HILGER_NO_SUCH_FUNCTION(log10, "log(q) / std::log(10.0)")
-    HILGER_NO_SUCH_FUNCTION(exp2, "pow(2.0, q)")
-    HILGER_NO_SUCH_FUNCTION(erfc, "1 - erf(q)")
-    HILGER_NO_SUCH_FUNCTION(fma, "x * y + z")
-    HILGER_NO_SUCH_FUNCTION(fmod, "sin(q) or cos(q) of an angle as it is, from which whole turns need not be taken off")
-#undef HILGER_NO_SUCH_FUNCTION
-};
-} // namespace detail
 
 template <class S, int First, int Count, int Order>
 struct jet : detail::keeps_its_derivatives<S> {
@@ -267,9 +161,5 @@ template <class T>
 inline constexpr bool is_jet = false;
 template <class S, int F, int C, int O>
 inline constexpr bool is_jet<jet<S, F, C, O>> = true;
-
-/// What may stand beside a jet as a constant.
-template <class C, class S>
-concept constant_for = std::constructible_from<S, C> and not is_jet<C>;
 
 } // namespace hilger

@@ -2,7 +2,6 @@
 // Two jets, or a jet and a constant: comparisons, and functions f(x, y) by their five derivatives.
 #pragma once
 
-#include "hilger/differentiation/comparisons.hpp"
 #include "hilger/differentiation/jet/arithmetic.hpp"
 #include "hilger/inlining.hpp"
 
@@ -10,17 +9,6 @@ namespace hilger {
 
 namespace detail {
 
-/// The jet in the variables of both.
-template <class S, int F, int C, int G, int D, int O>
-struct pair_of_<jet<S, F, C, O>, jet<S, G, D, O>> : hull_<jet<S, F, C, O>, jet<S, G, D, O>> {};
-template <class S, int F, int C, int O, constant_for<S> K>
-struct pair_of_<jet<S, F, C, O>, K> {
-    using type = jet<S, F, C, O>;
-};
-template <class S, int F, int C, int O, constant_for<S> K>
-struct pair_of_<K, jet<S, F, C, O>> {
-    using type = jet<S, F, C, O>;
-};
 template <class S, class X>
 HILGER_ALWAYS_INLINE constexpr decltype(auto) value_in(X const& x) {
     if constexpr (is_jet<X>)
@@ -47,11 +35,11 @@ struct derivatives_of_two {
 };
 struct of_two {
     template <int J, class X, class P>
-    HILGER_ALWAYS_INLINE static constexpr auto d1(X const& x, X const& y, P const& f) {
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x, X const& y, P const& f) {
         return plus(times(f.x, x.template by<J>()), times(f.y, y.template by<J>()));
     }
     template <int J, int K, class X, class P>
-    HILGER_ALWAYS_INLINE static constexpr auto d2(X const& x, X const& y, P const& f) {
+    HILGER_ALWAYS_INLINE static constexpr auto by(X const& x, X const& y, P const& f) {
         auto const xj = x.template by<J>(), yj = y.template by<J>();
         return plus(plus(times(f.x, x.template by<J, K>()), times(f.y, y.template by<J, K>())),
                     plus(times(plus(times(f.xx, xj), times(f.xy, yj)), x.template by<K>()),

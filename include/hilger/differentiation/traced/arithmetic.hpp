@@ -9,67 +9,28 @@ namespace hilger {
 
 namespace detail {
 
-struct plus_traced {
-    static constexpr char const* name = "+";
-    static constexpr bool commutes = true;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        return S(x + y);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
-        return {adjoint, adjoint};
-    }
-};
-struct minus_traced {
-    static constexpr char const* name = "-";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        return S(x - y);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
-        return {adjoint, -adjoint};
-    }
-};
-struct times_traced {
-    static constexpr char const* name = "*";
-    static constexpr bool commutes = true;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        return S(x * y);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& x, T const& y, T const&, T const& adjoint) {
-        return {adjoint * y, adjoint * x};
-    }
-};
-struct over_traced {
-    static constexpr char const* name = "/";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        return S(x / y);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {
-        T const by_x = adjoint / y;
-        return {by_x, -(by_x * result)};
-    }
-};
-struct minus_of_traced {
-    static constexpr char const* name = "-x";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const&) {
-        return S(-x);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const& adjoint) {
-        return {-adjoint, T(0)};
-    }
-};
+/// An operation on x and y with the result r; and what it gives back of an adjoint a, a dr/dx and a dr/dy. Operations of one operand have
+/// it as y again.
+#define HILGER_OPERATION(operation, symbol, is_symmetric, value_at, by_x, by_y)                                                            \
+    struct operation##_traced {                                                                                                            \
+        static constexpr char const* name = symbol;                                                                                        \
+        static constexpr bool commutes = is_symmetric;                                                                                     \
+        template <class S>                                                                                                                 \
+        static S value([[maybe_unused]] S const& x, [[maybe_unused]] S const& y) {                                                         \
+            using std::atan2, std::hypot, std::pow, std::sqrt;                                                                             \
+            return S(value_at);                                                                                                            \
+        }                                                                                                                                  \
+        template <class T>                                                                                                                 \
+        static std::pair<T, T> pull_back([[maybe_unused]] T const& x, [[maybe_unused]] T const& y, [[maybe_unused]] T const& r,            \
+                                         [[maybe_unused]] T const& a) {                                                                    \
+            return {T(by_x), T(by_y)};                                                                                                     \
+        }                                                                                                                                  \
+    };
+HILGER_OPERATION(plus, "+", true, x + y, a, a)
+HILGER_OPERATION(minus, "-", false, x - y, a, -a)
+HILGER_OPERATION(times, "*", true, x* y, a* y, a* x)
+HILGER_OPERATION(over, "/", false, x / y, a / y, -(a / y * r))
+HILGER_OPERATION(minus_of, "-x", false, -x, -a, 0)
 
 /// c and x where `from` is c x or -x while derivatives are made: there constants are gathered, which a formula as it was written is
 /// spared, for that rounds differently.
@@ -155,37 +116,19 @@ traced<S> operator-(traced<S> const& x, traced<S> const& y) {
     return detail::make_traced<detail::minus_traced>(x, y);
 }
 
-template <class S, constant_beside<S> K>
-traced<S> operator+(traced<S> const& x, K const& c) {
-    return x + traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator+(K const& c, traced<S> const& x) {
-    return traced<S>(c) + x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator-(traced<S> const& x, K const& c) {
-    return x - traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator-(K const& c, traced<S> const& x) {
-    return traced<S>(c) - x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator*(traced<S> const& x, K const& c) {
-    return x * traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator*(K const& c, traced<S> const& x) {
-    return traced<S>(c) * x;
-}
-template <class S, constant_beside<S> K>
-traced<S> operator/(traced<S> const& x, K const& c) {
-    return x / traced<S>(c);
-}
-template <class S, constant_beside<S> K>
-traced<S> operator/(K const& c, traced<S> const& x) {
-    return traced<S>(c) / x;
-}
+#define HILGER_WITH_CONSTANTS(operation)                                                                                                   \
+    template <class S, constant_for<S> K>                                                                                                  \
+    traced<S> operator operation(traced<S> const& x, K const& c) {                                                                         \
+        return x operation traced<S>(c);                                                                                                   \
+    }                                                                                                                                      \
+    template <class S, constant_for<S> K>                                                                                                  \
+    traced<S> operator operation(K const& c, traced<S> const& x) {                                                                         \
+        return traced<S>(c) operation x;                                                                                                   \
+    }
+HILGER_WITH_CONSTANTS(+)
+HILGER_WITH_CONSTANTS(-)
+HILGER_WITH_CONSTANTS(*)
+HILGER_WITH_CONSTANTS(/)
+#undef HILGER_WITH_CONSTANTS
 
 } // namespace hilger

@@ -35,30 +35,8 @@ struct extremum_traced {
     }
 };
 /// The slope of abs: -1 or 1, and that of 0 is 1.
-struct sign_traced {
-    static constexpr char const* name = "sign";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const&) {
-        return x < S(0) ? S(-1) : S(0) <= x ? S(1) : x;
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const&, T const&, T const&) {
-        return {T(0), T(0)};
-    }
-};
-struct abs_traced {
-    static constexpr char const* name = "abs";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const&) {
-        return x < S(0) ? S(-x) : x;
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& x, T const&, T const&, T const& adjoint) {
-        return {adjoint * make_traced<sign_traced>(x), T(0)};
-    }
-};
+HILGER_OPERATION(sign, "sign", false, x < S(0) ? S(-1) : S(0) <= x ? S(1) : x, 0, 0)
+HILGER_OPERATION(abs, "abs", false, x < S(0) ? S(-x) : x, a* make_traced<sign_traced>(x), 0)
 /// Calls use(x, is_of_negative, y) for the choices that operation `what` of two operands is the sum of. @returns whether it is one
 template <class S, class Use>
 bool for_each_choice(traced_operation<S> const* what, traced<S> const& a, traced<S> const& b, Use const& use) {
@@ -79,15 +57,6 @@ template <class S>
 struct pair_of_<traced<S>, traced<S>> {
     using type = traced<S>;
 };
-template <class S, constant_beside<S> K>
-struct pair_of_<traced<S>, K> {
-    using type = traced<S>;
-};
-template <class S, constant_beside<S> K>
-struct pair_of_<K, traced<S>> {
-    using type = traced<S>;
-};
-
 /// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
 /// @throws error::no_formula in a formula without values
 template <class X, class Y>

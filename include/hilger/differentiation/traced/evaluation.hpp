@@ -95,6 +95,12 @@ private:
             return by_x == n * step_a and by_y == n * step_b;
         }
     };
+    struct ordered {
+        int part, level;
+        traced_operation<S> const* what;
+        int node;
+    };
+    static std::vector<ordered> order_of(formula_graph<S> const& g, std::vector<std::uint8_t> const& of);
     /// Rounds for operations of one kind on one level: one for each long row there is, and one for all others.
     void add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes);
     int arguments_ = 0, first_ = 0;
@@ -105,23 +111,11 @@ private:
     std::shared_ptr<translation<S>> translation_; ///< where somebody makes any
 };
 
+/// Operations in the order of parts, then of levels, then of kinds. `of` has a bit for each part that a node is asked for in.
 template <class S>
-evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked)
-    : arguments_(arguments) {
-    auto const n = static_cast<std::size_t>(g.size());
-    std::vector<std::uint8_t> of(n, 0); // a bit for each part
-    for (int p = 0; p < parts; ++p)
-        for (int const k : asked[static_cast<std::size_t>(p)]) of[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(1 << p);
-    for (int k = g.size(); k-- > 0;)
-        if (auto const& node = g[k]; node.what != nullptr)
-            for (int const x : {node.a, node.b}) of[static_cast<std::size_t>(x)] |= of[static_cast<std::size_t>(k)];
-    struct place {
-        int part, level;
-        traced_operation<S> const* what;
-        int node;
-    };
-    std::vector<place> order;
-    std::vector<int> level(n, 0), in(n, 0);
+auto evaluation<S>::order_of(formula_graph<S> const& g, std::vector<std::uint8_t> const& of) -> std::vector<ordered> {
+    std::vector<ordered> order;
+    std::vector<int> level(of.size(), 0), in(of.size(), 0);
     for (int k = 0; k < g.size(); ++k) {
         auto const at = static_cast<std::size_t>(k);
         auto const& node = g[k];
@@ -133,11 +127,24 @@ evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<s
                 level[at] = std::max(level[at], level[from] + 1);
         order.push_back({in[at], level[at], node.what, k});
     }
-    std::stable_sort(order.begin(), order.end(), [](place const& x, place const& y) {
+    std::stable_sort(order.begin(), order.end(), [](ordered const& x, ordered const& y) {
         if (x.part != y.part) return x.part < y.part;
         if (x.level != y.level) return x.level < y.level;
         return std::less<>()(x.what, y.what);
     });
+    return order;
+}
+template <class S>
+evaluation<S>::evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked)
+    : arguments_(arguments) {
+    auto const n = static_cast<std::size_t>(g.size());
+    std::vector<std::uint8_t> of(n, 0); // a bit for each part
+    for (int p = 0; p < parts; ++p)
+        for (int const k : asked[static_cast<std::size_t>(p)]) of[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(1 << p);
+    for (int k = g.size(); k-- > 0;)
+        if (auto const& node = g[k]; node.what != nullptr)
+            for (int const x : {node.a, node.b}) of[static_cast<std::size_t>(x)] |= of[static_cast<std::size_t>(k)];
+    auto const order = order_of(g, of);
     place_.assign(n, -1);
     for (int k = 0; k < arguments; ++k) place_[static_cast<std::size_t>(k)] = k;
     for (int k = 0; k < g.size(); ++k)

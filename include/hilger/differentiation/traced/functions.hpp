@@ -13,27 +13,11 @@
 namespace hilger {
 
 namespace detail {
-/// What the functions of one argument have in common.
-struct function_of_one {
-    static constexpr bool commutes = false;
-};
 /// x/y, and 0 where y is, but for an x without bounds: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of
 /// jets is.
 template <class S>
 traced<S> over_norm(traced<S> const& x, traced<S> const& y);
-struct over_norm_traced {
-    static constexpr char const* name = "over_norm";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        return y == S(0) ? S(x * y) : S(x / y);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const& y, T const& result, T const& adjoint) {
-        T const by_x = over_norm(adjoint, y);
-        return {by_x, -(by_x * result)};
-    }
-};
+HILGER_OPERATION(over_norm, "over_norm", false, y == S(0) ? S(x * y) : S(x / y), over_norm(a, y), -(over_norm(a, y) * r))
 template <class S>
 traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
     if (traced<S>::is_written_out() and not x.is_constant())
@@ -79,36 +63,16 @@ T slope_of_root(T const& x, T const& root, T const& adjoint) {
     T const half = T(1) / T(2);
     return half * (is_never_negative(x) ? over_norm(adjoint, root) : adjoint / root);
 }
-struct sqrt_traced : function_of_one {
-    static constexpr char const* name = "sqrt";
-    template <class S>
-    static S value(S const& x, S const&) {
-        using std::sqrt;
-        return S(sqrt(x));
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& x, T const&, T const& y, T const& adjoint) {
-        return {slope_of_root(x, y, adjoint), T(0)};
-    }
-};
-struct slope_of_log_traced : function_of_one {
-    static constexpr char const* name = "slope_of_log";
-    template <class S>
-    static S value(S const& x, S const&) {
-        return slope_of_log(x);
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const&, T const&, T const& y, T const& adjoint) {
-        return {-(adjoint * (y * y)), T(0)};
-    }
-};
+HILGER_OPERATION(sqrt, "sqrt", false, sqrt(x), slope_of_root(x, r, a), 0)
+HILGER_OPERATION(slope_of_log, "slope_of_log", false, slope_of_log(x), -(a*(r* r)), 0)
 template <class S>
 traced<S> slope_of_log(traced<S> const& x) {
     return make_traced<slope_of_log_traced>(x);
 }
 /// A function of the table.
 template <class F>
-struct function_traced : function_of_one {
+struct function_traced {
+    static constexpr bool commutes = false;
     static constexpr char const* name = F::name;
     template <class S>
     static S value(S const& x, S const&) {
@@ -133,35 +97,15 @@ traced<S> sqrt(traced<S> const& x) {
 }
 
 namespace detail {
-struct hypot_traced {
-    static constexpr char const* name = "hypot";
-    static constexpr bool commutes = true;
-    template <class S>
-    static S value(S const& x, S const& y) {
-        using std::hypot;
-        return S(hypot(x, y));
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& x, T const& y, T const& result, T const& adjoint) {
-        T const each = over_norm(adjoint, result);
-        return {each * x, each * y};
-    }
-};
-/// Of (y, x), as the function takes them.
-struct atan2_traced {
-    static constexpr char const* name = "atan2";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& y, S const& x) {
-        using std::atan2;
-        return S(atan2(y, x));
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& y, T const& x, T const&, T const& adjoint) {
-        T const r = make_traced<hypot_traced>(x, y), each = adjoint / r; // squares of r need not be numbers of the scalar
-        return {each * (x / r), -(each * (y / r))};
-    }
-};
+HILGER_OPERATION(hypot, "hypot", true, hypot(x, y), over_norm(a, r) * x, over_norm(a, r) * y)
+/// x / (x x + y y), where the squares need not be numbers of the scalar.
+template <class T>
+T over_square(T const& x, T const& y, T const& adjoint) {
+    T const r = make_traced<hypot_traced>(x, y);
+    return adjoint / r * (x / r);
+}
+/// Of (y, x) as C has it: the ordinate is x here.
+HILGER_OPERATION(atan2, "atan2", false, atan2(x, y), over_square(y, x, a), -over_square(x, y, a))
 /// x^c with a number c.
 struct power_traced {
     static constexpr char const* name = "pow";
@@ -179,21 +123,13 @@ struct power_traced {
         return {adjoint * (c * (less.is(0) ? T(1) : make_traced<power_traced>(x, less))), T(0)};
     }
 };
-/// c^x with a number c.
-struct exponential_traced {
-    static constexpr char const* name = "pow";
-    static constexpr bool commutes = false;
-    template <class S>
-    static S value(S const& c, S const& x) {
-        using std::pow;
-        return S(pow(c, x));
-    }
-    template <class T>
-    static std::pair<T, T> pull_back(T const& c, T const&, T const& result, T const& adjoint) {
-        using std::log;
-        return {T(0), adjoint * (T(typename T::scalar_type(log(c.value))) * result)};
-    }
-};
+template <class T>
+T log_of_number(T const& c) {
+    using std::log;
+    return T(typename T::scalar_type(log(c.value)));
+}
+/// x^y with a number x.
+HILGER_OPERATION(exponential, "pow", false, pow(x, y), 0, a*(log_of_number(x) * r))
 } // namespace detail
 
 template <class X, class Y>
@@ -207,7 +143,7 @@ template <class Y, class X>
         return detail::make_traced<detail::atan2_traced>(T(y), T(x));
     }
 /// x^n with a whole n is exact for every x; other powers need x > 0.
-template <class S, constant_beside<S> K>
+template <class S, constant_for<S> K>
 traced<S> pow(traced<S> const& x, K const& exponent) {
     if constexpr (std::is_integral_v<K>) {
         traced<S> y(1), square = x;
@@ -224,10 +160,12 @@ template <class S>
 traced<S> pow(traced<S> const& x, traced<S> const& y) {
     return y.is_constant() ? detail::make_traced<detail::power_traced>(x, y) : exp(y * log(x));
 }
-template <class S, constant_beside<S> K>
+template <class S, constant_for<S> K>
 traced<S> pow(K const& base, traced<S> const& x) {
     traced<S> const b(base);
     return b.is(0) ? b : detail::make_traced<detail::exponential_traced>(b, x); // 0^x is 0 for all x > 0
 }
+
+#undef HILGER_OPERATION
 
 } // namespace hilger

@@ -56,10 +56,7 @@ private:
 
 template <class S>
 struct traced_formula {
-    struct guard {
-        relation how;
-        int a, b;
-        bool outcome;
+    struct guard : formula_graph<S>::guard { ///< of places
         std::uint8_t on;
     };
     derivative_places places;
@@ -117,6 +114,21 @@ private:
     std::vector<kept> all_;
 };
 
+/// The places that a formula has in its evaluation, once nodes stand where they are to be: what is asked for in which part.
+template <class S>
+void evaluate_nodes(formula_graph<S> const& g, int d, traced_formula<S>& of, std::array<std::vector<int>, evaluation<S>::parts> asked) {
+    for (auto const& w : g.guards()) // also of those that no derivative depends on: they are what the callable would do
+        for (int const node : {w.a, w.b}) asked[evaluation<S>::shared].push_back(node);
+    of.how = evaluation<S>(g, g.arguments(d), asked);
+    for (auto* list : {&of.places.by_q, &of.places.by_v})
+        for (int& k : *list) k = of.how.place(k);
+    of.places.find_stretches();
+    for (auto& block : of.places.entries)
+        for (auto& e : block) e.place = of.how.place(e.place);
+    for (auto const& w : g.guards())
+        of.guards.push_back({{w.how, of.how.place(w.a), of.how.place(w.b), w.outcome}, static_cast<std::uint8_t>(g[w.a].on | g[w.b].on)});
+}
+
 /// The derivatives of L, and of the components of a force where there is one, in the graph that they are nodes of: second derivatives by
 /// the arguments that `seconds_by` says.
 template <class S>
@@ -133,53 +145,35 @@ traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L,
 
     traced_formula<S> made;
     std::array<std::vector<int>, evaluation<S>::parts> asked;
-    auto const ask = [&](typename evaluation<S>::part p, T const& x) {
-        int const node = x.place();
-        asked[static_cast<std::size_t>(p)].push_back(node);
-        return node;
-    };
+    auto const ask = [&](typename evaluation<S>::part p, T const& x) { return asked[static_cast<std::size_t>(p)].emplace_back(x.place()); };
     made.places.constant.fill(true);
     auto const put = [&](block_number in, int row, int column, T const& x) {
         auto const block = static_cast<std::size_t>(in);
         made.places.entries[block].push_back({row, column, ask(evaluation<S>::seconds, x)});
         if (not x.is_constant()) made.places.constant[block] = false;
     };
-    for (int k = 0; k < d; ++k) made.places.by_q.push_back(ask(evaluation<S>::forces, by[static_cast<std::size_t>(k)]));
-    for (int k = 0; k < d; ++k) made.places.by_v.push_back(ask(evaluation<S>::momenta, by[n + static_cast<std::size_t>(k)]));
+    auto const put_both = [&](block_number in, int j, int k, T const& x) { // of a symmetric block
+        if (j < k) return;
+        put(in, j, k, x);
+        if (k < j) put(in, k, j, x);
+    };
+    for (std::size_t k = 0; k < n; ++k) made.places.by_q.push_back(ask(evaluation<S>::forces, by[k]));
+    for (std::size_t k = n; k < 2 * n; ++k) made.places.by_v.push_back(ask(evaluation<S>::momenta, by[k]));
     for (int j = 0; j < d; ++j) {
         derive.derivatives(by[n + static_cast<std::size_t>(j)], seconds_by, [&](int k, T const& x) {
-            if (k < d) {
-                put(block_vq, j, k, x);
-                if (force.empty()) put(block_qv, k, j, x);
-            } else if (k - d <= j) {
-                put(block_vv, j, k - d, x);
-                if (k - d < j) put(block_vv, k - d, j, x);
-            }
+            if (k >= d) return put_both(block_vv, j, k - d, x);
+            put(block_vq, j, k, x);
+            if (force.empty()) put(block_qv, k, j, x);
         });
         if ((seconds_by & on_position) == 0) continue;
         derive.derivatives(by[static_cast<std::size_t>(j)], force.empty() ? on_position : on_position | on_velocity,
                            [&](int k, T const& x) {
-                               if (k >= d)
-                                   put(block_qv, j, k - d, x);
-                               else if (not force.empty())
-                                   put(block_qq, j, k, x);
-                               else if (k <= j) {
-                                   put(block_qq, j, k, x);
-                                   if (k < j) put(block_qq, k, j, x);
-                               }
+                               if (k >= d) return put(block_qv, j, k - d, x);
+                               if (force.empty()) return put_both(block_qq, j, k, x);
+                               put(block_qq, j, k, x);
                            });
     }
-    for (auto const& w : g.guards()) // also of those that no derivative depends on: they are what the callable would do
-        for (int const node : {w.a, w.b}) asked[evaluation<S>::shared].push_back(node);
-    made.how = evaluation<S>(g, g.arguments(d), asked);
-    for (auto* list : {&made.places.by_q, &made.places.by_v})
-        for (int& k : *list) k = made.how.place(k);
-    made.places.find_stretches();
-    for (auto& block : made.places.entries)
-        for (auto& e : block) e.place = made.how.place(e.place);
-    for (auto const& w : g.guards())
-        made.guards.push_back(
-            {w.how, made.how.place(w.a), made.how.place(w.b), w.outcome, static_cast<std::uint8_t>(g[w.a].on | g[w.b].on)});
+    evaluate_nodes(g, d, made, std::move(asked));
     return made;
 }
 

@@ -46,31 +46,22 @@ public:
     friend traced max(traced const& x, traced const& y) { return detail::extremum<true>(x, y); }
     friend traced min(traced const& x, traced const& y) { return detail::extremum<false>(x, y); }
 
-    template <class Y>
-    traced& operator+=(Y const& y) {
-        return *this = *this + y;
+#define HILGER_ASSIGNMENT(operation)                                                                                                       \
+    template <class Y>                                                                                                                     \
+    traced& operator operation##=(Y const& y) {                                                                                            \
+        return *this = *this operation y;                                                                                                  \
     }
-    template <class Y>
-    traced& operator-=(Y const& y) {
-        return *this = *this - y;
-    }
-    template <class Y>
-    traced& operator*=(Y const& y) {
-        return *this = *this * y;
-    }
-    template <class Y>
-    traced& operator/=(Y const& y) {
-        return *this = *this / y;
-    }
+    HILGER_ASSIGNMENT(+)
+    HILGER_ASSIGNMENT(-)
+    HILGER_ASSIGNMENT(*)
+    HILGER_ASSIGNMENT(/)
+#undef HILGER_ASSIGNMENT
 };
 
 template <class T>
 inline constexpr bool is_traced = false;
 template <class S>
 inline constexpr bool is_traced<traced<S>> = true;
-/// What may stand beside a traced number as a constant.
-template <class C, class S>
-concept constant_beside = std::constructible_from<S, C> and not is_traced<C>;
 
 namespace detail {
 
@@ -124,16 +115,6 @@ struct NumTraits<hilger::traced<S>> : NumTraits<S> {
     using Nested = Real;
     using Literal = typename NumTraits<S>::Literal;
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 4, AddCost = 32, MulCost = 32 };
-};
-template <class S, class K, class Operation>
-    requires hilger::constant_beside<K, S>
-struct ScalarBinaryOpTraits<hilger::traced<S>, K, Operation> {
-    using ReturnType = hilger::traced<S>;
-};
-template <class S, class K, class Operation>
-    requires hilger::constant_beside<K, S>
-struct ScalarBinaryOpTraits<K, hilger::traced<S>, Operation> {
-    using ReturnType = hilger::traced<S>;
 };
 
 } // namespace Eigen

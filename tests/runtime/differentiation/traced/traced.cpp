@@ -22,7 +22,7 @@ using vector = Eigen::Matrix<S, d, 1>;
 template <class S, class F>
 S difference(F const& f, vector<S> const& q, vector<S> const& v) {
     auto const x = expand(f, q, v);
-    auto const y = detail::expand_traced(f, q, v, detail::on_position | detail::on_velocity);
+    auto const y = detail::expand_traced(f, q, v);
     S most(0), size(0);
     auto const compare = [&](auto const& a, auto const& b) {
         most = std::max(most, S(magnitude(std::remove_cvref_t<decltype(a)>(a - b))));
@@ -196,8 +196,7 @@ TEST_CASE("powers have the slopes of powers, however they are multiplied") {
             };
             CHECK(difference<Q>(f, q, v) == 0);
         }
-        auto const y = detail::expand_traced([&](auto const& x, auto const&) { return raised(x(2), n); }, q, v,
-                                             detail::on_position | detail::on_velocity);
+        auto const y = detail::expand_traced([&](auto const& x, auto const&) { return raised(x(2), n); }, q, v);
         CHECK(y.by_q(2) == n * raised(q(2), n - 1));
         CHECK(y.qq(2, 2) == n * (n - 1) * raised(q(2), n - 2));
     }
@@ -300,7 +299,7 @@ TEST_CASE("norms in all their forms have no slope at 0, as jets have none") {
         for (V const& q : {V(0, 0, 0), V(0.5, 0, 0), V(1, -2, 0.5)}) {
             V const v(0.25, 0, -1);
             auto const e = expand(L, q, v);
-            auto const t = detail::expand_traced(L, q, v, detail::on_position | detail::on_velocity);
+            auto const t = detail::expand_traced(L, q, v);
             CHECK(magnitude(V(e.by_q - t.by_q)) <= 1e-13);
             CHECK(magnitude(V(e.by_v - t.by_v)) <= 1e-13);
             CHECK((e.qq - t.qq).cwiseAbs().maxCoeff() <= 1e-12);
