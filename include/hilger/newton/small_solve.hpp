@@ -55,7 +55,7 @@ S smallest_determinant() {
 
 /// x in K x = r for a small row-major matrix; false where K is singular to rounding, or not finite.
 template <class S, std::size_t M, std::size_t MM>
-HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S, M>& r) {
+HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM> const& K, std::array<S, M>& r) {
     using std::abs;
     if constexpr (M == 1) {
         if (not is_divisor(K[0])) return false;
@@ -65,7 +65,7 @@ HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM>& K, std::array<S,
         S const ad = K[0] * K[3], bc = times(K[1], K[2]);
         S const det = minus(ad, bc);
         if (not(epsilon<S>() * (abs(ad) + abs(bc)) + smallest_determinant<S>() < abs(det))) [[unlikely]] {
-            auto const z = eliminate_pair<S>(K[0], S(K[1]), S(K[2]), K[3], r[0], r[1]);
+            auto const z = eliminate_pair<S>(K[0], K[1], K[2], K[3], r[0], r[1]);
             r = {z.x, z.y};
             return z.regular;
         }
