@@ -7,10 +7,8 @@
 
 #include "hilger/inlining.hpp"
 #include "hilger/newton/small_solve.hpp"
-#include "hilger/newton/small_stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/small/node.hpp"
-#include "hilger/step/small/rests.hpp"
 #include "hilger/step/small/search.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"

@@ -9,7 +9,6 @@
 
 #include "hilger/newton/newton.hpp"
 #include "hilger/newton/small_solve.hpp"
-#include "hilger/newton/small_stop.hpp"
 #include "hilger/step/small/node.hpp"
 #include "hilger/step/state.hpp"
 
