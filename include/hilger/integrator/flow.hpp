@@ -137,7 +137,7 @@ public:
         /// @throws the same as a step_failure
         HILGER_ALWAYS_INLINE void advance_equally(flow const& f, state<S, V>& x) {
             if constexpr (small and not known)
-                stepper_.advance_saying_where(what(f), x);
+                stepper_.advance(what(f), x); // says so itself
             else
                 saying_where(x, stepper_.h(), [&] { stepper_.advance(what(f), x); });
         }

@@ -9,8 +9,9 @@
 
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "hilger/inlining.hpp"
-#include "hilger/linear/positive_definite.hpp"
 #include "hilger/models/pairs.hpp"
 
 namespace hilger {
@@ -98,6 +99,14 @@ struct dense_potential {
             for (index_type k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
     }
 };
+/// x becomes A^-1 x; false where A is not positive definite.
+template <class S>
+bool solve_positive_definite(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& A, Eigen::Matrix<S, Eigen::Dynamic, 1>& x) {
+    Eigen::LDLT<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const factors(A); // no roots: of rationals too
+    if (factors.info() != Eigen::Success or not(factors.vectorD().array() > S(0)).all()) return false;
+    x = factors.solve(x);
+    return true;
+}
 template <class U>
 concept structured_potential = requires(U const& u) {
     u.check(index_type{});

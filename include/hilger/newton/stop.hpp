@@ -3,6 +3,8 @@
 // sqrt(epsilon) leaves an error of size epsilon, so the last correction is applied and not evaluated again.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -62,6 +64,107 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
     else
         return S(sqrt(epsilon<S>()));
 }
+
+enum class progress { going, done, lost };
+/// When an iteration that contracts is done: where what is left is below rounding, or where only rounding errors are left, which do not
+/// shrink (Hairer, McLachlan, Razakarivony 2008). What is left after a correction is the rate times it, and the rate is the ratio of two
+/// corrections.
+template <class S>
+class contraction {
+public:
+    /// `rounding` is the size of one rounding error of the iterate, and what is left is to be `small` times that.
+    contraction(S rounding, S small) : rounding_(std::move(rounding)), small_(std::move(small)) {}
+
+    /// After a correction of this size. Lost is an iteration that gains less than half of a digit (binary) a round, once it has settled.
+    progress after(S const& size) {
+        ++rounds_;
+        if (not is_finite(size)) return progress::lost;
+        if (size <= rounding_ * small_) return progress::done;
+        if (rounds_ > 1) {
+            if (size * (size / previous_) <= rounding_ * small_) return progress::done; // a quotient: squares of small sizes are zero
+            if (not(S(2) * size < previous_)) {
+                if (is_rounding(size)) return progress::done;
+                if (rounds_ > 3) return progress::lost;
+            }
+        }
+        previous_ = size;
+        return progress::going;
+    }
+
+    /// Whether a correction of this size is one of the rounding errors that are left at the end.
+    [[nodiscard]] bool is_rounding(S const& size) const { return size <= S(64) * rounding_; }
+
+private:
+    S rounding_, small_, previous_{0};
+    int rounds_ = 0;
+};
+
+/// How large each component of a correction may be, in units of what decides about it: the component itself, or where it goes through zero,
+/// what the residual is the sum of. Components may be of very different sizes.
+template <class Unknown, class S, class Vector>
+class weighed_corrections {
+    using u = shape<Unknown>;
+
+public:
+    explicit weighed_corrections(Vector const& zero) : weight_(zero), per_weight_(zero) {}
+
+    /// Where `moved` is about the solution: put_sizes(x) makes x the size of what the residual is the sum of, and `factorized` solves.
+    template <class PutSizes, class Matrix>
+    void weigh(Unknown const& moved, PutSizes const& put_sizes, Matrix& factorized) {
+        per_weight_.setZero();
+        put_sizes(weight_);
+        factorized.solve(weight_);
+        S most(0);
+        for (int c = 0; c < count(); ++c) {
+            S const size = magnitude(u::component(moved, c)), other = magnitude(S(weight_(c)));
+            weight_(c) = size < other ? other : size;
+            if (most < weight_(c)) most = weight_(c);
+        }
+        // what stands still has no size, and may move by the rounding of the others
+        S const least = epsilon<S>() * most;
+        for (int c = 0; c < count(); ++c)
+            if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
+    }
+    [[nodiscard]] S size_of(Vector const& correction) const {
+        return count() == 0 ? S(0) : S(correction.cwiseProduct(per_weight_).cwiseAbs().maxCoeff());
+    }
+    /// Whether Newton's next correction would be rounding: convergence is quadratic where this one is small beside what it corrects.
+    [[nodiscard]] bool is_last(Vector const& correction, Unknown const& moved, S const& small) const {
+        for (int c = 0; c < count(); ++c) {
+            S const size = magnitude(S(correction(c)));
+            if (size <= (std::numeric_limits<S>::min)()) continue; // numbers below it have lost their digits; of exact ones it is 0
+            if (not(size <= small * magnitude(u::component(moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
+        }
+        return true;
+    }
+
+private:
+    [[nodiscard]] int count() const { return static_cast<int>(weight_.size()); }
+    Vector weight_, per_weight_;
+};
+
+/// For how many steps a cheaper way is not tried again after it has failed: for one step, and after each further failure for twice as many.
+/// A motion that is stiff throughout pays for few trials, and one that is stiff for a while, as in an encounter, gets its cheap steps back.
+class back_off {
+public:
+    [[nodiscard]] bool allows() const { return left_ == 0; }
+    void has_worked() { next_ = 1; }
+    void has_failed() {
+        left_ = next_;
+        next_ = std::min(2 * next_, 1024);
+    }
+    /// A step without the cheaper way.
+    void passes() { --left_; }
+    /// For checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        each("left", left_);
+        each("next", next_);
+    }
+
+private:
+    int left_ = 0, next_ = 1; ///< steps
+};
 
 /// Why the derivative of an equation is regular, what helps where its root is not found, and what where there are no numbers on the way.
 struct solvability {

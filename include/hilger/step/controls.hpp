@@ -55,12 +55,7 @@ public:
     }
     [[nodiscard]] int unknowns() const { return dimension() * U; }
     /// U_n - q_i, component c and whole.
-    [[nodiscard]] S const& end(int c) const {
-        if constexpr (U == 1)
-            return s::component(moved, c);
-        else
-            return moved(place_of(last, c));
-    }
+    [[nodiscard]] S const& end(int c) const { return component_of_moved(last, c); }
     [[nodiscard]] decltype(auto) end() const {
         if constexpr (U == 1)
             return (moved);

@@ -14,11 +14,10 @@
 #include "hilger/newton/newton.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
-#include "hilger/newton/weighed_corrections.hpp"
 #include "hilger/step/equation.hpp"
 #include "hilger/step/explicit_node.hpp"
-#include "hilger/step/shortened.hpp"
 #include "hilger/step/summation.hpp"
+#include "hilger/step/tableau.hpp"
 
 namespace hilger::detail {
 
@@ -147,7 +146,7 @@ private:
                 return false;
             }
             if (not e_.factorize_constant_part()) {
-                if (e_.is_constant) refuse(x, newton_outcome::singular);
+                if (e_.is_constant) refuse(x, newton_outcome::singular, e_.residual);
                 return false;
             }
             correct(e_.constant_part);
@@ -193,7 +192,7 @@ private:
                 return exact or is_near_the_last(iteration, made);
             previous = size;
         }
-        if (exact) refuse(x, singular ? newton_outcome::singular : newton_outcome::lost);
+        if (exact) refuse(x, singular ? newton_outcome::singular : newton_outcome::lost, e_.residual);
         return false;
     }
     [[nodiscard]] bool is_near_the_last(int iteration, long long made) const {
@@ -230,9 +229,10 @@ private:
         for (int k = 0; k < e_.unknowns(); ++k)
             if (not is_finite(e_.residual(k))) throw_newton_failure(name, newton_outcome::not_finite, x.q, with_first(x.q, e_.residual(k)));
     }
-    [[noreturn]] void refuse(state<S, V> const& x, newton_outcome how) {
+    template <class Residual>
+    [[noreturn]] void refuse(state<S, V> const& x, newton_outcome how, Residual const& residual) {
         V rest = s::zero(dimension());
-        for (int c = 0; c < dimension(); ++c) s::component(rest, c) = e_.residual(c * (Controls - 1));
+        for (int c = 0; c < dimension(); ++c) s::component(rest, c) = component_of(residual, c * (Controls - 1));
         throw_newton_failure(name, how, V(x.q + e_.end()), rest);
     }
     /// For an L with branches, or where whole corrections do not contract: e_.moved and the derivatives there.
@@ -267,9 +267,7 @@ private:
                                                          [&](S const& share) { step.shorten_to(share); });
         if (how != newton_outcome::found) {
             e_.moved = y;
-            V first = s::zero(dimension());
-            for (int c = 0; c < dimension(); ++c) s::component(first, c) = u::component(rest, c * (Controls - 1));
-            throw_newton_failure(name, how, V(x.q + e_.end()), first);
+            refuse(x, how, rest);
         }
         correction_.setZero();
         corrected_ = corrected::in_nothing;

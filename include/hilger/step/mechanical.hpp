@@ -7,7 +7,6 @@
 
 #include <optional>
 
-#include "hilger/newton/back_off.hpp"
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"

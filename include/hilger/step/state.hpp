@@ -73,11 +73,14 @@ template <class S, class V>
 
 } // namespace detail
 
-/// Does `work`, the step from `at` with length h. @throws what goes wrong in it as a step_failure
+/// work(), the step from `at` with length h. @throws what goes wrong in it as a step_failure
 template <class S, class V, class Work>
-void saying_where(state<S, V> const& at, S const& h, Work const& work) {
+decltype(auto) saying_where(state<S, V> const& at, S const& h, Work const& work) {
     try {
-        work();
+        return work();
+    } catch (interrupted<S, V> const& e) {
+        if (e.last == at) throw; // the step itself has said so
+        detail::stop_at(at, h);
     } catch (...) {
         detail::stop_at(at, h);
     }

@@ -59,17 +59,13 @@ constexpr auto embedding_of(S const& s) {
         return make_embedding<typename S::weight>(s.position, s.velocity, "the embedding of an action");
 }
 
-/// Several Lagrangians; the nodes ask each for one of them, and who asks for the whole for their sum.
-template <class F, class G, class Force, class V, bool Traces>
-class given<problem<lagrangian_by_node<F, G>, Force>, V, Traces> final
-    : public given_whole<problem<lagrangian_by_node<F, G>, Force>, V, Traces> {
-    using what_type = problem<lagrangian_by_node<F, G>, Force>;
-    given<problem<F, Force>, V> first_;
-    given<problem<G, no_force>, V> second_;
-
-public:
-    explicit given(what_type const& what) : given_whole<what_type, V, Traces>(what), first_(what.first), second_(what.second) {}
-    [[nodiscard]] given_problem<V> const& part(int k) const override { return k < parts_of<F> ? first_.part(k) : second_; }
+/// The nodes ask one of the Lagrangians each, and who asks for the whole gets their sum.
+template <class F, class G, class Force, class V>
+struct problems_at_nodes<problem<lagrangian_by_node<F, G>, Force>, V> {
+    given<problem<F, Force>, V> first;
+    given<problem<G, no_force>, V> second;
+    explicit problems_at_nodes(problem<lagrangian_by_node<F, G>, Force> const& what) : first(what.first), second(what.second) {}
+    given_problem<V> const* operator()(int k) const { return k < parts_of<F> ? &first.part(k) : &second; }
 };
 
 } // namespace detail

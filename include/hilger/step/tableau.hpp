@@ -7,6 +7,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "hilger/embedding/embedding.hpp"
@@ -71,6 +74,33 @@ void add_up_to(S const& w, S& c, S& f) {
     else
         f = w - c;
 }
+/// The equation of a step, of a share of its length for a while: what a step that no guess leads to grows from (newton/newton.hpp). The
+/// equation is that of the whole step again when this ends. Its numbers are copied where it is shortened, not before: most steps that
+/// are searched for are not.
+template <class Equation>
+class shortened_step {
+    using S = std::remove_cvref_t<decltype(std::declval<Equation&>().h())>;
+    Equation& equation_;
+    S const h_ = equation_.h();
+    std::optional<tableau<S>> whole_{};
+    S share_{1};
+
+public:
+    explicit shortened_step(Equation& equation) : equation_(equation) {}
+    shortened_step(shortened_step const&) = delete;
+    shortened_step& operator=(shortened_step const&) = delete;
+    ~shortened_step() { shorten_to(S(1)); }
+    [[nodiscard]] S const& share() const { return share_; }
+    void shorten_to(S const& share) {
+        if (share == share_) return;
+        if (not whole_) whole_ = equation_.table();
+        share_ = share;
+        if (share == S(1))
+            equation_.prepare(*whole_, h_);
+        else
+            equation_.prepare(whole_->shortened_to(share), S(share * h_));
+    }
+};
 } // namespace detail
 
 /// What is known of an embedding before any number is: computed by its operators over a finite field, where equal means equal.

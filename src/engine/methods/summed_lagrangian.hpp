@@ -48,26 +48,20 @@ struct problem<engine::summed_lagrangian, Force> {
 
 namespace detail {
 
-/// The nodes ask for one Lagrangian each, and who asks for the whole for their sum.
-template <class Force, class V, bool Traces>
-class given<problem<engine::summed_lagrangian, Force>, V, Traces> final
-    : public given_whole<problem<engine::summed_lagrangian, Force>, V, Traces> {
-    using what_type = problem<engine::summed_lagrangian, Force>;
-
-public:
-    explicit given(what_type const& what) : given_whole<what_type, V, Traces>(what), first_(what.first) {
+/// The nodes ask for one Lagrangian each, and who asks for the whole gets their sum.
+template <class Force, class V>
+struct problems_at_nodes<problem<engine::summed_lagrangian, Force>, V> {
+    given<problem<text::stated_lagrangian, Force>, V> first;
+    std::vector<given<engine::free_problem, V>> others;
+    explicit problems_at_nodes(problem<engine::summed_lagrangian, Force> const& what) : first(what.first) {
         auto const& parts = what.lagrangian.parts();
-        others_.reserve(parts.size() - 1);
-        for (std::size_t k = 1; k < parts.size(); ++k) others_.emplace_back(parts[k]);
+        others.reserve(parts.size() - 1);
+        for (std::size_t k = 1; k < parts.size(); ++k) others.emplace_back(parts[k]);
     }
-    [[nodiscard]] given_problem<V> const& part(int k) const override {
-        if (k == 0) return first_;
-        return others_[static_cast<std::size_t>(k) - 1];
+    given_problem<V> const* operator()(int k) const {
+        if (k == 0) return &first;
+        return &others[static_cast<std::size_t>(k) - 1];
     }
-
-private:
-    given<problem<text::stated_lagrangian, Force>, V> first_;
-    std::vector<given<engine::free_problem, V>> others_;
 };
 
 } // namespace detail

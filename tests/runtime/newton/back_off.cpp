@@ -2,7 +2,7 @@
 // A way that fails is tried again after one step, after two, four, ...: never less often than every 1024 steps.
 #include <doctest/doctest.h>
 
-#include "hilger/newton/back_off.hpp"
+#include "hilger/newton/stop.hpp"
 
 namespace back_off_tests {
 

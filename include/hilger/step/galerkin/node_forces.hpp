@@ -11,8 +11,8 @@
 
 #include "hilger/history/component.hpp"
 #include "hilger/inlining.hpp"
-#include "hilger/newton/contraction.hpp"
-#include "hilger/newton/small_stop.hpp"
+#include "hilger/newton/small_solve.hpp"
+#include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/galerkin/table.hpp"
 #include "hilger/step/separable.hpp"

@@ -7,10 +7,8 @@
 
 #include "hilger/inlining.hpp"
 #include "hilger/newton/small_solve.hpp"
-#include "hilger/newton/small_stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/small/node.hpp"
-#include "hilger/step/small/rests.hpp"
 #include "hilger/step/small/search.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/step/summation.hpp"
@@ -27,14 +25,14 @@ class one_node {
     using matrix_ = std::array<S, static_cast<std::size_t>(N* N)>;
     using all = std::make_integer_sequence<int, N>;
     using every = std::make_integer_sequence<int, N * N>;
-    using failure = small_failure<S, V, all>;
+
     using search = small_search<Compensated, S, V, all>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
-    static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end;
+    static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end, order_one = at_start or at_end;
     /// Where a position or a momentum is rounded inside of the step.
-    static constexpr bool keeps_rests = Compensated and not exact and not at_start and not at_end;
+    static constexpr bool keeps_rests = Compensated and not exact and not order_one;
     /// How many velocities the first guess of the next one is made from; rationals would only grow.
-    static constexpr int history = exact or at_start or at_end ? 1 : 7;
+    static constexpr int history = exact or order_one ? 1 : 7;
 
 public:
     /// `like` has the dimension of the states to come.
@@ -68,33 +66,26 @@ public:
         sum_p_.visit(each);
     }
 
-    /// @throws error::no_convergence, error::singular, error::not_finite; `x` is then as it was.
-    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x) { chosen_advance<false>(problem, x); }
-    /// @throws the same as a step_failure
-    HILGER_ALWAYS_INLINE void advance_saying_where(Problem const& problem, state<S, V>& x) { chosen_advance<true>(problem, x); }
+    /// @throws error::no_convergence, error::singular, error::not_finite as a step_failure; `x` is then as it was.
+    HILGER_ALWAYS_INLINE void advance(Problem const& problem, state<S, V>& x) { chosen_advance(problem, x); }
 
 private:
-    template <bool SayWhere>
     HILGER_ALWAYS_INLINE void chosen_advance(Problem const& problem, state<S, V>& x) {
         std::uint64_t const compared_before = comparisons_made();
-        if (not flat_or_not<SayWhere>(problem, x)) [[unlikely]]
-            search_step<SayWhere>(problem, x, comparisons_made() != compared_before, all{});
+        if (not flat_or_not(problem, x)) [[unlikely]]
+            search_step(problem, x, comparisons_made() != compared_before, all{});
     }
-    template <bool SayWhere>
     HILGER_ALWAYS_INLINE bool flat_or_not(Problem const& problem, state<S, V>& x) {
         if constexpr (std::is_floating_point_v<S>)
-            return flat_advance<SayWhere>(problem, x);
+            return flat_advance(problem, x);
         else
-            return advance<SayWhere>(problem, x, all{}, every{});
+            return advance(problem, x, all{}, every{});
     }
-    template <bool SayWhere>
-    HILGER_FLATTEN bool flat_advance(Problem const& problem, state<S, V>& x) {
-        return advance<SayWhere>(problem, x, all{}, every{});
-    }
+    HILGER_FLATTEN bool flat_advance(Problem const& problem, state<S, V>& x) { return advance(problem, x, all{}, every{}); }
 
     /// False, and x is as it was, where Newton's rounds do not do. Of an L with branches they prove a root on the branch of the last round,
     /// and that may not be the branch of the root; and an extrapolated guess may lie where L is not defined, or too far away in long steps.
-    template <bool SayWhere, int... K, int... M>
+    template <int... K, int... M>
     HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
         using std::abs;
@@ -104,12 +95,10 @@ private:
         // Sizes: a step may go back in time.
         S const w_size = abs(w), c_size = abs(c), f_size = abs(f), rest = rest_of_newton<S, Compensated>();
         // For order one dL/dv = p + ... is often linear in v, and then any v will do to start from.
-        components_ v = at_start or at_end ? components_{} : first_guess(every_component);
+        components_ v = order_one ? components_{} : first_guess(every_component);
         components_ r{};
         components_ d{};
-        bool singular = false;
         int settled = 0; // how often all components together were at their floor, and one of them not
-        std::uint64_t const compared_before = comparisons_made();
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             std::uint64_t const compared = comparisons_made();
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
@@ -119,97 +108,101 @@ private:
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
             if constexpr (has_step_force<Extra>) ((r[K] = r[K] - half_resistance<K>() * v[K]), ...);
-            matrix_ const D{(at_start or at_end ? e.template qv<M / N, M % N>()
-                                                : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
+            matrix_ const D{(order_one ? e.template qv<M / N, M % N>()
+                                       : plus(times(c, e.template qq<M / N, M % N>()), e.template qv<M / N, M % N>()))...};
             matrix_ J{minus(at_start ? e.template vv<M / N, M % N>()
                                      : plus(e.template vv<M / N, M % N>(), times(c, e.template vq<M / N, M % N>())),
                             at_end ? S(0) : times(f, D[M]))...};
             if constexpr (has_step_force<Extra>) ((J[static_cast<std::size_t>(K * N + K)] += half_resistance<K>()), ...);
-            d = r;
-            [[maybe_unused]] matrix_ const of_round = J;
-            bool const quadratic = not e.on().coupled and e.on().v <= 2, solved = small_solve(J, d);
-            if (not solved and not((at_start or at_end) and iteration == 0 and not quadratic)) {
-                singular = true; // which at rest says nothing of where the velocity is
-                break;
-            }
-            if constexpr (at_start or at_end)
+            bool const quadratic = not e.on().coupled and e.on().v <= 2;
+            if constexpr (order_one)
                 if (iteration == 0 and not quadratic) {
                     v = past_[0];
                     continue;
                 }
+            d = r;
+            if (not small_solve(J, d)) [[unlikely]]
+                return false; // which at rest says nothing of where the velocity is
             [[maybe_unused]] components_ const v_before = v;
-            [[maybe_unused]] components_ g_rest{};
-            v = components_{(at_start or at_end) and iteration == 0 ? d[K] : S(v[K] + d[K])...};
+            components_ g_rest{};
+            v = components_{order_one and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
-            // Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside an r
-            // that is larger than what it should be zero of.
-            auto const is_last = [&]() HILGER_ALWAYS_INLINE {
-                return at_the_floor(d, v, rest) and (exact or largest(r) <= largest(p) + f_size * largest(g));
-            };
-            if constexpr (at_start) {
-                done = quadratic or is_last();
-                if (not quadratic or has_force<Problem>) (add_row<K>(g, D, d), ...); // at no velocity there is another force
-            } else if constexpr (at_end) {
-                done = quadratic or is_last();
+            if constexpr (order_one) {
+                done = quadratic or is_at_the_floor(d, v, r, p, f_size, g);
+                if (at_start and (not quadratic or has_force<Problem>)) (add_row<K>(g, D, d), ...); // at no velocity there is another force
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
-                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest) : is_last();
+                done = quadratic ? e.on().q <= 2 or is_negligible(c_size, A, v, d, w_size, g, change, p, rest)
+                                 : is_at_the_floor(d, v, r, p, f_size, g);
                 if constexpr (keeps_rests)
-                    if (done) {
-                        last_round<S, static_cast<std::size_t>(N)> round{c, f, q, p, v_before, g, d, of_round, D};
-                        round.look_at_rests(e, sum_q_, sum_p_, change, every_component, every{});
-                        v = components_{S(v_before[K] + (d[K] + round.more[K]))...};
-                        g_rest = round.of_g;
-                        change = components_{}; // it is in g_rest
-                    }
+                    if (done)
+                        look_at_rests(last_round<S, static_cast<std::size_t>(N)>{c, f, q, p, v_before, g, d, J, D}, e, v, g_rest, change,
+                                      every_component);
                 g = components_{plus(g[K], change[K])...};
             }
-            if (not done) {
-                if (iteration == 0 or not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) continue;
-                // Convergence is quadratic in each of them: small ones beside large ones take two more rounds.
-                if constexpr (N > 1)
-                    if (settled < 2 and not((abs(r[K]) <= S(4) * epsilon<S>() * (abs(p[K]) + f_size * abs(g[K]))) and ...)) {
-                        ++settled;
-                        continue;
-                    }
-            }
+            if (not done and (iteration == 0 or not is_rounding<K...>(r, p, f_size, g, settled))) continue;
             if constexpr (at_end) {
                 components_ const B{plus(q[K], S(c * v[K]))...};
                 auto const again = evaluate<s::is_scalar>(problem, t, B, v, every_component);
                 g = components_{again.template by_q<K>()...};
             }
-            if (branched) [[unlikely]]
+            if (branched or not is_near_the_last<K...>(iteration, v)) [[unlikely]]
                 return false;
-            if constexpr (not exact and not at_start and not at_end)
-                if (not is_near(iteration, known_, change_of<K...>(v, past_[0]), change_of<K...>(past_[0], past_[1]),
-                                change_of<K...>(past_[1], past_[2]))) [[unlikely]]
-                    return false;
             // A finite v and g may still lead beyond the largest number.
             if constexpr (not exact)
-                if (S const nan = overflow_in<K...>(q, p, w, v, g, g_rest); not(nan == S(0))) {
-                    r[0] = nan;
-                    break;
-                }
+                if (not(overflow_in<K...>(q, p, w, v, g, g_rest) == S(0))) [[unlikely]]
+                    return false;
             take<K...>(x, w, v, g, g_rest);
             return true;
         }
-        if (not exact or comparisons_made() != compared_before) [[unlikely]]
-            return false;
-        if constexpr (SayWhere)
-            failure::tell_where(x.t, h_, q[K]..., p[K]..., v[K]..., r[K]..., singular);
+        return false;
+    }
+    /// Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside an r that is
+    /// larger than what it should be zero of.
+    HILGER_ALWAYS_INLINE static bool is_at_the_floor(components_ const& d, components_ const& v, components_ const& r, components_ const& p,
+                                                     S const& f_size, components_ const& g) {
+        return at_the_floor(d, v, rest_of_newton<S, Compensated>()) and (exact or largest(r) <= largest(p) + f_size * largest(g));
+    }
+    /// v and what of g rounding has cut off, `change` with it, after the last round.
+    template <class Derivatives, int... K>
+    HILGER_ALWAYS_INLINE void look_at_rests(last_round<S, static_cast<std::size_t>(N)> round, Derivatives const& e, components_& v,
+                                            components_& g_rest, components_& change, std::integer_sequence<int, K...> every_component) {
+        round.look_at_rests(e, sum_q_, sum_p_, change, every_component, every{});
+        v = components_{S(round.v[K] + (round.d[K] + round.more[K]))...};
+        g_rest = round.of_g;
+        change = components_{}; // it is in g_rest
+    }
+    /// Whether the residual before the last correction was rounding. Convergence is quadratic in each component: small ones beside large
+    /// ones take two more rounds.
+    template <int... K>
+    HILGER_ALWAYS_INLINE static bool is_rounding(components_ const& r, components_ const& p, S const& f_size, components_ const& g,
+                                                 int& settled) {
+        using std::abs;
+        if (not(largest(r) <= S(4) * epsilon<S>() * (largest(p) + f_size * largest(g)))) return false;
+        if constexpr (N > 1)
+            if (settled < 2 and not((abs(r[K]) <= S(4) * epsilon<S>() * (abs(p[K]) + f_size * abs(g[K]))) and ...)) {
+                ++settled;
+                return false;
+            }
+        return true;
+    }
+    template <int... K>
+    HILGER_ALWAYS_INLINE bool is_near_the_last(int iteration, components_ const& v) const {
+        if constexpr (exact or order_one)
+            return true;
         else
-            failure::tell(v[K]..., r[K]..., singular);
+            return is_near(iteration, known_, change_of<K...>(v, past_[0]), change_of<K...>(past_[0], past_[1]),
+                           change_of<K...>(past_[1], past_[2]));
     }
     /// The same from the beginning, by a search.
-    template <bool SayWhere, int... K>
+    template <int... K>
     HILGER_ALWAYS_INLINE void search_step(Problem const& problem, state<S, V>& x, bool has_branches,
                                           std::integer_sequence<int, K...> every_component) {
         S const c = at_end ? w_ : c_, f = at_start ? w_ : f_;
         components_ const v = first_guess(every_component);
-        auto const found =
-            search::template root<SayWhere>(problem, has_branches, x.t, h_, S(x.t + node_), w_, c, f, s::component(x.q, K)...,
-                                            start<K>(x.p)..., v[K]..., past_[0][K]..., half_resistance<K>()...);
+        auto const found = search::root(problem, has_branches, x.t, h_, node_, w_, c, f, s::component(x.q, K)..., start<K>(x.p)..., v[K]...,
+                                        past_[0][K]..., half_resistance<K>()...);
         take<K...>(x, w_, found.v, found.g, components_{});
     }
     template <int... K>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a step of up to four degrees of freedom seldom comes to: how it fails, and the search for the step of a Lagrangian with branches, or
-// of another one from a nearer guess. The numbers are handed over one by one and by value: as arrays, or caught where the step is made,
+// What a step of up to four degrees of freedom seldom comes to: the search for the step of a Lagrangian with branches, or of another one
+// from a nearer guess. The numbers are handed over one by one and by value: as arrays, or caught where the step is made,
 // they would have to be in memory for this in every step that succeeds.
 #pragma once
 
@@ -9,37 +9,10 @@
 
 #include "hilger/newton/newton.hpp"
 #include "hilger/newton/small_solve.hpp"
-#include "hilger/newton/small_stop.hpp"
 #include "hilger/step/small/node.hpp"
 #include "hilger/step/state.hpp"
 
 namespace hilger::detail {
-
-/// How a step fails.
-template <class S, class V, class Components>
-class small_failure;
-template <class S, class V, int... K>
-class small_failure<S, V, std::integer_sequence<int, K...>> {
-    template <int>
-    using number = S;
-
-public:
-    [[noreturn, gnu::noinline, gnu::cold]] static void tell(number<K>... v, number<K>... r, bool singular) {
-        bool const finite = is_finite(S((v + ...))) or singular;
-        auto const how = singular ? newton_outcome::singular : finite ? newton_outcome::lost : newton_outcome::not_finite;
-        throw_newton_failure("the step p = -d_1 L_h(q, y)", how, vector(v...), finite ? vector(r...) : vector(v...));
-    }
-    [[noreturn, gnu::noinline, gnu::cold]] static void tell_where(S t, S h, number<K>... q, number<K>... p, number<K>... v, number<K>... r,
-                                                                  bool singular) {
-        saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] { tell(v..., r..., singular); });
-        __builtin_unreachable();
-    }
-    static V vector(number<K>... x) {
-        V y;
-        ((shape<V>::component(y, K) = x), ...);
-        return y;
-    }
-};
 
 /// Derivatives at one node, as node_jet has them, in arrays.
 template <class S, std::size_t N>
@@ -67,12 +40,12 @@ class small_search<Compensated, S, V, std::integer_sequence<int, K...>> {
     };
 
 public:
-    template <bool SayWhere, class Problem>
-    [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, bool has_branches, S t, S h, S node, S w, S c, S f,
+    template <class Problem>
+    [[gnu::noinline, gnu::cold]] static node_values root(Problem const& problem, bool has_branches, S t, S h, S to_node, S w, S c, S f,
                                                          number<K>... q, number<K>... p, number<K>... v, number<K>... last,
                                                          number<K>... resistance) {
         auto const derivatives = [&](components_ const& A, components_ const& B, table_& to) {
-            auto const e = evaluate<s::is_scalar, false>(problem, node, A, B, std::integer_sequence<int, K...>{});
+            auto const e = evaluate<s::is_scalar, false>(problem, S(t + to_node), A, B, std::integer_sequence<int, K...>{});
             [&]<int... M>(std::integer_sequence<int, M...>) {
                 constexpr int n = static_cast<int>(N);
                 to = {{S(e.template by_q<K>())...},          {S(e.template by_v<K>())...},          {S(e.template qq<M / n, M % n>())...},
@@ -80,15 +53,9 @@ public:
             }
             (std::make_integer_sequence<int, static_cast<int>(N * N)>{});
         };
-        node_values found{};
-        auto const search = [&] {
-            found = searched(derivatives, has_branches, w, c, f, {q...}, {p...}, vector(v...), vector(last...), {resistance...});
-        };
-        if constexpr (SayWhere)
-            saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, search);
-        else
-            search();
-        return found;
+        return saying_where(state<S, V>{t, vector(q...), vector(p...)}, h, [&] {
+            return searched(derivatives, has_branches, w, c, f, {q...}, {p...}, vector(v...), vector(last...), {resistance...});
+        });
     }
 
 private:
@@ -124,8 +91,7 @@ private:
         };
         matrix_ of_round{};
         auto const solve = [&](components_ r, V& d) {
-            matrix_ copy = of_round;
-            bool const regular = small_solve(copy, r);
+            bool const regular = small_solve(of_round, r);
             d = vector(r[K]...);
             return regular;
         };
@@ -146,7 +112,11 @@ private:
             throw_newton_failure("the step p = -d_1 L_h(q, y)", newton_outcome::not_finite, v, v);
         return found;
     }
-    static V vector(number<K>... x) { return small_failure<S, V, std::integer_sequence<int, K...>>::vector(x...); }
+    static V vector(number<K>... x) {
+        V y;
+        ((s::component(y, K) = x), ...);
+        return y;
+    }
 };
 
 } // namespace hilger::detail

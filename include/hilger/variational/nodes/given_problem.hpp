@@ -3,10 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "hilger/differentiation/traced/trace.hpp"
+#include "hilger/models/mechanical.hpp"
 #include "hilger/variational/nodes/gradients.hpp"
-#include "hilger/variational/nodes/model_list.hpp"
 #include "hilger/variational/problem.hpp"
 
 namespace hilger::detail {
@@ -37,7 +38,7 @@ public:
     /// As expand_at and gradients_at.
     [[nodiscard]] virtual node_table<V> expand(S const&, V const&, V const&) const { return {}; }
     virtual dependence gradients(S const&, V const&, V const&, V& /*by_q*/, V& /*by_v*/) const { return {}; }
-    /// Of a model: its derivatives as a list (model_list.hpp). False of any other L.
+    /// Of a model: its derivatives as a list. False of any other L.
     virtual bool list(V const&, V const&, bool /*seconds*/, V& /*room*/, std::vector<S>& /*values*/,
                       std::shared_ptr<derivative_places const>& /*places*/) const {
         return false;
@@ -63,16 +64,64 @@ traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V con
     });
 }
 
+/// The derivatives of a model L = v.Mv / 2 - U(q) (models/mechanical.hpp) at (q, v): dL/dq, dL/dv, room for a gradient, and the second
+/// derivatives that its potential and its mass have, term by term, where `seconds` asks for them; and where they are, the first time.
+/// `room` is as long as q.
+template <class L, class V, class S = scalar_of<V>>
+void list_model(L const& of, V const& q, V const& v, bool seconds, V& room, std::vector<S>& values,
+                std::shared_ptr<derivative_places const>& places) {
+    index_type const d = q.size();
+    derivative_places made;
+    bool const is_first = not places;
+    if (is_first) values.assign(static_cast<std::size_t>(3 * d + 1), S(0));
+    std::size_t place = static_cast<std::size_t>(3 * d + 1);
+    auto const add_to = [&](block_number block, int sign) {
+        return [&, block, sign](index_type j, index_type k, S const& x) {
+            if (is_first) {
+                auto& entries = made.entries[static_cast<std::size_t>(block)];
+                int const row = static_cast<int>(j), column = static_cast<int>(k), here = static_cast<int>(place);
+                entries.push_back({row, column, here});
+                if (j != k) entries.push_back({column, row, here});
+                values.push_back(S(0));
+            }
+            values[place++] = sign < 0 ? S(-x) : x;
+        };
+    };
+    if (is_first or seconds) of.potential().hessian(q, add_to(block_qq, -1));
+    if (is_first) {
+        of.template put_mass<S>(d, add_to(block_vv, 1));
+        made.constant = {false, true, true, true};
+        for (int k = 0; k < static_cast<int>(d); ++k) {
+            made.by_q.push_back(k);
+            made.by_v.push_back(static_cast<int>(d) + k);
+        }
+        made.find_stretches();
+        places = std::make_shared<derivative_places const>(std::move(made));
+    }
+    using part = Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, 1>>;
+    part tensions(values.data() + 2 * d, d + 1);
+    of.potential().gradient(q, room, tensions);
+    part(values.data(), d) = -room;
+    of.put_momentum(v, part(values.data() + d, d));
+}
+
 /// Whether the problem is a model alone, of states that are vectors.
 template <class Problem, class V>
 inline constexpr bool is_listed = false;
 template <class F, class V>
 inline constexpr bool is_listed<problem<F, no_force>, V> = is_mechanical<F> and not shape<V>::is_scalar;
 
-template <class Problem, class V, bool Traces>
-class given_whole;
+/// The problems that nodes with these numbers ask; one Lagrangian has none but itself.
+template <class Problem, class V>
+struct problems_at_nodes {
+    explicit problems_at_nodes(Problem const&) {}
+    given_problem<V> const* operator()(int) const { return nullptr; }
+};
+
+template <class Problem, class V, bool Traces = is_traced_at<Problem, V> and not is_listed<Problem, V>>
+class given;
 template <class F, class Force, class V, bool Traces>
-class given_whole<problem<F, Force>, V, Traces> : public given_problem<V> {
+class given<problem<F, Force>, V, Traces> final : public given_problem<V> {
     using base = given_problem<V>;
     using typename base::formula;
     using typename base::S;
@@ -85,8 +134,8 @@ class given_whole<problem<F, Force>, V, Traces> : public given_problem<V> {
     }();
 
 public:
-    explicit given_whole(Problem const& what)
-        : base(Traces, Traces and (told_time<F> or (forced and told_time<Force>)), forced), what_(what) {}
+    explicit given(Problem const& what)
+        : base(Traces, Traces and (told_time<F> or (forced and told_time<Force>)), forced), what_(what), parts_(what) {}
 
     formula traced_at(S const& t, V const& q, V const& v) const override {
         if constexpr (Traces) {
@@ -110,24 +159,23 @@ public:
         else
             return gradients_at(what_, t, q, v, by_q, by_v);
     }
-    bool list([[maybe_unused]] V const& q, [[maybe_unused]] V const& v, [[maybe_unused]] bool seconds, [[maybe_unused]] V& room,
-              [[maybe_unused]] std::vector<S>& values, [[maybe_unused]] std::shared_ptr<derivative_places const>& places) const override {
-        constexpr bool lists = is_listed<Problem, V> and not Traces;
-        if constexpr (lists) list_model(what_.lagrangian, q, v, seconds, room, values, places);
-        return lists;
+    bool list(V const& q, V const& v, bool seconds, V& room, std::vector<S>& values,
+              std::shared_ptr<derivative_places const>& places) const override {
+        if constexpr (is_listed<Problem, V> and not Traces) {
+            list_model(what_.lagrangian, q, v, seconds, room, values, places);
+            return true;
+        } else
+            return base::list(q, v, seconds, room, values, places);
     }
     bool reads_time() const override { return reads_time_in<S, V>(what_.lagrangian) or is_timed<no_force, Force, S, V>; }
-
-protected:
-    ~given_whole() = default;
+    given_problem<V> const& part(int k) const override {
+        given_problem<V> const* const one = parts_(k);
+        return one == nullptr ? *this : *one;
+    }
 
 private:
     Problem const& what_;
-};
-template <class Problem, class V, bool Traces = is_traced_at<Problem, V> and not is_listed<Problem, V>>
-class given final : public given_whole<Problem, V, Traces> {
-public:
-    using given_whole<Problem, V, Traces>::given_whole;
+    [[no_unique_address]] problems_at_nodes<Problem, V> parts_;
 };
 
 } // namespace hilger::detail

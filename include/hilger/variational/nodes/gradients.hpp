@@ -46,14 +46,8 @@ HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& wha
         on = e.on;
     } else if constexpr (s::size != Eigen::Dynamic and s::size <= one_evaluation) {
         [&]<int... K>(std::integer_sequence<int, K...> all) HILGER_ALWAYS_INLINE {
-            using J = jets_for<V>;
             std::array<S, sizeof...(K)> const x{s::component(q, K)...}, y{s::component(v, K)...};
-            auto const z = [&]() HILGER_ALWAYS_INLINE {
-                if constexpr (std::invocable<F const&, S const&, typename J::position const&, typename J::velocity const&>)
-                    return jets_of<1, s::is_scalar>(what.lagrangian, x, y, all, t);
-                else
-                    return jets_of<1, s::is_scalar>(what.lagrangian, x, y, all);
-            }();
+            auto const z = jets_of<1, s::is_scalar>(at_time{what.lagrangian, t}, x, y, all);
             ((s::component(by_q, K) = z.template by<K>(), s::component(by_v, K) = z.template by<s::size + K>()), ...);
             on = z.on;
         }

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <memory>
 
-#include "hilger/variational/nodes/traced_node.hpp"
+#include "hilger/variational/nodes/node.hpp"
 
 namespace hilger::detail {
 

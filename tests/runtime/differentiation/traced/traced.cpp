@@ -6,7 +6,7 @@
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
-#include "hilger/variational/nodes/traced_node.hpp"
+#include "hilger/variational/nodes/node.hpp"
 
 namespace traced_tests {
 
