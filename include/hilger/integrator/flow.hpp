@@ -124,7 +124,12 @@ public:
         /// Advances x by one step h. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);
-            stepper_.advance(what(f), x);
+            try {
+                stepper_.advance(what(f), x);
+            } catch (std::nested_exception const& failure) { // where it failed is for the caller to say
+                if (dynamic_cast<interrupted<S, V> const*>(&failure) == nullptr) throw;
+                failure.rethrow_nested();
+            }
         }
         /// Prepares steps of length h from x.
         void begin(flow const& f, state<S, V> const& x, S const& h) {

@@ -78,9 +78,6 @@ template <class S, class V, class Work>
 decltype(auto) saying_where(state<S, V> const& at, S const& h, Work const& work) {
     try {
         return work();
-    } catch (interrupted<S, V> const& e) {
-        if (e.last == at) throw; // the step itself has said so
-        detail::stop_at(at, h);
     } catch (...) {
         detail::stop_at(at, h);
     }
