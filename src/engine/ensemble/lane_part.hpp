@@ -142,7 +142,7 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
              {"$most", std::to_string(most_rounds_in_lanes)}});
     }
     /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
-    /// (is_negligible of hilger/step/small/one_node.hpp).
+    /// (is_negligible of hilger/newton/small_solve.hpp).
     [[nodiscard]] std::string negligible(std::string const& in, std::set<std::string> const& used) const {
         std::string const c = name_of(c_), w = name_of(w_);
         std::string text = in + "lanes relative = all(0.0);\n", each;
