@@ -22,7 +22,7 @@ public:
                "   On failure all three are left as they were. */\n" +
                step();
     }
-    /// Those of the node's position and velocity, between the points of the step.
+    /// The position and the velocity at the node, between the points of the step.
     [[nodiscard]] formula_node position(formula_node const& from, formula_node const& to) const {
         return what_.embedding.a(0, 0) * from + what_.embedding.a(0, 1) * to;
     }
@@ -54,7 +54,7 @@ private:
         text += node("q1", "q2", t + (1 + b.a(0, 1)) * h, b.w(0) * b.a(0, 0), "-", read);
         return function("void", "residual", {"h", "const q0", "const q1", "const q2", "r"}, text, read);
     }
-    /// What one node adds to r; the first one begins it.
+    /// The contribution of one node to r; the first node begins it.
     [[nodiscard]] std::string node(std::string const& from, std::string const& to, formula_node const& time, formula_node const& weight,
                                    std::string const& minus, std::set<std::string>& read) const {
         for (int k = 0; k < N; ++k)
@@ -95,7 +95,7 @@ private:
         }
         in_.names[static_cast<std::size_t>(2 * N)] = {"t"};
     }
-    /// Arguments: "h" is a number, "const q" an array that is read, "r" one that is written. Those that are not read are said to be unused.
+    /// Arguments: "h" is a number, "const q" an input array, "r" an output array. Unused ones are marked as unused.
     [[nodiscard]] std::string function(std::string const& type, std::string const& suffix, std::vector<std::string> const& arguments,
                                        std::string const& body, std::set<std::string> const& read) const {
         std::string list = what_.is_timed ? "double t" : "", unused = what_.is_timed and not read.contains("t") ? "    (void)t;\n" : "";
@@ -115,7 +115,7 @@ private:
     int N;
 };
 
-/// L as a formula, or nothing when it would fill a page.
+/// L as a formula, or a placeholder when it would fill a page.
 std::string written_lagrangian(c_step_of const& what) {
     constexpr int page = 200; // operations and leaves, without sharing
     formula const L(what.node.in, what.node.L);
@@ -125,7 +125,7 @@ std::string written_lagrangian(c_step_of const& what) {
     return out.str();
 }
 
-/// The text, and before it those functions that it calls and math.h does not have: fmax and fmin pass over what is no number.
+/// Puts the functions that math.h lacks before the text: fmax and fmin ignore NaN.
 std::string with_functions(std::string text, std::string const& name) {
     struct {
         char const *call, *what, *value;

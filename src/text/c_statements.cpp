@@ -7,7 +7,7 @@ namespace hilger::detail {
 
 namespace {
 
-/// An expression of more operations is cut in two, to keep lines short.
+/// A longer expression is cut in two, to keep lines short.
 constexpr int longest = 12;
 
 } // namespace
@@ -73,7 +73,7 @@ void c_statements::write(int node, bool is_result) {
     if (name == "+")
         for (auto const& [first, second] : {std::pair(n.a, n.b), std::pair(n.b, n.a)})
             if (auto const& m = g[second]; m.what != nullptr and std::string_view(m.what->name) == "-x") {
-                made.text = c_operation("-", at(first), at(m.a)); // the same bits
+                made.text = c_operation("-", at(first), at(m.a)); // the same bits as a + (-b)
                 break;
             }
     made.size = 1 + written_[n.a].size + (takes_two(name) ? written_[n.b].size : 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Nodes of a graph as statements of C99: one assignment a line, shared nodes computed once under a name. An argument is spelt in C as it is
-// named in the graph: "h", "q[0]".
+// Nodes of a graph as statements of C99: one assignment a line, shared nodes computed once under a name. An argument has the same spelling
+// in C as in the graph: "h", "q[0]".
 #pragma once
 
 #include <map>
@@ -19,14 +19,13 @@ written c_operation(std::string_view name, written const& a, written const& b);
 
 class c_statements {
 public:
-    /// `letter` begins the names of shared nodes, u1, u2, ...: another one for other statements of the same scope. `type` is that of
-    /// values.
+    /// `letter` begins the names of shared nodes, u1, u2, ..., and differs between statements of one scope. `type` is the C type of values.
     c_statements(named_graph const& in, std::string indent, std::string letter = "u", std::string type = "double")
         : in_(in), indent_(std::move(indent)), letter_(std::move(letter)), type_(std::move(type)) {}
 
-    /// `before` stands as it is before the value: "r[0] =", "const double x =", "q[0] +=", "return".
+    /// `before` is the text before the value: "r[0] =", "const double x =", "q[0] +=", "return".
     void add(std::string before, formula_node const& value) { results_.emplace_back(std::move(before), value); }
-    /// A local constant of this name.
+    /// Adds a local constant of this name.
     void add_local(std::string const& name, formula_node const& value) { add("const " + type_ + " " + name + " =", value); }
 
     /// The statements. Call it once, after the last add.
@@ -40,7 +39,7 @@ private:
     [[nodiscard]] written const& at(int node) const { return written_.at(node).text; }
     struct spelt {
         written text;
-        int size = 0; ///< operations in it
+        int size = 0; ///< number of operations
     };
     named_graph const& in_;
     std::string indent_, letter_, type_, lines_;
@@ -53,10 +52,10 @@ private:
 
 inline std::string element(std::string const& array, int k) { return array + "[" + std::to_string(k) + "]"; }
 inline std::string element(std::string const& array, int j, int k) { return element(element(array, j), k); }
-/// max |array[k]|, by functions for both.
+/// max |array[k]|, by the functions `larger` and `size_of`.
 std::string largest_in(std::string const& array, int n, std::string const& larger, std::string const& size_of);
 
-/// `text` with the value of each key in place of it.
+/// Replaces each key in `text` by its value.
 std::string filled(std::string text, std::initializer_list<std::pair<char const*, std::string>> const& values);
 
 } // namespace hilger::detail

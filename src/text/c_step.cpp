@@ -100,7 +100,7 @@ std::string c_step::iterated(std::string const& work) const {
     return filled(loop, {{"$most", std::to_string(most_iterations<double>)},
                          {"NAME", name_},
                          {"$stop", stop},
-                         // near the speed of light masses grow without bound, and all corrections are small
+                         // near the speed of light the mass diverges, and all corrections are small
                          {"$plausible", are_numbers(node_.pv) ? "" : " && $r <= $size"},
                          {"$settled", branches_ or N == 1 ? "" : "    int settled = 0;\n"},
                          {"$small", in_each([](std::string const& k) { return "fabs(d[" + k + "]) <= $floor * fabs(y[" + k + "])"; })},
@@ -117,7 +117,7 @@ std::string c_step::iterated(std::string const& work) const {
                          {"$work", work}});
 }
 
-/// One iteration of Newton for y, with g carried along to first order.
+/// One iteration of Newton's method for y, with g updated to first order.
 std::string c_step::correction(std::string const& in) {
     c_statements body = statements(in);
     if (not f_.is(0))
@@ -135,7 +135,7 @@ std::string c_step::correction(std::string const& in) {
     read_.insert(used.begin(), used.end());
     return work + solution(in);
 }
-/// Of the equations that stand there.
+/// Solves the linear equations computed before.
 std::string c_step::solution(std::string const& in) const {
     std::string sum = element("r", 0), work;
     for (int k = 1; k < N; ++k) sum += " + " + element("r", k);

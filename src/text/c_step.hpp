@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The C function of one step in position-momentum form, as step/small/one_node.hpp makes it: the equation of node_equation.hpp solved by
-// Newton's method.
+// The C function of one step in position-momentum form, as in step/small/one_node.hpp: solves the equation of node_equation.hpp by Newton's
+// method.
 #pragma once
 
 #include "hilger/text/c_code.hpp"
@@ -8,7 +8,7 @@
 
 namespace hilger::detail {
 
-/// The body of NAME_step, and what it reads of the arguments.
+/// The body of NAME_step, and the arguments that it reads.
 class c_step : node_equation {
 public:
     c_step(node_formulas const& of, tableau<formula_node> const& b, std::string name);
@@ -16,7 +16,7 @@ public:
     [[nodiscard]] std::set<std::string> const& read() const { return read_; }
 
 private:
-    /// What `of` says of a component, for all of them.
+    /// Joins the texts that `of` gives for each component.
     template <class Of>
     [[nodiscard]] std::string in_each(Of const& of) const {
         std::string text = of("0");
@@ -24,12 +24,12 @@ private:
         return text;
     }
     [[nodiscard]] std::string largest(std::string const& array) const { return largest_in(array, N, "fmax", "fabs"); }
-    /// r is the difference of numbers of this size.
+    /// The scale of the terms whose difference is r.
     [[nodiscard]] std::string size_of_residual() const {
         return largest("p") + (f_.is(0) ? "" : " + fabs(" + name_of(f_) + ") * " + largest("g"));
     }
     [[nodiscard]] std::string failure() const { return "return " + name_ + "_"; }
-    /// Corrections in a loop, until one is small.
+    /// Corrections in a loop until one is small.
     [[nodiscard]] std::string iterated(std::string const& work) const;
     std::string correction(std::string const& in);
     [[nodiscard]] std::string solution(std::string const& in) const;

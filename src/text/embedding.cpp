@@ -9,7 +9,7 @@ namespace hilger::text {
 
 namespace {
 
-/// In rationals, and in 50 digits where a factor is none.
+/// In rationals; in 50 digits when a factor is irrational.
 hilger::detail::consistency consistency_of(embedding_formula const& e, Q const& rounding) {
     auto const in = [&]<class S>(S const& tolerance) {
         return detail::with_operators<S>(e, true, [&]<class W>(auto const& a, auto const& b, W) {
@@ -41,7 +41,7 @@ void require_one_step(embedding_formula const& e, double rounding) {
                        : "what reads rho(t) and t is summed by nabla_integral(L(...)), and what reads t and sigma(t) by integral(L(...)): ",
                e.text, " has the other one");
     using hilger::detail::consistency;
-    auto const found = consistency_of(e, Q(rounding)); // weights of both sums add up to the step, and one step has no values inside
+    auto const found = consistency_of(e, Q(rounding)); // the weights of both sums add up to the step, and one step has no inner values
     char const* const what = found == consistency::position_of_one    ? "position of an embedding makes 1 of the constant 1"
                              : found == consistency::velocity_of_one  ? "velocity of an embedding makes 0 of the constant 1"
                              : found == consistency::velocity_of_time ? "velocity of an embedding makes 1 of the function t"
@@ -61,7 +61,7 @@ bool depends_on_step(embedding_formula const& e) {
     };
     try {
         return differs(Q(0));
-    } catch (error::unreadable const&) { // a factor is no rational number
+    } catch (error::unreadable const&) { // a factor is irrational
         return differs(float50("1e-40"));
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How a formula is evaluated in any number type: numbers, and those that write down the operations (differentiation/traced/traced.hpp).
-// Each type is compiled once (in_numbers.hpp).
+// Evaluates a formula in any number type, traced numbers included (differentiation/traced/traced.hpp). Each type is compiled once
+// (in_numbers.hpp).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace hilger::text {
 
 namespace detail {
 
-/// No sum of a formula anybody means has more terms.
+/// A limit above every sensible sum.
 inline constexpr long long most_terms = 2'000'000;
 
 template <class T>
@@ -25,7 +25,7 @@ class evaluator : formula_reader {
     using S = decltype(number_of(std::declval<T>()));
 
 public:
-    /// `everywhere`: both parts of choices that depend on the state are evaluated, to see whether they have a meaning.
+    /// `everywhere`: evaluates both branches of choices that depend on the state, to check that they have a meaning.
     evaluator(vocabulary const& words, std::string const& source, T const& t, components_view<T> q, components_view<T> v, bool everywhere)
         : formula_reader(words, source), t_(t), q_(q), v_(v), everywhere_(everywhere) {}
 
@@ -47,13 +47,13 @@ public:
         }
         return x;
     }
-    /// How many there were so far.
+    /// The number of operations so far.
     [[nodiscard]] long long operations() const { return operations_; }
 
 private:
-    /// Those of two parts, the first one first.
+    /// The values of both parts, the first one first.
     std::pair<T, T> both_values(node const& n) { return {value(*n.parts[0]), value(*n.parts[1])}; }
-    /// What was computed outside of all sums holds everywhere: shared parts are computed once.
+    /// Values computed outside of all sums are valid everywhere: shared parts are computed once.
     void keep(node const& n, T const& x) {
         if (indices_.empty()) values_.emplace(&n, x);
     }
@@ -196,7 +196,7 @@ private:
     T power(node const& n) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
         if (auto const exponent = whole_constant(*n.parts[1], words_, indices_)) {
-            constexpr long long most = 1000; // or the digits of one number could fill the memory
+            constexpr long long most = 1000; // bounds the memory of one number's digits
             if (exact and (*exponent < -most or most < *exponent))
                 refuse(n, "in rationals exponents are at most " + std::to_string(most) + ", and here is " + std::to_string(*exponent));
             return whole_power(value(*n.parts[0]), *exponent);
@@ -237,7 +237,7 @@ S stated::number() const {
     auto const none = [](int) { return S(0); };
     try {
         return value(S(0), none, none);
-    } catch (std::overflow_error const&) { // of rationals
+    } catch (std::overflow_error const&) { // thrown by rationals
         error::raise<error::unreadable>(source_, ": a division by zero");
     }
 }

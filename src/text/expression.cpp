@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Formulas, and how they are written.
+// Formulas, and how they are written as text.
 #include "hilger/text/expression.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ node::~node() {
         pointer const last = std::move(open.back());
         open.pop_back();
         if (last.use_count() == 1) {
-            auto& below = const_cast<std::vector<pointer>&>(last->parts); // nobody else has it, and no node is made as a constant
+            auto& below = const_cast<std::vector<pointer>&>(last->parts); // it has no other owner, and no node is created const
             std::move(below.begin(), below.end(), std::back_inserter(open));
             below.clear();
         }
@@ -38,12 +38,12 @@ expression::expression(kind what, std::string name, std::vector<expression> cons
 
 namespace {
 
-/// Says where the grammar of read.cpp needs brackets.
+/// Decides where the grammar of read.cpp needs brackets.
 class writer {
 public:
     explicit writer(std::size_t longest) : longest_(longest) {}
 
-    /// Nothing when it is longer than wanted.
+    /// Nothing when the text is longer than the limit.
     std::optional<std::string> text_of(node const& n) {
         write(n, anything);
         if (text_.size() > longest_) return {};
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    // What binds more tightly is larger.
+    // A level that binds more tightly is larger.
     enum level { anything, conjunction, negation, comparison, terms, factors, sign, power, atom };
     struct spelling {
         level binds;
@@ -88,9 +88,9 @@ private:
         }
     }
     static level level_of(node const& n) { return spelling_of(n).binds; }
-    /// `wanted`: in brackets unless it binds as tightly as that.
+    /// Writes n in brackets unless it binds at least as tightly as `wanted`.
     void write(node const& n, level wanted) {
-        if (text_.size() > longest_) return; // parts may be shared, and written out be without end
+        if (text_.size() > longest_) return; // shared parts can make the text exponentially long
         bool const bracket = level_of(n) < wanted;
         if (bracket) text_ += '(';
         if (is_arithmetic(n.what))
@@ -149,7 +149,7 @@ private:
         }
         text_ += end;
     }
-    /// a + b*c - ... down its left side and up again: chains may be longer than a stack is deep.
+    /// Goes down the left side of a + b*c - ... and up again, without recursion: chains may be longer than the stack allows.
     void write_chain(node const& n) {
         std::vector<node const*> above{&n};
         while (is_arithmetic(above.back()->parts[0]->what)) {

@@ -15,21 +15,21 @@
 
 namespace hilger::text {
 
-/// The numbers that constants of T are.
+/// The number type for the constants of T.
 template <class T>
 T number_of(T const&);
 template <class S>
 S number_of(traced<S> const&);
 
-/// All that may be called, for errors.
+/// The names of all functions, for error messages.
 inline std::string names_of_functions() {
     std::string list;
     for (auto const name : functions_of_one) list += std::string(name) + ", ";
     return list + "atan2, hypot, pow, min, max, dot, norm, sum and if";
 }
 
-/// The outcome of a comparison. Traced numbers write it down; numbers do here, as jets without variables, in whose place they are: who
-/// steps looks at the branches that were taken (differentiation/branches.hpp).
+/// The outcome of a comparison. Traced numbers record it themselves; for plain numbers it is recorded here, as for jets without variables:
+/// the step checks which branches were taken (differentiation/branches.hpp).
 template <class T>
 bool compared(bool outcome) {
     return is_traced<T> ? outcome : hilger::detail::compared(outcome, false);
@@ -49,7 +49,7 @@ T elementary(std::string_view name, T const& x, T const& y) {
     using std::atan2, std::hypot;
     return name == "atan2" ? T(atan2(x, y)) : T(hypot(x, y));
 }
-/// Of a whole n, in which a scalar need have no power.
+/// The power for a whole n: a scalar need not have a power function.
 template <class T>
 T whole_power(T const& x, long long n) {
     T y(1), square = x;
@@ -67,8 +67,8 @@ T absolute(T const& x) {
     else
         return compared<T>(x < T(0)) ? T(-x) : x;
 }
-// In a formula that is written out min, max and abs are operations of it (differentiation/traced/choices.hpp).
-/// Of a number and NaN it is NaN, whichever comes first: max(0, sqrt(q)) has no value where sqrt(q) has none.
+// Tracing records min, max and abs as operations (differentiation/traced/choices.hpp).
+/// NaN when either operand is NaN: max(0, sqrt(q)) has no value where sqrt(q) has none.
 template <class T>
 T least_of(T const& x, T const& y) {
     if constexpr (is_traced<T>)

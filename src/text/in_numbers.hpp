@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// All that is compiled for a kind of numbers: what reads and evaluates formulas, and operators with factors in them.
+// Templates compiled once for each number type: they read and evaluate formulas, and operators with factors.
 #pragma once
 
 #include <charconv>
@@ -19,7 +19,7 @@ std::optional<S> number_in(std::string_view digits) {
         if (not above or not below or *below == S(0) or digits.find('/', slash + 1) != std::string_view::npos) return {};
         return S(*above / *below);
     }
-    // What is read: a sign, digits with a point in or around them, an exponent.
+    // The syntax: a sign, digits with at most one point, an exponent.
     std::string_view rest = digits;
     bool const minus = rest.starts_with('-');
     if (minus or rest.starts_with('+')) rest.remove_prefix(1);
@@ -58,7 +58,7 @@ std::optional<S> number_in(std::string_view digits) {
     } else if constexpr (std::is_constructible_v<S, std::string>) {
         S const x(mantissa + "e" + std::to_string(exponent));
         return minus ? S(-x) : x;
-    } else { // what stands for doubles
+    } else { // types that stand for doubles
         auto const x = number_in<double>(digits);
         return x ? std::optional<S>(S(*x)) : std::nullopt;
     }

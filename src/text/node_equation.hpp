@@ -17,10 +17,10 @@ class node_equation {
 protected:
     using node_list = std::vector<formula_node>;
 
-    /// The embedding is in the variable h. `type` is that of values.
+    /// The embedding is a function of the variable h. `type` is the C type of values.
     node_equation(node_formulas const& of, tableau<formula_node> const& b, std::string type);
 
-    /// Whether the force or the momentum has branches that y decides.
+    /// Whether the force or the momentum has branches that depend on y.
     [[nodiscard]] bool has_branches() const;
     [[nodiscard]] static bool are_numbers(node_list const& all);
     [[nodiscard]] formula_node variable(std::string const& name) const { return in_.variable(name); }
@@ -30,7 +30,7 @@ protected:
     [[nodiscard]] bool has_slope(int j, int k) const { return not D_[at(j, k)].is(0); }
     /// The element of K, given the variable of an element of D.
     [[nodiscard]] formula_node slope_of_row(int j, int k, std::string const& D) const;
-    /// A formula in h under a name; a number, h, or one that is known has no other one.
+    /// Names a formula in h; numbers, h and formulas that have a name keep theirs.
     formula_node constant(std::string const& name, formula_node const& value);
     [[nodiscard]] std::string name_of(formula_node const& argument) const {
         return in_.names[static_cast<std::size_t>(in_.graph[argument.place()].b)].name;
@@ -38,9 +38,9 @@ protected:
     [[nodiscard]] c_statements statements(std::string indent, std::string letter = "u") const {
         return {in_, std::move(indent), std::move(letter), type_};
     }
-    /// The time and the position at the node, as far as they are used. What it reads is added.
+    /// The statements for the time and the position at the node, as far as they are used. Adds the names that they read to `used`.
     std::string position(std::string const& in, std::set<std::string>& used) const;
-    /// A block that computes g: where the position is that at the end, it was not needed before.
+    /// A block that computes g when the position is the end point, where the iterations do not need it.
     std::string force_at_the_end(std::set<std::string>& used) const;
 
     named_graph& in_;
@@ -51,7 +51,7 @@ protected:
     formula_node w_, c_, f_, time_;
     node_formulas node_;
     node_list D_;
-    bool linear_ = false; ///< in y
+    bool linear_ = false; ///< the equation is linear in y
 };
 
 } // namespace hilger::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Operators are equal, as adjoint/normal_form.hpp decides it at compile time, when both make the same of a generic function on a generic
-// scale: in rationals, and where a factor is none, as sqrt(2), in 50 digits.
+// Operators are equal, as in adjoint/normal_form.hpp at compile time, when they map a generic function on a generic scale to the same
+// values: in rationals, or in 50 digits when a factor is irrational, as sqrt(2).
 #include "hilger/text/operator.hpp"
 
 #include <limits>
@@ -63,7 +63,7 @@ sum_weight operator_formula::weight(bool from) const {
 
 operator_formula operator_formula::adjoint(sum_weight from, sum_weight to) const {
     node const& n = *root_;
-    auto const between = [&](operator_formula const& own) { // an adjoint between the sums with the weights of n
+    auto const between = [&](operator_formula const& own) { // an adjoint with respect to sums with the weights of n
         return reweight(from_weight(), from) * (own * reweight(to, to_weight()));
     };
     switch (n.what) {
@@ -79,7 +79,7 @@ operator_formula operator_formula::adjoint(sum_weight from, sum_weight to) const
         return multiple(*n.factor, n.parts[0].adjoint(from, to));
     case kind::sum:
         return n.parts[0].adjoint(from, to) + n.parts[1].adjoint(from, to);
-    case kind::product: { // the sum in the middle may have any weights
+    case kind::product: { // the intermediate sum may have any weights
         sum_weight const middle = n.parts[0].from_weight();
         return n.parts[1].adjoint(from, middle) * n.parts[0].adjoint(middle, to);
     }
@@ -111,7 +111,7 @@ lost_points operator_formula::lost(lost_points f) const {
         return plus ? lost_points{std::max(f.front - 1, 0), f.back + 1} : lost_points{f.front + 1, std::max(f.back - 1, 0)};
     case kind::derivative:
         return {f.front + (plus ? 0 : 1), f.back + (plus ? 1 : 0)};
-    case kind::reweight: // where w_to vanishes there is no ratio
+    case kind::reweight: // there is no ratio where w_to vanishes
         return most(f, n.to == sum_weight::nabla ? lost_points{1, 0} : lost_points{0, 1});
     case kind::multiple:
         return n.parts[0].lost(f);
@@ -125,8 +125,8 @@ lost_points operator_formula::lost(lost_points f) const {
 
 namespace {
 
-/// On a scale with random steps, or with equal ones. In numbers that round they have the size of 1: beside long steps what is divided by
-/// them would be rounding.
+/// The row on a scale with random or with equal steps. In floating scalars the steps have size 1: quotients by long steps would be lost in
+/// rounding.
 template <class S>
 std::vector<S> row_of(operator_formula const& a, bool uniform, lost_points reach, bool sizes = false) {
     auto const step = [&](index_type i) {

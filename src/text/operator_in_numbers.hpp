@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The factors of operators as numbers, and the rows of numbers that values are made with (hilger/text/operator.hpp).
+// The factors of operators as numbers, and operators as rows of coefficients (hilger/text/operator.hpp).
 #pragma once
 
 #include <optional>
@@ -65,7 +65,7 @@ typename operator_in_numbers<S>::row_type operator_in_numbers<S>::before(std::si
 template <class S>
 S operator_in_numbers<S>::ratio_of_weights(item const& n, detail::steps_view<S> const& T, index_type i) {
     if (n.from == n.to) return S(1);
-    auto const weight = [&](sum_weight w) { // a missing neighbour counts zero
+    auto const weight = [&](sum_weight w) { // a missing neighbour counts as zero
         if (w == sum_weight::delta) return i < T.steps() ? T.step(i) : S(0);
         return i > 0 ? T.step(i - 1) : S(0);
     };
@@ -80,10 +80,10 @@ std::vector<S> row_on(hilger::detail::function_view<S(index_type)> step, operato
     constexpr index_type here = 1000, endless = 1'000'000;
     auto numbers = operator_in_numbers<S>(a).row(steps_view<S>{step, endless}, here, sizes);
     std::vector<S> row;
-    for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(numbers[here + k]); // 0 where there is none
+    for (index_type k = -reach.front; k <= reach.back; ++k) row.push_back(numbers[here + k]); // 0 outside
     return row;
 }
-/// The same of a generic function on a generic scale, in rationals; nothing where a factor is none.
+/// The row on a generic scale, in rationals; nothing when a factor is irrational.
 std::optional<std::vector<Q>> exact_row_of(operator_formula const& a, bool uniform, lost_points reach);
 
 } // namespace detail

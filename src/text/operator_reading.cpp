@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What formulas mean as operators: a number, an operator, or an operator applied to the unknown q.
+// The meaning of a formula as an operator: a number, an operator, or an operator applied to the unknown q.
 #include <utility>
 
 #include "hilger/error.hpp"
@@ -134,7 +134,7 @@ private:
     }
     /// 1 + sigma: a number is a multiple of the identity.
     operator_formula applied(meant const& x) { return x.is == is::number ? operator_formula::multiple(factor(x.number), {}) : x.op; }
-    /// @throws error::unreadable, with the names that are known, where it is no formula of numbers alone
+    /// @throws error::unreadable, with the known names, when it is not a formula of numbers alone
     stated factor(expression const& e) {
         stated f(e, words_, source_);
         if (f.reads_state())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Operators as mathematics writes them and as text that reads back. What equals sigma, Delta_plus, ... up to a rational factor is written
-// as that one, however it was composed (printing/notation.hpp).
+// Operators as mathematics writes them and as text that can be read back. An operator that equals sigma, Delta_plus, ... up to a rational
+// factor is written as that one (printing/notation.hpp).
 #include "hilger/error.hpp"
 #include "hilger/printing/words.hpp"
 #include "hilger/text/embedding.hpp"
@@ -25,7 +25,7 @@ std::optional<Q> ratio(operator_formula const& a, operator_formula const& b, boo
         if ((*x)[j] != c * (*y)[j]) return {};
     return c == 0 ? std::nullopt : std::optional(c);
 }
-/// c f, where c is a quotient of numbers that are no longer than people write them.
+/// c f, when c is a quotient of short numbers.
 std::optional<printed::expression> times(printed::expression const& f, Q const& c) {
     Q const longest = 100'000;
     if (abs(numerator(c)) > longest or denominator(c) > longest) return {};
@@ -52,7 +52,7 @@ printed::expression written_parts(operator_formula const& a, printed::expression
         auto const inner = part(0, f);
         try {
             if (auto const e = times(inner, n.factor->number<Q>())) return *e;
-        } catch (error::unreadable const&) { // no rational number
+        } catch (error::unreadable const&) { // an irrational number
         }
         std::string const c = written(n.factor->formula(), 80).value_or("c");
         return inner.times_constant({"(" + c + ")", "\\left(\\mathtt{" + c + "}\\right)"});
@@ -65,7 +65,7 @@ printed::expression written_parts(operator_formula const& a, printed::expression
     return f;
 }
 
-/// As the formula that operator_in and embedding_in read: (q + sigma[q])/2.
+/// The formula that operator_in and embedding_in read: (q + sigma[q])/2.
 expression formula_of(operator_formula const& a, expression const& on) {
     using kind = operator_formula::kind;
     auto const& n = a.root();
@@ -90,7 +90,7 @@ expression formula_of(operator_formula const& a, expression const& on) {
         auto const first = formula_of(n.parts[0], on), second = formula_of(n.parts[1], on);
         return second.root().what == text::kind::negative ? first - expression(second.root().parts[0]) : first + second;
     }
-    case kind::product: // A sum has no brackets that act: (A + B)[f] is A[f] + B[f].
+    case kind::product: // Brackets of a sum do not act: (A + B)[f] is A[f] + B[f].
         return formula_of(n.parts[0], formula_of(n.parts[1], on));
     }
     return on;

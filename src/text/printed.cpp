@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Each node becomes a term, a coefficient and powers of what is no product, so that x * x / x is written x, and the derivatives of a norm
-// as quotients by it.
+// Each node becomes a term: a coefficient and powers of atoms (factors that are not products). So x * x / x is written x, and the
+// derivatives of a norm are quotients by it.
 #include "text/printed.hpp"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ namespace hilger::detail {
 
 namespace {
 
-/// A name, and the number of its component where that is not negative: omega_dot, q_1 and theta as they are meant, other words upright.
+/// A name, with the component's number as index unless negative: Greek letters, dots and indices in LaTeX, other words upright.
 std::string latex_name(std::string const& name, int component) {
     constexpr std::string_view greek =
         " alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi "
         "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ";
     auto const is_word = [](char c) { return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z') or (c >= '0' and c <= '9') or c == '_'; };
     std::string const number = component < 0 ? "" : std::to_string(component);
-    if (name.size() < 2 or not std::all_of(name.begin(), name.end(), is_word)) // or somebody's own LaTeX
+    if (name.size() < 2 or not std::all_of(name.begin(), name.end(), is_word)) // or the user's own LaTeX
         return number.empty() ? name : name + "_{" + number + "}";
     auto const upright = [&](std::string const& word) {
         if (word.size() == 1 or word.find_first_not_of("0123456789") == std::string::npos) return word;
@@ -36,7 +36,7 @@ std::string latex_name(std::string const& name, int component) {
     return upright(has_index ? name.substr(0, bar) : name) + (index.empty() ? "" : "_{" + index + "}");
 }
 
-/// How a terminal and LaTeX write the parts of a formula.
+/// The notation of a formula's parts on a terminal and in LaTeX.
 struct spelling {
     bool latex;
 
@@ -63,7 +63,7 @@ struct spelling {
         if (latex) return {"{" + a.in(written::atom) + "}^{" + n + "}", written::factor};
         return {a.in(written::atom) + (n == "2" ? "²" : n == "3" ? "³" : n == "4" ? "⁴" : "^" + n), written::factor};
     }
-    /// In Iverson's brackets.
+    /// The indicator function, in Iverson's brackets.
     [[nodiscard]] written condition(bool is_negative, std::string const& x) const {
         return {"[" + x + (is_negative ? " < 0]" : latex ? " \\ge 0]" : " ≥ 0]")};
     }
@@ -83,7 +83,7 @@ private:
     }
 };
 
-/// times / by, multiplied by powers of atoms.
+/// The quotient times / by, multiplied by powers of atoms.
 struct term {
     double times = 1, by = 1;
     std::map<std::size_t, int> powers;
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// No product, and the atom that it is the square root of.
+    /// A factor that is not a product; `root_of` is the atom that it is the square root of.
     struct atom {
         written text;
         std::optional<std::size_t> root_of;
@@ -141,7 +141,7 @@ private:
         a.by *= n > 0 ? b.by : b.times;
         for (auto const& [x, m] : b.powers) a.powers[x] += n * m;
         for (auto const& [root, x] : roots_in(a)) {
-            int const both = a.powers[root] + 2 * a.powers[x]; // of the root
+            int const both = a.powers[root] + 2 * a.powers[x]; // the power of the root
             a.powers[x] = both % 2 == 0 ? both / 2 : 0;
             a.powers[root] = both % 2 == 0 ? 0 : both;
         }
@@ -152,7 +152,7 @@ private:
         if (a.by != 1 and std::fmod(a.by, size) == 0) a.times /= size, a.by /= size;
         return a;
     }
-    /// Those roots whose powers go together with powers of what they are the root of.
+    /// The roots whose powers combine with powers of their radicands.
     [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> roots_in(term const& a) const {
         std::vector<std::pair<std::size_t, std::size_t>> found;
         for (auto const& [x, n] : a.powers)

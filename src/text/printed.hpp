@@ -11,7 +11,7 @@
 
 namespace hilger::detail {
 
-/// Text, and how firmly it holds together: in a tighter place it is put into parentheses.
+/// Text and its precedence: a context that binds more tightly puts it into parentheses.
 struct written {
     enum binding { sum, product, factor, atom };
     std::string text;
@@ -25,14 +25,14 @@ inline bool takes_two(std::string_view name) {
         if (name == known) return true;
     return false;
 }
-/// The nodes that a value is computed from, and itself, in the order of the graph.
+/// The operands of a value, direct and indirect, and the value itself, in the order of the graph.
 std::vector<int> nodes_below(formula_graph<double> const& g, std::vector<formula_node> const& results);
 
-/// A formula for a reader: factors of a product are gathered, and equal terms of a sum. @throws error::no_formula where a constant is not
-/// finite
+/// A formula for a reader, with the factors of a product and equal terms of a sum gathered. @throws error::no_formula when a constant is
+/// not finite
 std::string printed(named_graph const& in, formula_node const& f, print_style style);
 
-/// @throws error::no_formula where it is not finite
+/// @throws error::no_formula when it is not finite
 double finite_constant(double x);
 
 } // namespace hilger::detail

@@ -22,7 +22,7 @@ public:
     }
 
 private:
-    // Each level of a formula passes through all of these.
+    // Each level of a formula passes through all of these functions.
     expression alternatives() {
         nested const deeper(*this);
         expression x = conjunction();
@@ -132,7 +132,7 @@ private:
         return {kind::sum, arguments[0].root().name, {arguments[1], arguments[2], arguments[3]}, at};
     }
 
-    /// What stands in others, as far as the stack of this reader allows.
+    /// A nested formula, limited in depth by the stack of this reader.
     struct nested {
         explicit nested(reader& of) : count(of.depth_) {
             if (++count > deepest) of.refuse("formulas have at most " + std::to_string(deepest) + " levels of brackets and signs");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What formulas refer to, and whole numbers in them: indices of components, limits of sums, exponents.
+// The names in formulas, and whole numbers in them: indices of components, limits of sums, exponents.
 #include <unordered_set>
 
 #include "text/evaluate.hpp"
@@ -19,7 +19,7 @@ std::optional<long long> whole_in(std::string const& digits) {
     return x and *x == std::floor(*x) and std::abs(*x) < 1e9 ? in_range(static_cast<long long>(*x)) : std::nullopt;
 }
 
-/// Of what is no arithmetic.
+/// The whole number of a node that is no arithmetic operation.
 std::optional<long long> whole_leaf(node const& n, vocabulary const& words, indices const& known) {
     if (n.what == kind::number) return whole_in(n.name);
     if (n.what == kind::negative) {
@@ -45,7 +45,7 @@ std::optional<long long> whole_leaf(node const& n, vocabulary const& words, indi
 } // namespace
 
 std::optional<long long> detail::whole_constant(node const& n, vocabulary const& words, indices const& known) {
-    std::vector<node const*> above; // long chains are no deep ones
+    std::vector<node const*> above; // a stack instead of recursion: chains may be long
     node const* at = &n;
     for (; is_arithmetic(at->what); at = at->parts[0].get()) above.push_back(at);
     auto x = whole_leaf(*at, words, known);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The times at which formulas switch (hilger/text/stated.hpp). The formulas are written down behind each switch (differentiation/traced),
-// and what they compare there is followed to its next zero.
+// The times at which formulas switch (hilger/text/stated.hpp). Behind each switch the formulas are traced (differentiation/traced), and
+// their comparisons of the time are followed to the next zero.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace hilger::text {
 
 namespace detail {
 
-/// What formulas compare of the time at one time.
+/// The comparisons of the time in formulas, traced at one time.
 template <class S>
 struct time_comparisons {
     std::vector<bool> outcomes;
-    std::vector<S> zeros; ///< of differences that are affine as the formulas are written there
+    std::vector<S> zeros; ///< of differences that are affine in the traced branch
     bool all_affine = true;
 
     time_comparisons(std::vector<stated> const& formulas, S const& t) {
@@ -59,7 +59,7 @@ struct time_comparisons {
     }
 
 private:
-    /// Of an operation that is affine in the time.
+    /// The slope of an operation that is affine in the time; nothing for any other.
     template <class Node>
     static std::optional<S> slope_of(Node const& n, std::vector<S> const& value, std::vector<std::optional<S>> const& slope) {
         namespace of = hilger::detail;
@@ -76,8 +76,8 @@ private:
     }
 };
 
-/// From `low`, where they come out so, to the first of `steps` equal steps to `high` on which they do not, and there between two numbers
-/// that rounding hardly tells apart; `high` where they come out so everywhere.
+/// Goes from `low`, which has the outcomes `so`, in equal steps to the first point with others, and bisects there down to rounding; `high`
+/// when the outcomes never change.
 template <class S>
 S first_change(std::vector<stated> const& formulas, std::vector<bool> const& so, S low, S const& high, S const& step) {
     auto const same = [&](S const& t) { return time_comparisons<S>(formulas, t).outcomes == so; };
