@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// See compiled_once.hpp. With the sanitizers, which numbers.cpp has not.
+// See compiled_once.hpp. Compiled with the sanitizers, unlike numbers.cpp.
 #include "compiled_once.hpp"
 
 namespace hilger::detail {

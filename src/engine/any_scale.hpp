@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A scale of equal steps or of given points, which is known at run time only: states of any size are stepped and judged on one kind of
-// scale.
+// A scale of equal steps or of given points, chosen at run time: states of dynamic size are stepped and judged on this one type of scale.
 #pragma once
 
 #include <optional>
@@ -27,7 +26,7 @@ public:
     using scalar_type = S;
     using root_type = any_scale;
     using domain_type = hilger::domain<hilger::nodes>;
-    static constexpr bool is_uniform = false; // by its type
+    static constexpr bool is_uniform = false; // known from the type
     static constexpr auto kind() { return hilger::fixed_text("a scale of points"); }
 
     /// @throws hilger::error::invalid_scale
@@ -54,11 +53,11 @@ public:
         if (equal_ and other.equal_) return equal_->same_points(*other.equal_);
         return given_ and other.given_ and given_->same_points(*other.given_);
     }
-    /// About every second point (hilger/integrator/two_ends.hpp).
+    /// A coarser scale of about every second point (hilger/integrator/two_ends.hpp).
     friend any_scale coarsened(any_scale const& T) {
         return T.with([](auto const& scale) { return hilger::detail::coarsened(scale); });
     }
-    /// The same start, and steps that are `part` of its own (hilger/integrator/rows.hpp).
+    /// The same start, with steps shortened by the factor `part` (hilger/integrator/rows.hpp).
     friend any_scale shortened(any_scale const& T, S const& part) {
         return T.with([&](auto const& scale) { return hilger::detail::shortened(scale, part); });
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Methods in scalars of many digits. Their time goes into loops over digits, and that of a compiler into loops of each kind, so that there
-// are few kinds.
+// Methods in scalars of many digits. Loops over digits take most of the run time and of the compile time, so only a few instances are
+// compiled.
 #pragma once
 
 #include "engine/methods.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The motion of one flow on one kind of scale, behind the interface of all.
+// The motion of one flow on one kind of scale, behind the common interface.
 #pragma once
 
 #include "engine/any_scale.hpp"
@@ -10,7 +10,7 @@ namespace engine {
 using free_problem = hilger::problem<hilger::text::stated_lagrangian, hilger::no_force>;
 using forced_problem = hilger::problem<hilger::text::stated_lagrangian, hilger::text::stated_force>;
 
-/// Whether the flow comes from an equation in the positions at the points of T that it can be asked for.
+/// Whether the flow has an equation in the positions at the points of T.
 template <class Flow, class T>
 concept has_equation = requires(Flow const& f, T const& scale) {
     equation_of(f, scale);
@@ -20,7 +20,7 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
-/// Whether positions and momenta at the points of T can be judged.
+/// Whether positions and momenta at the points of T determine the residual.
 template <class Flow, class S, class Scale>
 concept is_judged_by_states = requires(Flow const& f, hilger::recording<S, vector<S>, Scale> const& run) {
     largest_residual(f, run);
@@ -39,11 +39,11 @@ inline constexpr bool starts_from_two_positions = false;
 template <class F, class Force, class E, hilger::sums Sums>
 inline constexpr bool starts_from_two_positions<hilger::flow<F, Force, E, Sums>> = hilger::controls_of<E> == 2;
 
-/// A cursor from the same initial values by other means, of which a motion has as many as are faster; or nothing.
+/// A faster cursor from the same initial values; nothing when it does not support them.
 template <class S>
 using beginning_by = std::function<std::unique_ptr<cursor<S>>(initial<S> const&)>;
 
-/// What is asked of a state alone. The formulas are traced once.
+/// Functions of a single state. The formulas are traced once.
 template <class S, class Mechanics>
 class motion_of_mechanics : public motion<S> {
 public:
@@ -154,7 +154,7 @@ protected:
         return guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop, &report)
                              : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop, &report);
     }
-    /// Without those inside the steps.
+    /// The values at the points of T, without those inside the steps.
     template <class X>
     [[nodiscard]] std::vector<vector<S>> values_on_T(X const& x) const {
         std::vector<vector<S>> values;
@@ -179,7 +179,7 @@ std::unique_ptr<motion<S>> motion_by(Flow const& flow, points<S> const& T, std::
         return std::make_unique<motion_of<S, Flow, any_scale<S>>>(flow, any_scale<S>(T), name, std::move(faster));
 }
 
-/// Calls use(mechanics) with the Lagrangian, or with it and the force.
+/// Calls use(mechanics) with the Lagrangian, or with the Lagrangian and the force.
 template <class Use>
 auto with_mechanics(problem const& what, Use const& use) {
     if (what.force) return use(forced_problem{what.lagrangian, *what.force});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A cursor along any trajectory of hilger's.
+// A cursor along any trajectory of the library.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
-// Checkpoints take their time to compile, and the Python package has no use for them.
+// Checkpoints take long to compile, and the Python package does not use them.
 #ifndef ENGINE_KEEPS_CHECKPOINTS
 #define ENGINE_KEEPS_CHECKPOINTS true
 #endif
@@ -21,7 +21,7 @@ class path_cursor final : public cursor<S> {
     using iterator = typename Path::iterator;
     using state_type = typename iterator::value_type;
     using V = std::remove_cvref_t<decltype(std::declval<state_type>().q)>;
-    // What steps in rationals is short, and begins again.
+    // Walks in rationals are short and are repeated instead.
     static constexpr bool keeps = ENGINE_KEEPS_CHECKPOINTS and not std::numeric_limits<S>::is_exact and
                                   requires(Path const& p, typename Path::checkpoint_type c, std::ostringstream out) {
         c.memory.visit(p.method(), out);
@@ -34,11 +34,11 @@ public:
 
     void advance(hilger::index_type steps, keeper<S> const& keep) override {
         hilger::index_type const last = steps < path_.scale().last() - at_.number() ? at_.number() + steps : path_.scale().last();
-        iterator at = at_; // where nobody else can see it, the optimiser may keep it in registers
+        iterator at = at_; // a local copy, which the optimiser may keep in registers
         std::optional<state_type> before_last;
         vector<S> q = as_vector<S>(at->q), p = q;
         try {
-            for (hilger::index_type end = last - 1; at.number() < last; end = last) { // a step stands here once: it is long
+            for (hilger::index_type end = last - 1; at.number() < last; end = last) { // the inlined step is long, so it appears once
                 if (end == last) before_last.emplace(*at);
                 while (at.number() < end) {
                     ++at;
@@ -76,7 +76,7 @@ private:
     Path path_;
     std::optional<hilger::resumed<Path>> resumed_;
     iterator at_;
-    V velocity_; ///< the mean one of the last step
+    V velocity_; ///< the mean velocity of the last step
 };
 template <class S, class Path>
 std::unique_ptr<cursor<S>> cursor_along(Path path) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equations of methods as they are written, each by the operators of its own: what is stepped and judged may be of others with the same
-// steps.
+// The equations of methods in print, each by its own operators. The flow may use other operators with the same steps.
 #include <sstream>
 
 #include "engine/methods/lambda.hpp"
@@ -11,7 +10,7 @@ namespace engine {
 
 namespace {
 
-/// Calls use(embedding), where the method is one. @throws hilger::error::unreadable, hilger::error::invalid_parameter
+/// Calls use(embedding), if the method is one. @throws hilger::error::unreadable, hilger::error::invalid_parameter
 template <class Use>
 void with_written(problem const& what, std::string const& method, bool uniform, Use const& use) {
     using namespace hilger;
@@ -27,7 +26,7 @@ void with_written(problem const& what, std::string const& method, bool uniform, 
     if (is_embedding_in_text(method)) return text::with_embedding<double>(own_embedding(what, method), uniform, use);
     if (auto const lambda = lambda_of<double>(what, method)) use(theta_at(*lambda));
 }
-/// The same as operators in text, which equations of sums are written with.
+/// The method as operators in text, for equations of sums.
 std::string in_operators(problem const& what, std::string const& method) {
     if (method == "order-one") return "integral(L(q, Delta_plus[q]))";
     if (method == "order-one-left") return "nabla_integral(L(q, Delta_minus[q]))";

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Lagrangians of second degree with constant coefficients,
 //   L = v.Mv/2 - q.Kq/2 + f.q,
-// as the structures that they are (fractional/structure.hpp). M, K and f are derivatives of L's traced formula, in which is seen that they
-// never change:
+// as linear structures (fractional/structure.hpp). M, K and f are derivatives of L's traced formula, which shows that they are constant:
 //   auto const [M, K, f] = second_degree_of<double>(L, 2);
 //   newmark<bdf<2>>(fractional_structure{M, C, K, tau, alpha}, [f](double) { return f; })
 #pragma once
@@ -19,8 +18,8 @@ struct second_degree {
     Eigen::Matrix<S, Eigen::Dynamic, 1> load;
 };
 
-/// L(q, v) of d coordinates, generic in its numbers.
-/// @throws hilger::error::invalid_parameter, which says what in L is no term of this kind; hilger::error::not_finite
+/// L(q, v) of d coordinates, generic in the number type.
+/// @throws hilger::error::invalid_parameter, which names the term of L that is not of this kind; hilger::error::not_finite
 template <class S, class L>
 second_degree<S> second_degree_of(L const& l, int d) {
     using V = Eigen::Matrix<S, Eigen::Dynamic, 1>;

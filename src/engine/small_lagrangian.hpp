@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The Lagrangian of a problem of few coordinates, for states of a size that the compiler knows, which it keeps in registers: it has its
-// derivatives from the traced formula, and once there is machine code of that, from functions of numbers alone.
+// The Lagrangian of a problem with few coordinates, for states of static size, which stay in registers. Its derivatives come from the
+// traced formula, later from machine code.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace engine {
 
-/// use(std::integral_constant<int, d>()) of a size that has small states, 1 to 3, and of 0 for any other.
+/// Calls use(std::integral_constant<int, d>()) for the sizes of small states, 1 to 3, and with 0 for any other.
 template <class Use>
 decltype(auto) with_small_size(int d, Use const& use) {
     switch (d) {
@@ -35,8 +35,8 @@ decltype(auto) with_small_size(int d, Use const& use) {
     }
 }
 
-/// Where in a node's values the derivatives of an L of D coordinates are: dL/dq, dL/dv and three blocks of second derivatives, column by
-/// column.
+/// The places in a node's values of the derivatives of L with D coordinates: dL/dq, dL/dv, then three blocks of second derivatives by
+/// columns.
 template <class S, int D>
 class small_table {
     static constexpr std::size_t N = static_cast<std::size_t>(D);
@@ -58,7 +58,7 @@ public:
         }
         on_ = {at.degree(hilger::detail::block_qq), at.degree(hilger::detail::block_vv), not at.entries[hilger::detail::block_qv].empty()};
     }
-    /// The first so many of them.
+    /// Reads the first `count` derivatives.
     template <class Node>
     void read(Node const& node, numbers& to, std::size_t count) const {
         for (std::size_t k = 0; k < count; ++k) to[k] = places_[k] < 0 ? S(0) : node.value(places_[k]);
@@ -71,8 +71,8 @@ private:
     hilger::dependence on_;
 };
 
-/// L with its derivatives. For one trajectory at a time: it computes where it has computed before. Copies begin with what is known, and
-/// find what another one has had compiled.
+/// L with its derivatives, for one trajectory at a time: evaluations share a buffer. Copies begin with the trace so far, and share the
+/// machine code.
 template <class S, int D>
 class small_lagrangian {
     using V = Eigen::Matrix<S, D, 1>;
@@ -103,7 +103,7 @@ public:
         by_v = taken<V>(x.data() + D);
         return table_->on();
     }
-    /// dL/dq at so many positions and v = 0.
+    /// dL/dq at n positions and v = 0.
     [[nodiscard]] hilger::dependence forces(S t, V const* q, V* by_q, std::size_t n) const {
         static_assert(sizeof(V) == D * sizeof(S));
         if (compiled_ != nullptr and n == 1) {
@@ -128,14 +128,14 @@ private:
     struct functions {
         function first, all, force;
         void (*many)(S const*, S, S const*, S*, long);
-        std::vector<S> numbers; ///< which these read
+        std::vector<S> numbers; ///< the constants that the functions read
     };
     struct found {
         std::mutex changes;
         std::shared_ptr<functions const> all;
     };
 
-    /// One number after the other, as they were written: the processor would wait for two of them that are read as one vector.
+    /// Copies the numbers one by one, as they were written: a vector load of two scalar stores would stall the processor.
     template <class X>
     static X taken(S const volatile* x) {
         X made;
@@ -147,7 +147,7 @@ private:
         table_->read(node_, x, which == wanted::with_seconds ? table::size : table::firsts);
         if (node_.has_branches()) return;
         bool const is_often = ++interpreted_ == next_look_;
-        if (is_often) next_look_ *= 2; // where there is no compiler, to look takes as long as to interpret
+        if (is_often) next_look_ *= 2; // without a compiler, a look costs as much as an interpretation
         std::lock_guard const lock(found_->changes);
         if (is_often and found_->all == nullptr) found_->all = look_for_machine_code();
         compiled_ = found_->all;

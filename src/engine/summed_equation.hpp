@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation of a sum of actions of one type, of which there are as many as somebody has at run time: what action_sum of
-// hilger/variational/sum_of_actions.hpp is for two.
+// The equation of a sum of actions of one type, in a number chosen at run time; action_sum of hilger/variational/sum_of_actions.hpp is for
+// two.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct action_list {
     std::vector<Action> parts;
 };
 
-/// The sum of functions on the same points, of which the first may be of a type of its own.
+/// The sum of functions on the same points; the first may have another type.
 template <class First, class Other>
 class function_list : public hilger::function_interface<function_list<First, Other>> {
 public:
@@ -42,11 +42,11 @@ private:
 
 namespace hilger {
 
-/// A force stands beside the first Lagrangian, at its nodes.
+/// A force acts beside the first Lagrangian, at its nodes.
 template <class Action, class P>
 class euler_lagrange<engine::action_list<Action>, P> {
     std::vector<euler_lagrange<Action, P>> parts_;
-    /// What `of` says of each part after the first, with its number among those.
+    /// The values of `of` for each part after the first, with its number among those.
     template <class Of>
     [[nodiscard]] auto others(Of const& of) const {
         std::vector<decltype(of(parts_[0], std::size_t()))> all;

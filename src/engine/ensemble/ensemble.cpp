@@ -39,11 +39,11 @@ void walk_one(cast const& all, hilger::index_type steps, member const& who, hilg
     }
 }
 
-/// The members from `first` on, as many as there are lanes or as there are.
+/// Walks the members from `first` on, at most one for each lane.
 void walk_group(cast const& all, hilger::index_type steps, std::vector<member> const& from, hilger::index_type stride, ensemble& to,
                 hilger::index_type first, std::atomic<bool> const& stop) {
     lanes const& together = *all.together;
-    constexpr hilger::index_type at_once = 1024; // steps before somebody may stop it
+    constexpr hilger::index_type at_once = 1024; // steps between two looks at `stop`
     int const count = static_cast<int>(std::min<hilger::index_type>(together.width(), to.members - first));
     std::vector<lanes::start> starts;
     std::vector<bool> alone(static_cast<std::size_t>(count), false);
@@ -56,7 +56,7 @@ void walk_group(cast const& all, hilger::index_type steps, std::vector<member> c
     auto const whole = std::find_if(starts.begin(), starts.end(), [](lanes::start const& x) { return x.q.size() > 0; });
     bool interrupted = false;
     if (whole != starts.end()) {
-        lanes::start const filling = *whole; // for lanes that nobody is in
+        lanes::start const filling = *whole; // for lanes without a member
         for (lanes::start& x : starts)
             if (x.q.size() == 0) x = filling;
         starts.resize(static_cast<std::size_t>(together.width()), filling);

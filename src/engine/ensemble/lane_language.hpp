@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a step is written in: of several members one in each lane of a register, and of one member plain numbers.
+// The vocabulary of generated steps: vectors with a lane for each of several members, or plain numbers for one member.
 #pragma once
 
 #include "text/c_statements.hpp"
@@ -46,7 +46,7 @@ static inline lanes smaller(lanes a, lanes b) { return either(a < b, a, b); }
 static inline lanes divided_by_norm(lanes a, lanes b) { return either(b == all(0.0), a * b, a / b); }
 #define over_norm(a, b) divided_by_norm((lanes){0} + (a), b)
 )";
-// Functions of the lanes; those of one member are in the C library.
+// Functions of the lanes; one member uses those of the C library.
 inline constexpr char const* functions_in_lanes = R"(#define EACH(f)                                        \
     static inline lanes lanes_##f(lanes x)             \
     {                                                  \

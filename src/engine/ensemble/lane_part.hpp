@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// One part of a step, of one node, in lanes. It solves the equation of text/node_equation.hpp as text/c_step.hpp does, with masks in
-// the place of branches: a lane that is done keeps what it has while others go on.
+// One part of a step, with one node, in lanes. Solves the equation of text/node_equation.hpp as text/c_step.hpp does, with masks instead of
+// branches: a converged lane keeps its values while others iterate.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,21 @@
 
 namespace engine {
 
-/// A lane that takes longer is led away by its guess: it goes on alone, by a search (hilger/newton/newton.hpp).
+/// A slower lane had a misleading guess: it goes on alone, by a search (hilger/newton/newton.hpp).
 constexpr int most_rounds_in_lanes = 4;
 
 class lane_part : hilger::detail::node_equation {
 public:
-    /// Of one member, whose masks are branches, or of several.
+    /// `one`: for one member, with branches instead of masks.
     lane_part(hilger::detail::node_formulas const& what, hilger::tableau<hilger::detail::formula_node> const& b, std::string name, bool one)
         : node_equation(what, b, "lanes"), name_(std::move(name)), one_(one) {
         w_ = constant("w", w_);
     }
-    /// In y: nothing is guessed.
+    /// The equation is linear in y and needs no guess.
     [[nodiscard]] bool is_linear() const { return linear_; }
-    /// The node is not at an end of the step: a velocity is guessed by a polynomial.
+    /// The node is inside the step: a polynomial guesses its velocity.
     [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
-    /// What is there in one place or two is part of the walk.
+    /// A part that is called once or twice is inlined into the walk.
     [[nodiscard]] std::string text(bool is_inlined) {
         std::string const array = "[" + std::to_string(N) + "]";
         std::string all = std::string("static ") + (is_inlined ? "inline __attribute__((always_inline))" : "__attribute__((noinline))") +
@@ -47,7 +47,7 @@ public:
             update.add(element("p", k) + " +=", w_ * variable(element("g", k)));
         }
         all += update.text();
-        std::string sum; // what is beyond all numbers at the end is not finite in any term before either
+        std::string sum; // x * 0 is NaN for a value that is not finite: one sum checks all of q and p
         for (int k = 0; k < N; ++k) {
             all += "    " + element("v", k) + " = " + element("y", k) + ";\n";
             sum += (k > 0 ? " + " : "") + element("q", k) + " * 0.0 + " + element("p", k) + " * 0.0";
@@ -102,8 +102,8 @@ private:
         }
         return linear_ ? text : text + stop(in, rest, used);
     }
-    /// When a lane is done: after a small correction the error is of the size of the rounding, and so it is where r is no more than that;
-    /// in each component, or two rounds after it is so in all of them together.
+    /// A lane has converged when the correction is so small that the remaining error is of the size of the rounding, or when r is no larger
+    /// than rounding: in each component, or two rounds after that holds for all of them together.
     [[nodiscard]] std::string stop(std::string const& in, std::string const& rest, std::set<std::string> const& used) const {
         std::string const f = f_.is(0) ? "" : " + size_of(" + name_of(f_) + ") * ", both = one_ ? " && " : " & ";
         std::string small, rounded;
@@ -112,7 +112,7 @@ private:
             small += more + "(size_of(d[" + n + "]) <= $floor * size_of(y[" + n + "]))";
             rounded += more + "(size_of(r" + n + ") <= $rounding * (size_of(p[" + n + "])" + g + "))";
         }
-        // Of one member most steps end with the first line.
+        // For one member most steps end with the first line.
         std::string const first = one_ ? "$inif ($small$not_far) break;\n$inmask each = 0;\n" : "$inmask each = $small;\n";
         std::string const others = R"($inmask together = $d <= $floor * $y;
 $plausible$negligible$inif (iteration > 0) {
@@ -141,7 +141,7 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
              {"$all", largest_of("p", N) + (f_.is(0) ? "" : f + largest_of("g", N))},
              {"$most", std::to_string(most_rounds_in_lanes)}});
     }
-    /// Where the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
+    /// When the velocity enters quadratically the error is in dL/dq alone, of second order in the correction c d of the position
     /// (is_negligible of hilger/newton/small_solve.hpp).
     [[nodiscard]] std::string negligible(std::string const& in, std::set<std::string> const& used) const {
         std::string const c = name_of(c_), w = name_of(w_);
@@ -160,8 +160,8 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
         }
         return text + in + "each |= " + each + ";\n";
     }
-    /// Where it took more than two rounds the root is one near the last velocity, or the lane is lost: is_near of hilger/newton/stop.hpp.
-    /// The first velocity is that at the start, half a step from the second; and where forces vanish changes grow from nothing.
+    /// After more than two rounds the root must be near the last velocity, or the lane is lost: is_near of hilger/newton/stop.hpp. The
+    /// first velocity belongs to the start, half a step before the second; and from vanishing forces changes grow from nothing.
     [[nodiscard]] std::string nearness() const {
         return filled(R"(    if (known >= 2 && !are_all(~late)) {
         lanes change = {0}, last = {0}, earlier = {0}, speed = {0};
@@ -179,7 +179,7 @@ $inif (iteration == $most) *lost |= none(done), done |= *lost;
     }
     [[nodiscard]] bool has_constant_mass() const { return are_numbers(node_.pv) and are_numbers(node_.gv) and are_numbers(node_.pq); }
     [[nodiscard]] static std::string slope(int j, int k) { return "D" + std::to_string(j) + "_" + std::to_string(k); }
-    /// What a lane that is done keeps while others go on.
+    /// Keeps the old value in a converged lane.
     [[nodiscard]] std::string kept(std::string const& old, std::string const& made) const {
         return linear_ or one_ ? made : "either(done, " + old + ", " + made + ")";
     }

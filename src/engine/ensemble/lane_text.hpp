@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the text of a step in lanes is put together from: largest elements, elimination.
+// Building blocks for the text of a step in lanes: largest elements, elimination.
 #pragma once
 
 #include "text/c_statements.hpp"
@@ -10,8 +10,8 @@ using hilger::detail::element, hilger::detail::filled, hilger::detail::c_number;
 
 inline std::string largest_of(std::string const& array, int n) { return hilger::detail::largest_in(array, n, "larger", "size_of"); }
 
-/// d becomes K^-1 d, with the rows of the largest pivots; `regular` says of which lanes. Elements that are not `there` are 0. Of one member
-/// rows are exchanged in a branch that is seldom taken, for what follows does not wait for it.
+/// Replaces d by K^-1 d, with pivoting by rows; `regular` is a mask of lanes. Elements that are not `there` are 0. For one member rows are
+/// exchanged in a rarely taken branch, so that the following operations need not wait for it.
 inline std::string elimination(int n, std::string const& in, bool one, std::vector<bool> there) {
     std::string text;
     auto const K = [](int j, int k) { return element("K", j, k); };
@@ -40,7 +40,7 @@ inline std::string elimination(int n, std::string const& in, bool one, std::vect
         std::string const size = "size_of(" + K(k, k) + ")";
         line(k == 0 ? "lanes least = " + size + ", most = least"
                     : "least = smaller(least, " + size + "), most = larger(most, " + size + ")");
-        line("const lanes over" + std::to_string(k) + " = 1.0 / " + K(k, k)); // divisions are what takes the time
+        line("const lanes over" + std::to_string(k) + " = 1.0 / " + K(k, k)); // divisions dominate the time
         for (int j = k + 1; j < n; ++j) {
             if (not is_there(j, k)) continue;
             line(K(j, k) + " *= over" + std::to_string(k));

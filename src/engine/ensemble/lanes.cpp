@@ -17,7 +17,7 @@ namespace engine {
 
 namespace {
 
-/// How many doubles a register has, and what the compiler is told of the processor.
+/// The number of doubles in a register, and the compiler's options for the processor.
 struct registers {
     int width;
     std::vector<std::string> options;
@@ -34,8 +34,8 @@ registers registers_here() {
     }
 }
 
-/// The Lagrangian and a force as formulas, with the numbers that states bring as m[0], m[1], ...
-/// @throws hilger::error::no_formula where one of them compares
+/// The Lagrangian and a force as formulas, with the members' own parameters as m[0], m[1], ... @throws hilger::error::no_formula when one
+/// of them has a comparison
 hilger::detail::node_formulas formulas_of(problem const& what) {
     using hilger::detail::named_graph;
     int const d = what.lagrangian.formula().words().dimension();
@@ -71,7 +71,7 @@ std::optional<one_node_parts> parts_of(hilger::detail::named_graph& in, std::str
     return {};
 }
 
-/// Libraries by their texts, for the length of the process.
+/// Libraries by their texts, kept until the process ends.
 std::shared_ptr<c_library const> compiled(std::string const& text, std::vector<std::string> const& options) {
     static std::mutex one_at_a_time;
     static std::map<std::string, std::shared_ptr<c_library>> all;
@@ -121,7 +121,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         lambda = lambda_of<double>(what, method, T.equal_step());
     } catch (hilger::error::unreadable const&) {
         if (brought == 0) throw;
-        return nullptr; // a factor that members bring with them
+        return nullptr; // a factor depends on the members' parameters
     }
     std::string text;
     try {
@@ -130,7 +130,7 @@ std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method,
         if (not parts) return nullptr;
         size = size_in_lanes(d, *parts) + static_cast<std::size_t>(brought);
         text = lanes_of(formulas, *parts, brought, width);
-    } catch (hilger::error::no_formula const&) { // it compares
+    } catch (hilger::error::no_formula const&) { // a formula has a comparison
         return nullptr;
     }
     if (text.empty() or text.size() > (width == alone ? most_letters_for_one : most_letters)) return nullptr;
@@ -154,7 +154,7 @@ lanes::group::group(lanes const& code, std::vector<start> const& from)
     auto const put = [&](int lane, int first, auto const& numbers) {
         for (double const x : numbers) x_[static_cast<std::size_t>(first++ * width + lane)] = x;
     };
-    int const brought = static_cast<int>(code.size_) - code.brought_; // behind all else
+    int const brought = static_cast<int>(code.size_) - code.brought_; // the place of the members' parameters
     for (int lane = 0; lane < width; ++lane) {
         auto const& at = from[static_cast<std::size_t>(lane)];
         put(lane, 0, at.q);

@@ -14,8 +14,8 @@ namespace {
 
 using node_list = std::vector<hilger::detail::formula_node>;
 
-/// The guess of a velocity is the polynomial through those of so many equal steps before, as far as there are; of other steps, through two.
-/// At an end of the step it is the last velocity, as in hilger/step/small/one_node.hpp: a polynomial may lie in the reach of another root.
+/// The guess of a velocity is the polynomial through those of up to so many earlier equal steps, or through two of unequal ones. At an end
+/// of the step it is the last velocity, as in hilger/step/small/one_node.hpp: a polynomial may lie near another root.
 constexpr int guesses = 7;
 
 bool is_everywhere_smooth(hilger::detail::node_formulas const& what) {
@@ -30,7 +30,7 @@ bool is_everywhere_smooth(hilger::detail::node_formulas const& what) {
     });
 }
 
-// The numbers of a state in their order; m is behind all else. Velocities are there twice, so that the last ones are always in a row.
+// The numbers of a state in their order; m comes last. Velocities are stored twice, so that the last ones are contiguous.
 constexpr char const* state_in = R"(    lanes q[$n], p[$n], v[parts][2][guesses][$n], m[brought + 1];
     (void)v;
     memcpy(q, x, sizeof q);
@@ -91,7 +91,7 @@ constexpr char const* keeping = R"(        if (kept_q) {
             kept_p += $n;
         }
 )";
-// From the newest velocity back. Most steps are equal ones, and there the compiler knows how many there are.
+// From the newest velocity back. Most steps are equal, and for them the number of terms is a constant.
 constexpr char const* guess = R"(            if (most == guesses)
                 for (int j = 0; j < guesses; ++j)
                     for (int k = 0; k < $n; ++k) y[k] += of[j] * newest[-j][k];
@@ -105,7 +105,7 @@ constexpr char const* remember = R"(            memcpy(v[$part][0][now], y, size
             memcpy(v[$part][1][now], y, sizeof y);
 )";
 
-/// The numbers of the polynomials that guesses are made with.
+/// The coefficients of the extrapolating polynomials.
 std::string polynomials() {
     std::string text = "static const double through[guesses][guesses] = {";
     for (int k = 1; k <= guesses; ++k) {

@@ -8,9 +8,9 @@ namespace engine {
 std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, std::string const& method, points<double> const& T,
                                                          initial<double> const& from, std::function<walker()> const& alone,
                                                          std::function<bool(hilger::index_type done)> const& goes_on) {
-    constexpr hilger::index_type at_once = 4096; // steps before somebody may stop it
+    constexpr hilger::index_type at_once = 4096; // steps between two calls of goes_on
     auto const d = static_cast<std::size_t>(what.lagrangian.formula().words().dimension());
-    if (static_cast<std::size_t>(from.q0.size()) != d or static_cast<std::size_t>(from.other.size()) != d) return {}; // which is said there
+    if (static_cast<std::size_t>(from.q0.size()) != d or static_cast<std::size_t>(from.other.size()) != d) return {}; // engine reports it
     auto const code = lanes::of(what, method, T, lanes::alone);
     if (not code) return {};
     auto const begin = start_of(alone, {from, {}});
@@ -23,7 +23,7 @@ std::optional<states_in_whole_steps> walk_in_whole_steps(problem const& what, st
     hilger::index_type done = 0;
     while (done < steps and not made.interrupted) {
         hilger::index_type const more = std::min(steps - done, at_once);
-        std::size_t const to = made.q.size(); // which grows as it is written to, while it is near
+        std::size_t const to = made.q.size(); // resized for each stretch, so that it is in the cache when written
         for (auto* x : {&made.q, &made.p}) x->resize(to + d * static_cast<std::size_t>(more));
         member.walk(more, made.q.data() + to, made.p.data() + to);
         if (not member.is_well(0)) return {};

@@ -26,7 +26,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-/// No products are contracted and nothing is taken for finite.
+/// Products are not contracted, and no value is assumed to be finite.
 constexpr std::array always{"-shared", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fno-semantic-interposition", "-x", "c"};
 
 std::optional<std::string> content(files::path const& path) {
@@ -43,7 +43,7 @@ std::string hash_of(std::string const& text) { // Fowler, Noll, Vo, twice
     }
     return out.str();
 }
-/// A folder that is this user's and nobody else's to write into, made where it is not there; nothing where that cannot be.
+/// A folder that only this user can write to, created if missing; nothing when that fails.
 std::optional<files::path> folder() {
     files::path path;
     if (auto const cache = environment_variable("XDG_CACHE_HOME"))
@@ -60,10 +60,10 @@ std::optional<files::path> folder() {
     if (::stat(path.c_str(), &about) != 0 or about.st_uid != ::geteuid() or (about.st_mode & (S_IWGRP | S_IWOTH)) != 0) return {};
     return path;
 }
-/// As many libraries as these stay in the folder, each with its text.
+/// The number of libraries kept in the folder, each with its text.
 constexpr std::size_t most_kept = 256;
-/// The oldest files go, and with them what a process that was killed has left. Another process may do the same, or use what goes: it has
-/// loaded that, or compiles it again.
+/// Removes the oldest files, and those left by killed processes. Another process may do the same, or use a removed library: it has loaded
+/// it, or compiles it again.
 void forget_the_oldest(files::path const& where) {
     std::error_code never_mind;
     std::vector<std::pair<files::file_time_type, files::path>> all;
@@ -74,7 +74,7 @@ void forget_the_oldest(files::path const& where) {
     all.resize(all.size() - 2 * most_kept);
     for (auto const& [when, path] : all) files::remove(path, never_mind);
 }
-/// The text with the options in it, so that it is known by both.
+/// The text with the options in it, so that the hash covers both.
 std::string with_options(std::string text, std::vector<std::string> const& options) {
     std::string said;
     for (std::string const& option : options) said += option + ' ';
@@ -129,7 +129,7 @@ void c_library::begin() {
     source_ = kept_;
     source_ += ".c";
     if (auto const kept = content(source_); kept and files::exists(library_)) {
-        if (*kept != text_) result_ = status::failed; // and of this hash
+        if (*kept != text_) result_ = status::failed; // another text with this hash
         if (result_ == status::failed or load()) return;
     }
     std::string const own = '.' + std::to_string(::getpid()) + '.' + std::to_string(reinterpret_cast<std::uintptr_t>(this));
@@ -171,7 +171,7 @@ void c_library::spawn() {
     }
 }
 
-/// The text first: a library with no text beside it is not used.
+/// Moves the text first: a library without its text is not used.
 void c_library::finish() {
     std::error_code failed;
     files::rename(own_source_, source_, failed);
@@ -181,7 +181,7 @@ void c_library::finish() {
 }
 
 bool c_library::load() {
-    loaded_ = ::dlopen(library_.c_str(), RTLD_NOW | RTLD_LOCAL); // stays: somebody may be in it when the program ends
+    loaded_ = ::dlopen(library_.c_str(), RTLD_NOW | RTLD_LOCAL); // never unloaded: another thread may be running it when the program ends
     if (loaded_ == nullptr) return false;
     result_ = status::done;
     std::error_code never_mind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// C that becomes part of the running process: text, a file, a process of the system's compiler and a library that is loaded, in this order;
-// each step waits for nothing but is looked at again when somebody asks. What is compiled is kept under the name of its text's hash in the
-// user's folder for such things, with the text beside it, which is compared: a hash is no proof. 256 libraries stay there, those last used.
+// C that becomes part of the running process: a text, a file, a run of the system's compiler and a loaded library, in this order; no stage
+// blocks, and look() advances it. Libraries are cached in the user's folder under the hash of their text. The text is stored beside each
+// and compared: a hash is no proof. The 256 libraries last used are kept.
 #pragma once
 
 #include <filesystem>
@@ -13,23 +13,23 @@
 
 namespace engine {
 
-/// A variable of the environment, where it is set and not empty.
+/// A variable of the environment; nothing when it is unset or empty.
 std::optional<std::string> environment_variable(char const* name);
 
-/// One text and what becomes of it. Products are not contracted, whatever the processor.
+/// One text and its library. Products are not contracted, on any processor.
 class c_library {
 public:
     /// Other options make another library of the same text.
     explicit c_library(std::string text, std::vector<std::string> options = {});
     c_library(c_library const&) = delete;
     c_library& operator=(c_library const&) = delete;
-    /// A compiler that nobody waits for any more ends, and leaves nothing behind.
+    /// Ends a compiler that is still running, and removes its files.
     ~c_library();
 
     enum class status { working, done, no_compiler, failed };
-    /// Goes on as far as that is possible without waiting, or to the end.
+    /// Advances as far as possible without waiting, or with `wait` to the end.
     status look(bool wait);
-    /// What is called so, when it is done; nullptr where there is no such thing.
+    /// The address of a function of a loaded library; nullptr when there is none.
     [[nodiscard]] void* find(std::string const& name) const;
 
 private:
@@ -41,7 +41,7 @@ private:
     std::string text_;
     std::vector<std::string> options_;
     std::filesystem::path kept_, library_, source_, own_library_, own_source_;
-    ::pid_t process_ = 0; ///< -1 when there is none any more
+    ::pid_t process_ = 0; ///< -1 without a process
     ::pid_t owner_;
     status result_ = status::working;
     void* loaded_ = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Rows of equal operations are loops, those that read each other element by element one loop, and all others a line each. Numbers are read
-// from their places: a compiler that saw them would fold, and round otherwise than the library of functions does.
+// Rows of equal operations become loops, joined when they read each other element by element; all other operations take a line each.
+// Constants are read from memory: a compiler that knew them would fold them, and round otherwise than the C library.
 #include <algorithm>
 #include <array>
 #include <concepts>
@@ -24,9 +24,9 @@ std::string written(std::string const& name, std::string const& a, std::string c
     return hilger::detail::c_operation(name, {a}, {b}).text;
 }
 
-/// Rounds of operations that are one loop, or one that is lines.
+/// Rounds of operations joined in one loop, or one round in lines.
 struct together {
-    int count; ///< of the loop, 0 for lines
+    int count; ///< of the loop; 0 for lines
     std::vector<evaluation::operations> rounds;
 };
 
@@ -36,7 +36,7 @@ public:
         : what_(what), is_stored_(static_cast<std::size_t>(what.size()), false), is_local_(is_stored_), written_in_(is_stored_.size(), -1) {
         for (int const place : what.results()) is_stored_[static_cast<std::size_t>(place)] = true;
         for (int p = 0; p < evaluation::parts; ++p) join(p);
-        // what is read where it is not computed is in memory
+        // values that are read elsewhere are stored in memory
         for (int p = 0; p < evaluation::parts; ++p)
             for (auto const& t : together_[static_cast<std::size_t>(p)])
                 for (auto const& r : t.rounds)
@@ -59,12 +59,12 @@ public:
     }
 
 private:
-    /// Where a value is computed: in the lines of a part, or in a loop, or before.
+    /// The unit that computes a value: the lines of a part, a loop, or an earlier unit.
     [[nodiscard]] int& written_in(int place) { return written_in_[static_cast<std::size_t>(place)]; }
-    /// The rounds of a part in an order in which those of one loop stand together.
+    /// Orders the rounds of a part so that those of one loop are adjacent.
     void join(int part) {
         auto& all = together_[static_cast<std::size_t>(part)];
-        std::vector<int> in(is_stored_.size(), -1); // which of `all` a place is computed in
+        std::vector<int> in(is_stored_.size(), -1); // the index in `all` of the unit that computes a place
         auto const latest_of = [&](int const* operands, int count) {
             int latest = -1;
             for (int i = 0; i < count; ++i) latest = std::max(latest, in[static_cast<std::size_t>(operands[i])]);

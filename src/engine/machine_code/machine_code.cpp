@@ -20,10 +20,10 @@ using evaluation = hilger::detail::evaluation<double>;
 using translation = hilger::detail::translation<double>;
 using functions = std::array<translation::function, translation::functions>;
 
-/// Nothing is folded and no two functions are joined to a third one: it would round differently.
+/// Nothing is folded, and sin and cos are not merged into one call: that would round differently.
 std::vector<std::string> const options{"-O2", "-ftree-vectorize", "-fno-builtin-sin", "-fno-builtin-cos"};
 
-/// Loops over nodes are made vectors of. Two components of one are not, where they were written one by one: the processor would wait.
+/// Loops over nodes are vectorised. Two components of one node are not, because they were stored one by one: a vector load would stall.
 std::vector<std::string> node_options() {
     using namespace hilger::detail::memory;
     std::vector<std::string> all{"-O3",
@@ -67,7 +67,7 @@ public:
             return nullptr;
         }
     }
-    /// Forgets what it has looked at.
+    /// Also forgets the earlier texts.
     void set(machine_code how) {
         std::lock_guard const lock(busy_);
         jobs_.clear();

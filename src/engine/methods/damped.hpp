@@ -10,7 +10,7 @@
 
 namespace engine {
 
-/// What is damped may be driven too.
+/// Damped problems may have a force too.
 inline forced_problem with_any_force(problem const& of) {
     if (of.force) return {of.lagrangian, *of.force};
     auto const words = std::make_shared<hilger::text::vocabulary>(of.lagrangian.formula().words());
@@ -23,14 +23,14 @@ inline std::vector<hilger::fractional_term<double>> fractional_terms_of(problem 
     for (auto const& [rho, alpha] : what.damping) terms.push_back({static_cast<double>(rho), static_cast<double>(alpha)});
     return terms;
 }
-/// use(flow) with the flow under the mid-point embedding; sums are compensated where an order is above 1.
+/// Calls use(flow) with the flow of the mid-point embedding; sums are compensated when an order is above 1.
 template <class Damped, class Use>
 auto use_at_mid_point(Damped const& damped, std::vector<hilger::fractional_term<double>> const& terms, Use const& use) {
     if (std::any_of(terms.begin(), terms.end(), [](auto const& term) { return term.order > 1; }))
         return use(hilger::embed(damped, hilger::mid_point, hilger::compensated));
     return use(hilger::embed(damped, hilger::mid_point, std::integral_constant<hilger::sums, hilger::sums::plain>{}));
 }
-/// The same with the fractional terms of the problem beside what moves. @throws hilger::error::invalid_parameter
+/// Adds the fractional terms of the problem and calls use(flow) as above. @throws hilger::error::invalid_parameter
 template <class Mechanics, class Use>
 void with_damped(problem const& what, Mechanics const& mechanics, hilger::index_type steps, Use const& use) {
     auto const terms = fractional_terms_of(what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The histories of fractional terms by name; what follows a colon is a parameter.
+// The histories of fractional terms by name; a parameter follows a colon.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace engine {
 
-/// Calls use(policy) with the history of that name, for so many steps. @throws hilger::error::invalid_parameter
+/// Calls use(policy) with the named history for so many steps. @throws hilger::error::invalid_parameter
 template <class Use>
 void with_history(std::string const& name, hilger::index_type steps, Use const& use) {
     auto const colon = name.find(':');
@@ -24,7 +24,7 @@ void with_history(std::string const& name, hilger::index_type steps, Use const& 
                                                            name, "'");
 }
 
-/// @throws hilger::error::invalid_parameter where there is no history of that name, or not with that parameter
+/// @throws hilger::error::invalid_parameter for an unknown name or parameter
 inline void require_history(std::string const& name) {
     with_history(name, 1, []<class Policy>(Policy const& policy) {
         if constexpr (std::same_as<Policy, hilger::exponentials>)

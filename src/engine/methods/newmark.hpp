@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Linear structures with a memory - a Lagrangian of second degree, a force of the time alone, one fractional term or a fractional Zener
-// material - by Newmark's scheme.
+// Newmark's scheme for linear structures with a memory: a Lagrangian of second degree, a force of the time alone, and one fractional term
+// or a fractional Zener material.
 #pragma once
 
 #include "engine/methods/histories.hpp"
@@ -13,7 +13,7 @@ namespace engine {
 
 inline bool is_newmark(std::string const& method) { return method == "g-alpha-newmark" or method == "gl-newmark"; }
 
-/// f + the force at t: a number where there is one coordinate, in any scalar.
+/// f + the force at t: a number for one coordinate, in any scalar.
 template <class S, bool IsNumber>
 class load_of_structure {
 public:
@@ -23,7 +23,7 @@ public:
     auto operator()(T const& t) const {
         vector<T> f = constant_.template cast<T>();
         if (force_) {
-            vector<T> const rest = vector<T>::Zero(f.size()); // which is not read
+            vector<T> const rest = vector<T>::Zero(f.size()); // the force does not read the state
             f += (*force_)(t, rest, rest);
         }
         if constexpr (IsNumber)
@@ -31,7 +31,7 @@ public:
         else
             return f;
     }
-    /// Where it jumps, or has a kink.
+    /// The times of its jumps and kinks.
     template <class T>
     [[nodiscard]] std::vector<T> switching_times(T const& a, T const& b) const {
         return force_ ? force_->switching_times(a, b) : std::vector<T>{};
@@ -42,11 +42,11 @@ private:
     std::optional<hilger::text::stated_force> force_;
 };
 
-/// What a problem is as a structure.
+/// A problem as a linear structure.
 template <class S>
 class structure_of_problem {
 public:
-    /// @throws hilger::error::invalid_parameter that says what is not linear, or not one term
+    /// @throws hilger::error::invalid_parameter naming a nonlinear term, or for other than one fractional term
     explicit structure_of_problem(problem const& what)
         : what_(what), parts_(second_degree_of<S>(what.lagrangian, what.lagrangian.formula().words().dimension())) {
         using hilger::text::meaning;
@@ -59,11 +59,11 @@ public:
             hilger::error::raise<hilger::error::invalid_parameter>(
                 "Newmark's scheme has one fractional term or one material, and here are ", what.damping.size() + (what.material ? 1 : 0));
     }
-    /// Whether its numbers are what they have to be. @throws hilger::error::invalid_parameter, hilger::error::mismatch
+    /// Checks the material's parameters. @throws hilger::error::invalid_parameter, hilger::error::mismatch
     void require_valid() const {
         if (what_.material) zener().require_valid();
     }
-    /// Calls use(scheme), with the weights that the method says; with those of G.
+    /// Calls use(scheme), with the weights of the method, or those of G.
     template <class Policy, class Use>
     void with_scheme(std::string const& method, Policy const& policy, Use const& use) const {
         if (method == "gl-newmark")
@@ -78,7 +78,7 @@ public:
                                    policy));
         };
         if (what_.material) return with(std::false_type(), zener());
-        if constexpr (std::same_as<S, double>) // of many digits, a vector of one costs nothing more
+        if constexpr (std::same_as<S, double>) // in many digits, a vector of one component costs nothing more
             if (parts_.load.size() == 1) return with(std::true_type(), damped(parts_.mass(0, 0), parts_.stiffness(0, 0), S(1)));
         with(std::false_type(), damped(parts_.mass, parts_.stiffness, identity()));
     }
@@ -100,7 +100,7 @@ private:
     second_degree<S> parts_;
 };
 
-/// A state as that scheme takes it: a number where the structure is made of numbers.
+/// A state as the scheme stores it: a number for a scalar structure.
 template <class S, class Scheme>
 auto taken_by(Scheme const& scheme, vector<S> const& x) {
     if constexpr (requires {

@@ -18,7 +18,7 @@ made embedded_in_one_step(problem const& what, std::string const& method, points
     if (method == "order-one-left") return by(small(hilger::order_one_left));
     if (not T.is_uniform() or not what.besides.empty()) return by(beginning_by<double>());
     auto const lambda = lambda_in_one_step<double>(what, method, T.equal_step());
-    // Steps of vectors of any size see where the position is an end of the step, and are explicit.
+    // Steps of vectors of dynamic size detect that the position is an end of the step, and are explicit.
     if (not lambda or *lambda == 0 or *lambda == 1) return by(beginning_by<double>());
     return by(small(hilger::text::embedding_at(*lambda)));
 }

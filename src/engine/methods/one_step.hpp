@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Embeddings in one step. A consistent one reads the position as a mean of the ends, (1 - lambda) q_i + lambda q_{i+1}, and the velocity as
-// their difference: order-one, order-one-left, mid-point, theta:0.3 and embeddings in text are this lambda, which may depend on the length
-// of the step. A sum of actions has one for each Lagrangian. So all of them are one flow, compiled once for each scalar.
+// their difference: order-one, order-one-left, mid-point, theta:0.3 and embeddings in text differ in this lambda, which may depend on the
+// length of the step. A sum of actions has one for each Lagrangian. All of them are one flow type, compiled once for each scalar.
 #pragma once
 
 #include "engine/methods/lambda.hpp"
@@ -10,12 +10,12 @@
 
 namespace engine {
 
-/// Where a step reads the position.
+/// The position of a step, as a mean of its ends.
 template <class S>
 class mean_of_ends {
 public:
     explicit mean_of_ends(S lambda) : lambda_(std::move(lambda)) {}
-    /// Of an embedding that has another lambda for each length of the step.
+    /// For an embedding whose lambda depends on the length of the step.
     explicit mean_of_ends(hilger::text::embedding_formula of)
         : lambda_(0), of_(std::make_shared<hilger::text::embedding_formula const>(std::move(of))) {}
     [[nodiscard]] S lambda(S const& h) const { return of_ ? hilger::text::lambda_of_step<S>(*of_, h) : lambda_; }
@@ -56,13 +56,13 @@ struct mean_operator : hilger::linear_operator<mean_operator<S, Side>> {
     [[nodiscard]] auto adjoint() const { return mean_operator<S, hilger::opposite<Side>>(of); }
 };
 
-/// How each Lagrangian is read.
+/// The embedding of each Lagrangian.
 template <class S>
 struct embedding_list {
     std::vector<mean_of_ends<S>> parts;
     static constexpr char const* name = "the embeddings of a sum of actions";
 };
-/// The nodes of all.
+/// The nodes of all parts.
 template <class S>
 hilger::tableau<S> tableau_of(embedding_list<S> const& how, S const& h) {
     auto const of = [&](mean_of_ends<S> const& mean) { return hilger::tableau_of(hilger::text::embedding_at(mean.lambda(h)), h); };
@@ -70,7 +70,7 @@ hilger::tableau<S> tableau_of(embedding_list<S> const& how, S const& h) {
     for (std::size_t k = 1; k < how.parts.size(); ++k) hilger::detail::append_nodes(all, of(how.parts[k]));
     return all;
 }
-/// The embedding that the equation of one part is of.
+/// The embedding in the equation of one part.
 template <class S>
 auto embedding_by(mean_of_ends<S> const& mean) {
     using position = mean_operator<S>;
@@ -80,7 +80,7 @@ auto embedding_by(mean_of_ends<S> const& mean) {
 
 template <class S, class Force, hilger::sums Sums>
 using one_step_flow = hilger::flow<summed_lagrangian, Force, embedding_list<S>, Sums>;
-/// The parts say what two positions determine.
+/// one_step_motion handles two positions itself, part by part.
 template <class Force, class S, hilger::sums Sums>
 inline constexpr bool starts_from_two_positions<one_step_flow<S, Force, Sums>> = false;
 
@@ -122,13 +122,13 @@ public:
     }
 
 private:
-    /// @throws hilger::error::not_finite where a part is singular on the first guess
+    /// @throws hilger::error::not_finite when a part is singular on the first guess
     void require_regular(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess) const {
         std::vector<vector<S>> x(static_cast<std::size_t>(this->T_.size()), first);
         if (guess.size() == x.size()) x = guess;
         x.front() = first;
         x.back() = last;
-        if (not hilger::detail::all_finite(first) or not hilger::detail::all_finite(last)) return; // which is said by who solves
+        if (not hilger::detail::all_finite(first) or not hilger::detail::all_finite(last)) return; // the solver reports it
         if (guess.empty()) hilger::detail::put_first_guess(this->T_, x, 1, hilger::detail::straight_line{});
         for_each_part([&](auto const& flow) {
             hilger::detail::require_regular(hilger::detail::derivatives_at_nodes(flow.mechanics()), this->T_, x, 1);
@@ -151,8 +151,8 @@ private:
     }
 };
 
-/// How each Lagrangian of a problem is read on T, the first one by `method`; nothing where that is no embedding in one step.
-/// @throws hilger::error::invalid_parameter, hilger::error::unreadable; hilger::error::mismatch where parts have other coordinates
+/// The embedding of each Lagrangian on T, of the first one by `method`; nothing when that is no embedding in one step. @throws
+/// hilger::error::invalid_parameter, hilger::error::unreadable; hilger::error::mismatch for parts with other coordinates
 template <class S>
 std::optional<embedding_list<S>> embeddings_in_one_step(problem const& what, std::string const& method, points<S> const& T) {
     if (what.besides.empty()) {
@@ -186,7 +186,7 @@ std::optional<embedding_list<S>> embeddings_in_one_step(problem const& what, std
     return how;
 }
 
-/// The motion of states of any size. @throws as embeddings_in_one_step does
+/// The motion of states of dynamic size. @throws as embeddings_in_one_step does
 template <class S, hilger::sums Sums = hilger::sums::plain>
 std::unique_ptr<motion<S>> in_one_step(problem const& what, std::string const& method, points<S> const& T, beginning_by<S> faster = {}) {
     auto const how = embeddings_in_one_step<S>(what, method, T);

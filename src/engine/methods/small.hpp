@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Problems of few coordinates: the same steps as of vectors of any size, with states of a size that the compiler knows.
+// Problems of few coordinates: the same steps as for vectors of dynamic size, with states of static size.
 #pragma once
 
 #include <mutex>
@@ -9,7 +9,7 @@
 
 namespace engine {
 
-/// Begins with states of D coordinates, by the flow that make(L) is.
+/// Begins with states of D coordinates, by the flow make(L).
 template <int D, class Make>
 class small_beginning {
     using V = Eigen::Matrix<double, D, 1>;
@@ -17,7 +17,7 @@ class small_beginning {
 public:
     small_beginning(hilger::text::stated_lagrangian L, Make make, hilger::uniform_scale<double> T)
         : lagrangian_(std::move(L)), make_(std::move(make)), T_(std::move(T)) {}
-    /// @returns nothing where that is said by the flow of vectors of any size: other sizes, and two positions that begin no step
+    /// @returns nothing for other sizes, and for two positions that begin no step: the flow of dynamic size reports these
     [[nodiscard]] std::unique_ptr<cursor<double>> operator()(initial<double> const& from) const {
         if (from.q0.size() != D or from.other.size() != D) return nullptr;
         auto const flow = make_(known_at(from));
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    /// The Lagrangian for one walk. It is traced at the first one, and others begin with what is known.
+    /// The Lagrangian for one walk, traced at the first one.
     [[nodiscard]] small_lagrangian<double, D> known_at(initial<double> const& from) const {
         std::lock_guard const lock(tracing_);
         if (not is_traced_) (void)lagrangian_.expand(T_.min(), V(from.q0), V(from.is == second_datum::velocity ? from.other : from.q0));
@@ -44,7 +44,7 @@ private:
     mutable bool is_traced_ = false;
 };
 
-/// The beginning of a problem that is small, free, of one Lagrangian and on a uniform scale; of any other nothing.
+/// The beginning of a small problem with one Lagrangian and no force on a uniform scale; nothing for any other.
 template <class Make>
 beginning_by<double> begin_small(problem const& what, points<double> const& T, Make const& make) {
     if (what.force or not what.besides.empty() or not T.is_uniform()) return {};
@@ -58,7 +58,7 @@ beginning_by<double> begin_small(problem const& what, points<double> const& T, M
             }
         });
 }
-/// The motion by the flow that make(mechanics) is, with small states where they are.
+/// The motion by the flow make(mechanics), with small states if possible.
 template <class Make>
 made motion_by_making(problem const& what, std::string const& method, points<double> const& T, Make const& make) {
     return with_mechanics(what, [&](auto const& mechanics) { return motion_by(make(mechanics), T, method, begin_small(what, T, make)); });

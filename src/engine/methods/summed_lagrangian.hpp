@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A Lagrangian, or a sum of several whose parts are read in different ways.
+// A Lagrangian, or a sum of several whose parts have different embeddings.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace engine {
 
-/// As a function it is the sum of its parts: what the momentum, the energy and the slopes are of.
+/// As a function it is the sum of its parts, for the momentum, the energy and the slopes.
 class summed_lagrangian {
 public:
     static constexpr bool is_generic_in_time = true;
@@ -36,7 +36,7 @@ private:
 
 namespace hilger {
 
-/// The force is beside the first Lagrangian, and read where that is.
+/// The force acts beside the first Lagrangian, with its embedding.
 template <class Force>
 struct problem<engine::summed_lagrangian, Force> {
     engine::summed_lagrangian lagrangian;
@@ -48,7 +48,7 @@ struct problem<engine::summed_lagrangian, Force> {
 
 namespace detail {
 
-/// The nodes ask for one Lagrangian each, and who asks for the whole gets their sum.
+/// Each node evaluates its own Lagrangian; the whole is their sum.
 template <class Force, class V>
 struct problems_at_nodes<problem<engine::summed_lagrangian, Force>, V> {
     given<problem<text::stated_lagrangian, Force>, V> first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)): it is
-// solved between two ends.
+// The two-sided fractional equation dL/dq + Delta_plus^alpha[dL/dv] = 0, with v = Delta_minus^alpha[q] (Bourdin et al. (EL_h^alpha)),
+// solved as a boundary value problem.
 #include "engine/methods/two_sided.hpp"
 #include "engine/motions.hpp"
 #include "hilger/boundary/residual.hpp"
