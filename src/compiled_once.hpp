@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// What our own programs do not compile again in each of their files: engines*.cpp and numbers.cpp do, optimised.
-// A matter of minutes alone: without this header all is the same.
+// Instantiations that our programs share instead of compiling them in each file: engines*.cpp and numbers.cpp hold them, optimised. This
+// only saves minutes of compile time.
 #pragma once
 
 #include "hilger/hilger.hpp"
 #include "hilger/multiprecision.hpp"
 
-// What depends on the kind of numbers alone.
+// Templates over the number type alone.
 #define HILGER_ENGINES(how, S)                                                                                                             \
     how template class large_matrix<S>;                                                                                                    \
     how template class patterned_matrix<S>;                                                                                                \
@@ -14,7 +14,7 @@
     how template class evaluation<S>;                                                                                                      \
     how template traced_formula<S> derivatives_in(formula_graph<S>&, int, traced<S> const&, std::vector<traced<S>> const&, std::uint8_t);
 
-// Arithmetic of many digits: the second is of what is rounded.
+// Arithmetic of many digits; HILGER_DIGITS adds that of rounded numbers.
 #define HILGER_ARITHMETIC(how, S)                                                                                                          \
     how template void backends::eval_add(S::backend_type&, S::backend_type const&);                                                        \
     how template void backends::eval_subtract(S::backend_type&, S::backend_type const&);                                                   \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The demonstration: hilger's main job on the outer solar system. Equations, identities, integration, pictures. A program of its own, which
-// is built in a minute.
+// The demonstration: the outer solar system by variational integrators. Equations, identities, integration, pictures. A separate program,
+// built in a minute.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -38,7 +38,7 @@ struct demo_options {
     std::string out = "out";
 };
 
-/// What is watched along a run, and where it goes.
+/// Observes invariants along a run, and writes them to a file.
 class observer {
 public:
     observer(solar_system const& system, std::string const& path, bool orbits)

@@ -5,7 +5,7 @@
 
 namespace program {
 
-/// One line for each case of extremes/row.hpp, as they are measured. True when all are as promised.
+/// Prints one line for each case of extremes/row.hpp as it is measured. True when all keep their promises.
 bool report_extremes(std::ostream& out, bool quick);
 
 } // namespace program

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What tests and scenes spend their time in when they are compiled to be looked into: arithmetic of rationals and of many digits, and
-// factorizations. Compiled once, optimised, and linked first: of what is in several files the linker takes the first. Nothing depends on it
-// but the time: where a compiler puts these functions elsewhere, all is as slow as it was.
+// Arithmetic of rationals and of many digits, and factorizations: most of the time of tests and scenes in debug builds. Compiled once,
+// optimised, and linked first, since the linker takes the first of equal definitions. A linker with another rule only costs time.
 #include "compiled_once.hpp"
 
 HILGER_NUMBERS()

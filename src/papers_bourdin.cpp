@@ -29,7 +29,7 @@ std::vector<known_difference> const known{
     {"slope, alpha = 0.95", "0.892961", "not what the errors as they were printed have either, which is 0.95"},
 };
 
-/// The table of section 3.4, the one for alpha = 3/4 among it.
+/// The table of section 3.4, including the one for alpha = 3/4.
 void show_errors(std::vector<row> const& rows, std::string const& out, agreement& seen) {
     auto file = create(out, "fractional_dirichlet_errors.csv");
     file << "# alpha, h, largest error printed, computed, mean square error printed, computed\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Cresson and Safi (2022) have no numbers: what they prove, in exact rationals, and their figure of the time scales.
+// Cresson and Safi (2022) have no numbers: their theorems in exact rationals, and their figure of the time scales.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

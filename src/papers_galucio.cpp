@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Galucio, Deue and Dubois (2008): table 1 exactly, tables 2 and 3 with the meshes that they belong to, and figures 1 to 4.
+// Galucio, Deue and Dubois (2008): table 1 exactly, tables 2 and 3 with their meshes, and figures 1 to 4.
 #include <iostream>
 #include <sstream>
 

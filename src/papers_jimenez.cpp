@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Jimenez and Ober-Bloebaum (2019) have no table and no figure: the orders that they claim, fitted, and the errors drawn.
+// Jimenez and Ober-Bloebaum (2019) have no table and no figure: fits of their claimed orders, and plots of the errors.
 #include <iostream>
 
 #include "../papers/jimenez_ober_blobaum_2019/local_truncation.hpp"
@@ -28,7 +28,7 @@ void show_orders(std::string const& what, int claimed, Flow const& flow, Solutio
     std::cout << '\n';
 }
 
-/// The errors of the pendulum's first step, and of the seventh where it is damped, h = 2^-6, ..., 2^-14.
+/// The errors of the pendulum's first step, or with damping of its seventh, for h = 2^-6, ..., 2^-14.
 void write_errors(std::string const& out) {
     using hilger::theta, hilger::order_one, hilger::mid_point;
     auto file = create(out, "local_truncation.csv");

@@ -13,13 +13,13 @@ namespace program {
 
 namespace {
 
-/// As one word of a shell.
+/// Quotes a word for the shell.
 std::string quoted(std::string const& word) {
     std::string all = "'";
     for (char const c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return all + "'";
 }
-/// Writes the script and runs it in the directory, where all its files are.
+/// Writes the script and runs it in the directory of its files.
 bool run_gnuplot(std::filesystem::path const& directory, std::string const& script, std::string const& commands) {
     std::ofstream(directory / script) << "set datafile separator ','\nset encoding utf8\n" << commands;
     std::string const command = "cd " + quoted(directory.string()) + " && gnuplot " + quoted(script) + " >/dev/null 2>&1";
@@ -49,7 +49,7 @@ std::string sketch(std::string const& directory, std::string const& name, std::s
         std::ifstream written(folder / (name + ".txt"));
         text.assign(std::istreambuf_iterator<char>(written), {});
     }
-    std::erase(text, '\f'); // what gnuplot begins a page with
+    std::erase(text, '\f'); // gnuplot begins a page with it
     auto const marks =
         std::count_if(text.begin(), text.end(), [](char c) { return std::string_view("*#$%@&=").find(c) != std::string::npos; });
     if (8 * marks > 100 * 28) text.clear();
@@ -59,7 +59,7 @@ std::string sketch(std::string const& directory, std::string const& name, std::s
 
 std::ofstream create(std::string const& directory, std::string const& name) {
     auto const path = (std::filesystem::path(directory) / name).string();
-    std::error_code ignored; // the file says it
+    std::error_code ignored; // the missing file shows the failure
     std::filesystem::create_directories(directory, ignored);
     std::ofstream file(path);
     if (not file) hilger::error::raise<hilger::error::unreadable>("cannot write '", path, "'");

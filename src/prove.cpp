@@ -16,7 +16,7 @@ namespace {
 
 using hilger::Q;
 
-// What the compiler has proved when this file compiles.
+// Proved by the compiler.
 static_assert(hilger::mid_point.velocity == hilger::on_half * hilger::Delta_o_plus * hilger::extend);
 static_assert(adjoint(hilger::Delta_plus) == -hilger::Delta_minus);
 static_assert(hilger::uniformly(adjoint(hilger::on_half * hilger::extend)) == hilger::pi_half * hilger::mean_h_minus);

@@ -50,7 +50,7 @@ solar_system read_solar_system(std::istream& in, std::string const& source) {
     if (static_cast<int>(s.names.size()) != bodies)
         error::raise<error::unreadable>(source, " has ", s.names.size(), " bodies, and the outer solar system has ", bodies);
 
-    // To the frame of the centre of mass, so that nothing drifts away.
+    // To the frame of the centre of mass, which removes the drift.
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(), drift = Eigen::Vector3d::Zero();
     double total = 0;
     for (int i = 0; i < bodies; ++i) {

@@ -106,8 +106,8 @@ public:
     cursor(cursor const&) = delete;
     cursor& operator=(cursor const&) = delete;
     virtual ~cursor() = default;
-    /// Advances by so many steps, or to the last point. `keep`, if set, gets each new state. @throws the errors of steps; the cursor is
-    /// then at its last good state
+    /// Advances by so many steps, or to the last point. `keep`, if set, gets each new state.
+    /// @throws the errors of steps; the cursor is then at its last good state
     virtual void advance(hilger::index_type steps, keeper<S> const& keep) = 0;
     void advance(hilger::index_type steps) { advance(steps, nullptr); }
     /// The number of the point, from 0.
@@ -140,19 +140,20 @@ public:
     /// The points of T.
     [[nodiscard]] virtual std::vector<S> times() const = 0;
     /// The positions that join two ends, near `guess` (one for each point of T; by default the straight line), and their momenta. Throws
-    /// hilger::error::no_convergence when a stop is requested. @throws hilger::error::invalid_parameter when the method has no equation in
-    /// positions, or a memory
+    /// hilger::error::no_convergence when a stop is requested.
+    /// @throws hilger::error::invalid_parameter when the method has no equation in positions, or a memory
     [[nodiscard]] virtual joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess = {},
                                             std::stop_token const& stop = {}) const = 0;
     /// The residual of the method's equation at the positions on T, in roundings of the terms of a row or absolute; points inside steps
     /// follow from the momenta. For compositions, the residual of their parts at positions and momenta; with a memory, that of the
-    /// trajectory from `from`. @throws hilger::error::invalid_parameter when there is no such equation
+    /// trajectory from `from`.
+    /// @throws hilger::error::invalid_parameter when there is no such equation
     [[nodiscard]] virtual S residual(initial<S> const& from, std::vector<vector<S>> const& positions, std::vector<vector<S>> const& momenta,
                                      bool absolute) const = 0;
     /// H(p, q) = p v - L at a state, with the velocity near the given one when several have its momentum.
     [[nodiscard]] virtual S energy(state<S> const& x, vector<S> const& near) const = 0;
-    /// The state at t between two neighbouring ones, of order 4. @throws hilger::error::invalid_parameter with a memory, which a state does
-    /// not contain
+    /// The state at t between two neighbouring ones, of order 4.
+    /// @throws hilger::error::invalid_parameter with a memory, which a state does not contain
     [[nodiscard]] virtual state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Many points: weights, points, sums and steps, up to 10^8 of them in the report and as many as fit into two seconds in the tests.
+// Many points: weights, points, sums and steps, up to 10^8 in the report, and in the tests as many as fit into two seconds.
 #include <cmath>
 
 #include "extremes/row.hpp"
@@ -58,7 +58,7 @@ void points(rows& all) {
 
 void sums(rows& all, index_type N) {
     std::string const n = few_digits(static_cast<double>(N));
-    // Products with h, and 2 epsilon for the sum, of the sum of magnitudes.
+    // Sums of rounded products with h, and 2 epsilon for the sum, relative to the sum of magnitudes.
     auto const T = uniform(0.0, 0.1, N);
     float50 const exact = float50(N) * 0.1 * 0.3;
     all.push_back(
@@ -67,7 +67,7 @@ void sums(rows& all, index_type N) {
     all.push_back(kept("integral over T_half", in_epsilons(integral(function_on(half(T), [](double) { return 0.3; }), half(T)), exact), 2));
     all.push_back(kept("antiderivative at the last point",
                        in_epsilons(antiderivative_h[function_on(half(T), [](double) { return 0.3; })][N], exact), 2));
-    // (-1)^i (i mod 1024): an exact sum that cancels, against that of magnitudes
+    // (-1)^i (i mod 1024): an exact sum with cancellation, relative to the sum of magnitudes
     auto const U = uniform(0.0, 0.0625, N);
     auto const f = function_on(U, [](double t) {
         auto const i = static_cast<long>(16 * t);
@@ -83,7 +83,7 @@ void sums(rows& all, index_type N) {
     all.push_back(kept("integral of what cancels, of the sum of magnitudes", in_epsilons(integral(f, U), cancelled, size), 2));
 }
 
-/// The energy v^2/2 + q^2/2 of the oscillator after so many mid-point steps, which keep it: what is left is rounding.
+/// The change of the energy v^2/2 + q^2/2 of the oscillator after so many mid-point steps, which conserve it up to rounding.
 template <class Flow>
 double drift(Flow const& flow, index_type N) {
     auto const end = last_of(flow.along(uniform(0.0, 0.0625, N), 0.75, 0.5));
@@ -103,10 +103,10 @@ rows counts(scope how) {
     sums(all, report ? 100'000'000 : 1'000'000);
     index_type const N = report ? 10'000'000 : 1'000'000;
     std::string const n = few_digits(static_cast<double>(N));
-    // Each step rounds q and p, by half an epsilon or less: as if by chance, that has the deviation sqrt(N/6). Five of them.
+    // Each step rounds q and p by at most half an epsilon: a random walk, with deviation sqrt(N/6). Five deviations.
     double const by_chance = 5 * std::sqrt(static_cast<double>(N) / 6);
     all.push_back(kept("energy of the oscillator, steps " + n, drift(embed(oscillator, mid_point), N), by_chance));
-    // The sums are exact then; what is left is the rounding of increments, h = 1/16 times smaller.
+    // Exact sums leave the rounding of increments, which are h = 1/16 times smaller.
     all.push_back(kept("the same with compensated sums", drift(embed(oscillator, mid_point, compensated), N), by_chance / 16));
     return all;
 }

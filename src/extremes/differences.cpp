@@ -19,7 +19,7 @@ struct sampled {
         return tabulate(function_on(scale(), [](double t) { return std::exp(t); }));
     }
     float50 exact(index_type i) const { return exp(float50(a) + float50(i) * float50(h)); }
-    /// Rounding of a value: of exp, and of t as exp sees it, in epsilons of it.
+    /// Rounding of a value in epsilons: of exp, and of its argument t.
     double rounding() const { return 1 + std::abs(a) + N * h; }
 };
 
@@ -55,14 +55,14 @@ rows differences(scope) {
     for (auto const& [a, h] : {std::pair{0.0, 1e-3}, {0.0, 1e-12}, {1.0, 1e-12}, {1.0, 2e-15}, {0.0, 1e-200}, {0.0, 1e-300}}) {
         sampled const f{a, h};
         std::string const at = " of exp at a = " + few_digits(a) + ", h = " + few_digits(h) + ", of |f|/h";
-        // Two values that each round, and three operations.
+        // Both values round, and so do three operations.
         double const bound = 2 * f.rounding() + 2;
         all.push_back(kept("Delta_+" + at, local(f, Delta_plus, 0, f.N - 1, 0), bound));
         all.push_back(kept("Delta_-" + at, local(f, Delta_minus, 1, f.N, 1), bound));
     }
     for (auto const& [a, h] : {std::pair{0.0, 1e-3}, {1.0, 1e-12}, {0.0, 1e-300}}) {
         sampled const f{a, h};
-        // The weights' magnitudes add up to 2, and fall off; products and sums round in epsilons of them.
+        // The weights decrease, and their magnitudes add up to 2; products and sums round in epsilons of them.
         for (double const alpha : {0.25, 0.75})
             all.push_back(
                 kept("Delta_-^" + few_digits(alpha) + " of exp at a = " + few_digits(a) + ", h = " + few_digits(h) + ", of |f|/h^alpha",

@@ -17,10 +17,10 @@ constexpr auto kepler = [](auto const& q, auto const& v) {
     return v.dot(v) / 2 + 1 / sqrt(q.dot(q));
 };
 
-/// More digits than those of double that are looked at.
+/// The reference has more digits than double.
 using wide = long double;
 
-/// The state after so many steps from the pericentre, 1/128 from the centre: the velocity of an ellipse of e = 0.990, whose period is 4.5.
+/// The state after so many steps from the pericentre, 1/128 from the centre, on an ellipse of eccentricity 0.990 and period 4.5.
 template <class S, class E>
 state<S, plane<S>> ellipse(E const& how, index_type steps, S const& moved) {
     plane<S> const q(S(S(1) / 128 + moved), S(0)), p(S(0), S(S(4086) / 256));
@@ -36,7 +36,7 @@ template <class E>
 void kepler_rows(rows& all, std::string const& name, E const& how, index_type steps, double of_momentum) {
     auto const x = ellipse<double>(how, steps, 0.0);
     auto const exact = ellipse<wide>(how, steps, 0.0L);
-    // What the orbit makes of a change of its start is lost to every scalar.
+    // Every scalar loses as many digits as the orbit magnifies a change of its start.
     wide const change = std::ldexp(1.0L, -40);
     wide const magnified = distance(ellipse<wide>(how, steps, change), exact) / change;
     std::string const n = std::to_string(steps) + " steps";
@@ -48,7 +48,7 @@ void kepler_rows(rows& all, std::string const& name, E const& how, index_type st
                        static_cast<double>(std::abs(kept_momentum - momentum) / size / epsilon<double>()), of_momentum));
 }
 
-/// Two bodies and a third in space, at a distance `miss` from each other when they pass.
+/// Two bodies and a third in space, which pass at a distance `miss`.
 auto bodies() {
     return pairs<3>(all_pairs(3), [](index_type, auto const& r) {
         using std::sqrt;
@@ -66,7 +66,7 @@ nine towards() {
     p << 1, 0, 0, -1, 0, 0, 0, 0, 0;
     return p;
 }
-/// The total momentum's largest component along a run, in epsilons of the largest momentum and the number of steps; or how it ended.
+/// The largest component of the total momentum along a run, in epsilons of the largest momentum and the number of steps; or the error.
 template <class Flow>
 row passage(std::string const& what, Flow const& flow, double miss, double bound) {
     index_type const steps = 4096;
@@ -105,14 +105,14 @@ void collision(rows& all, std::string const& name, L const& l) {
 rows encounters(scope how) {
     rows all;
     index_type const steps = how == scope::report ? 400'000 : 40'000;
-    // As if by chance; an explicit step changes p along q, which rounds next to nothing.
+    // Rounding as a random walk; an explicit step changes p along q, with almost no rounding.
     double const by_chance = std::sqrt(static_cast<double>(steps)) / 2;
     kepler_rows(all, "order one", order_one, steps, 8);
     kepler_rows(all, "mid-point", mid_point, steps, by_chance);
     kepler_rows(all, "Galerkin", galerkin<2, gauss>, steps / 4, by_chance / 2);
     auto const system = mechanical(1.0, bodies());
     auto const generic = [u = bodies()](auto const& q, auto const& v) { return v.dot(v) / 2 - u(q); };
-    // The nearer they pass, the larger is the momentum whose epsilons these are.
+    // The nearer they pass, the larger is the momentum that sets the unit.
     for (auto const& [miss, bound] : {std::pair{1e-2, 256.0}, {1e-6, 256.0}, {1e-12, 8.0}}) {
         std::string const at = "bodies that pass at " + few_digits(miss);
         all.push_back(passage(at + ", order one", embed(system, order_one), miss, bound));

@@ -24,8 +24,8 @@ rows ends(scope) {
     rows all;
     auto const right = embed(pendulum, order_one);
     auto const left = embed(pendulum, order_one_left);
-    // A step with lambda = 1e-15 is by h lambda dL/dq, a quarter of an epsilon, away from one with 0; both round. Two of these make the
-    // same sums here and are not apart at all; a compiler may contract the one and not the other.
+    // A step with lambda = 1e-15 differs from one with 0 by h lambda dL/dq, a quarter of an epsilon; both round. Two of these schemes form
+    // the same sums and agree exactly, unless a compiler contracts only one of them.
     double const bound = 400;
     all.push_back(kept("theta at lambda = 1e-300 is order one", apart(embed(pendulum, theta_at(1e-300)), right), bound));
     all.push_back(kept("theta at lambda = 1e-15 is order one", apart(embed(pendulum, theta_at(1e-15)), right), bound));

@@ -12,7 +12,7 @@ using namespace hilger;
 constexpr int count = 3000;
 double value(int n) { return 1 + std::cos(0.1 * n); }
 
-/// sum_{n>=1} w_n x_{m-n} after m = count values, in 50 digits, and the same of magnitudes.
+/// sum_{n>=1} w_n x_{m-n} after m = count values, in 50 digits, and the sum of the magnitudes.
 struct reference {
     float50 sum{0}, size{0};
     explicit reference(double alpha) {
@@ -43,7 +43,7 @@ rows histories(scope) {
     } const orders[]{{1e-300, "1e-300", 4}, {1e-15, "1e-15", 16}, {1 - 1e-15, "1 - 1e-15", 32}, {1, "1 at run time", 32}};
     for (auto const& [alpha, name, of_blocks] : orders) {
         reference const exact(alpha);
-        // The weights fall off, so that most of 3000 additions round in epsilons of little.
+        // The weights decrease, so most of the 3000 additions round in epsilons of small terms.
         all.push_back(one("direct", direct{}, alpha, name, exact, 4));
         all.push_back(one("blocks", blocks{}, alpha, name, exact, of_blocks));
         all.push_back(one("exponentials", exponentials{}, alpha, name, exact, 4));

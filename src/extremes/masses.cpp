@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Mass matrices on the way to a singular one, and Legendre maps of Lagrangians that have none.
+// Nearly singular mass matrices, and Lagrangians without a Legendre map.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 
@@ -26,7 +26,7 @@ auto whole(Eigen::Matrix2d const& m) {
 template <class L>
 double step_error(L const& l, double d) {
     auto const y = embed(l, order_one).step(state<double, plane>{0, plane(0, 0), plane(1, 0)}, 1.0);
-    float50 const rest = float50(1 + d) - 1; // as the matrix has it
+    float50 const rest = float50(1 + d) - 1; // the rounded entry of the matrix
     float50 const x = 1 + 1 / rest;
     return std::max(in_epsilons(y.q(0), x), in_epsilons(y.q(1), float50(-1 / rest), x));
 }
@@ -34,7 +34,7 @@ template <class L, class V>
 void two_steps(L const& l, V const& q, V const& p) {
     walk(embed(l, order_one).along(uniform(0.0, 0.125, 2), q, p));
 }
-/// Rank two but for what rounding adds.
+/// Rank two, up to rounding.
 Eigen::Matrix3d rank_two() {
     space const u(1, 1.0 / 3, 0.7), w(0.1, 0.9, -0.3);
     return u * u.transpose() + w * w.transpose();
@@ -43,7 +43,7 @@ Eigen::Matrix3d rank_two() {
 void mass_matrices(rows& all) {
     for (double const d : {1e-4, 1e-8, 4e-12, 1e-14}) {
         std::string const condition = "condition " + few_digits(4 / d);
-        // Rounding the data by an epsilon costs condition times it; but 1 + d is given as it is, and (1 + d) - 1 rounds nothing.
+        // Rounding the data by an epsilon costs the condition times it; but 1 + d is an exact input, and (1 + d) - 1 does not round.
         all.push_back(kept("mass matrix of " + condition + ", mechanical", step_error(whole(mass(d)), d), 4));
         all.push_back(kept("mass matrix of " + condition + ", any L", step_error(by_elements(mass(d)), d), 4));
     }
@@ -60,7 +60,7 @@ void mass_matrices(rows& all) {
     all.push_back(refused<error::singular>("singular mass matrix in space, any L", [&] { two_steps(L, space(1, 0, 0), space(0, 1, 0)); }));
     all.push_back(
         refused<error::singular>("singular mass matrix in space, mechanical", [&] { two_steps(bodies, space(1, 0, 0), space(0, 1, 0)); }));
-    // Masses as different as an electron's and a star's are no singular matrix.
+    // Masses as different as those of an electron and a star are not a singular matrix.
     auto const graded = mechanical(plane(1e-30, 1e30), [](auto const& x) { return x.dot(x) / 2; });
     auto const y = embed(graded, order_one).step(state<double, plane>{0, plane(0, 0), plane(1e-30, 1e30)}, 0.5);
     all.push_back(kept("masses 1e-30 and 1e30 side by side", (y.q - plane(0.5, 0.5)).cwiseAbs().maxCoeff() / epsilon<double>(), 1));
@@ -95,14 +95,14 @@ void legendre_maps(rows& all) {
                                            [&] { (void)velocity_of(homogeneous, plane(1, 1), plane(0.5, 0), plane(0.5, 0)); }));
     auto const H = lagrangian_of([](auto const& p, auto const& q) { return p * p * p * p / 4 + q * q / 2; });
     all.push_back(refused<error::singular>("Legendre map of H = p^4 / 4 at p = 0", [&] { (void)H.momentum(0.0, 0.0); }));
-    // sqrt(1 + v^2) has p = v / sqrt(1 + v^2) in ]-1, 1[; Newton runs away from |v| > 1
+    // sqrt(1 + v^2) has p = v / sqrt(1 + v^2) in ]-1, 1[; Newton's method diverges from |v| > 1
     auto const bounded = [](auto const&, auto const& v) { return sqrt(1 + v * v); };
     all.push_back(kept("Legendre map of sqrt(1 + v^2) at p = 0.999, condition 1.0e3",
                        in_epsilons(velocity_of(bounded, 0.0, 0.999), float50(float50(0.999) / sqrt(1 - float50(0.999) * 0.999))), 1.0e3));
     all.push_back(kept("    from a guess from which whole corrections run away",
                        in_epsilons(velocity_of(bounded, 0.0, 0.3, 3.0), float50(float50(0.3) / sqrt(1 - float50(0.3) * 0.3))), 1));
     all.push_back(refused<error::exception>("    at p = 2, where there is no v", [&] { (void)velocity_of(bounded, 0.0, 2.0); }));
-    // From v = 3 the corrections grow: one that has run to 1e30 is no root, however large.
+    // From v = 3 the corrections grow: an iterate of 1e30 is no root.
     auto const tanh_of = [](auto const&, auto const& v) { return log(cosh(v)); };
     all.push_back(kept("Legendre map of log cosh from a guess far out",
                        in_epsilons(velocity_of(tanh_of, 0.0, 0.25, 3.0), float50(atanh(float50(0.25)))), 4)); // sinh, cosh, their ratio, v

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Orders of fractional differences next to 0 and 1: weights against 50 digits, differences against their limits, and flows with fractional
-// damping, which tend to one with another spring and to one with a dashpot (Kelvin-Voigt).
+// Fractional orders near 0 and 1: weights against 50 digits, differences against their limits, and flows with fractional damping, which
+// tend to one with another spring and to one with a dashpot (Kelvin-Voigt).
 #include "extremes/apart.hpp"
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
@@ -15,12 +15,12 @@ using hilger::index_type;
 struct order {
     double alpha;
     char const* name;
-    double of_difference; ///< what N additions lose: of order 1e-15 whole terms, which are below half an epsilon of the first
+    double of_difference; ///< loss of N additions: for order 1e-15 whole terms, which are below half an epsilon of the first
 };
 constexpr order all_orders[]{
     {1e-300, "1e-300", 4}, {1e-15, "1e-15", 100}, {0.5, "1/2", 4}, {1 - 1e-15, "1 - 1e-15", 4}, {1, "1 at run time", 4}};
 
-/// The largest relative error of the first weights, in epsilons; the recurrences of both series are written out in 50 digits.
+/// The largest relative error of the first weights, in epsilons, against the recurrences of both series in 50 digits.
 template <class G>
 double worst_weight(double alpha, int count) {
     bool const gear = std::same_as<G, bdf<2>>;
@@ -73,8 +73,8 @@ auto damped(Order beta, History history, initial_history initial) {
 }
 
 void flows(rows& all) {
-    // Delta^beta q differs from its limit by beta (|ln h| + H_N) |q|, 12 epsilon for beta = 1e-15; each step rounds, as if by chance, and
-    // what is damped forgets it.
+    // Delta^beta q differs from its limit by beta (|ln h| + H_N) |q|, 12 epsilon for beta = 1e-15; each step rounds like a random walk, and
+    // the damping forgets it.
     double const bound = 8 * std::sqrt(flow_steps);
     auto const spring = embed([](auto const& q, auto const& v) { return v * v / 2 - q * q / 2 - q * q * 3 / 20; }, order_one);
     auto const moved = embed([](auto const& q, auto const& v) { return v * v / 2 - q * q / 2 - (q - 1) * (q - 1) * 3 / 20; }, order_one);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// One case at the extremes of what the library accepts: what is promised there, what was measured, and how it ended - with digits kept, or
-// with a typed error; never with a wrong number that says nothing. The tests check the rows that `hilger extremes` prints. A bound is what
-// theory says where that is near; where rounding is as if by chance or cancels, it is 4 epsilon or a few times what is measured, up to
-// thirty, for compilers and processors contract products and sums in ways of their own.
+// One case at the limits of the accepted input: its promise, the measured value, and its outcome, which is either full accuracy or a typed
+// error, never a silent wrong number. The tests check the rows that `hilger extremes` prints. A bound follows from theory where that is
+// sharp; where rounding is random or cancels, it is 4 epsilon or up to thirty times the measured value, because compilers and processors
+// contract products and sums differently.
 #pragma once
 
 #include <cmath>
@@ -28,10 +28,10 @@ inline constexpr auto pendulum = [](auto const& q, auto const& v) {
     return v * v / 2 + cos(q);
 };
 
-/// How long the cases may take: a test's two seconds, or a report's minute.
+/// The time for the cases: two seconds in a test, a minute in a report.
 enum class scope { test, report };
 
-/// The groups of cases, one a source file.
+/// The groups of cases, one in each source file.
 rows orders(scope);
 rows histories(scope);
 rows counts(scope);
@@ -50,10 +50,10 @@ std::string few_digits(double x);
 
 /// `error` is at most `bound`, both in `unit`s; NaN is not.
 row kept(std::string what, double error, double bound, std::string const& unit = "eps");
-/// Something that is true or not.
+/// A statement that is true or not.
 row holds(std::string what, std::string promised, bool true_, std::string measured = "");
 
-/// Makes all states of a path, for what that throws.
+/// Computes all states of a path, for their errors.
 template <class Path>
 void walk(Path const& path) {
     for (auto const& x : path) (void)x;
@@ -96,7 +96,7 @@ inline constexpr char const* name_of<hilger::error::singular> = "singular";
 template <>
 inline constexpr char const* name_of<hilger::error::no_convergence> = "no_convergence";
 
-/// `action` ends in Error, and what it says contains `fragment`.
+/// `action` throws Error, with a message that contains `fragment`.
 template <class Error, class Action>
 row refused(std::string what, Action const& action, std::string const& fragment = "") {
     std::string const promised = std::string("error::") + name_of<Error>;

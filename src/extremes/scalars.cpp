@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// One step in every scalar against the same in 120 digits: each has the digits of its own epsilon.
+// One step in every scalar against 120 digits: the error is a few of the scalar's own epsilons.
 #include "extremes/row.hpp"
 #if HILGER_HAS_FLOAT128
 #include "hilger/float128.hpp"
@@ -21,7 +21,7 @@ state<S, S> step_of(S const& h) {
 template <class S>
 row one(std::string const& name, state<wide, wide> const& exact) {
     auto const x = step_of<S>(S(S(1) / 16));
-    // q and p round half an epsilon each; so do v, the sine and what is taken times h.
+    // q and p round by half an epsilon each; so do v, the sine and its product with h.
     return kept("mid-point step of the pendulum in " + name, std::max(in_epsilons(x.q, exact.q), in_epsilons(x.p, exact.p)), 4);
 }
 template <class S>
@@ -30,7 +30,7 @@ row weights_of(std::string const& name) {
     auto const exact = first_weights<bdf<2>>(wide(wide(3) / 8), 200);
     double worst = 0;
     for (std::size_t n = 0; n < w.size(); ++n) worst = std::max(worst, in_epsilons(w[n], exact[n]));
-    // Without double-double numbers a recurrence rounds three times at each of its steps.
+    // Without double-double numbers the recurrence rounds three times in each step.
     return kept("200 weights of bdf<2>, order 3/8, in " + name, worst, std::is_floating_point_v<S> ? 1 : 600);
 }
 template <class S>

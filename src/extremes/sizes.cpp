@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Numbers from 1e-300 to 1e300. A power of two in front of L, or as the unit of length, changes the exponents and no other bit; what leaves
-// the range of the scalar is an error.
+// Numbers from 1e-300 to 1e300. A power of two as a factor of L, or as the unit of length, changes the exponents and no other bit; overflow
+// is an error.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 
@@ -13,7 +13,7 @@ using hilger::index_type;
 using plane = Eigen::Vector2d;
 using space = Eigen::Vector3d;
 
-/// Whether two runs end in the same bits, once `unit` is divided out of the one's positions and `mass` out of its momenta.
+/// Whether two runs agree to the last bit, after dividing `unit` out of the first one's positions and `mass` out of its momenta.
 template <class Path>
 auto end_of(Path const& path, double unit, double mass) {
     auto x = last_of(path);
@@ -118,7 +118,7 @@ void beyond(rows& all) {
     auto const free = [](auto const&, auto const& v) { return v * v / 2; };
     auto const walk = [](auto const& flow, auto q, auto p, double step) {
         for (auto const& x : flow.along(uniform(0.0, step, 3), q, p))
-            if (not is_finite(x.q) or not is_finite(x.p)) return; // delivered: no error
+            if (not is_finite(x.q) or not is_finite(x.p)) return; // a state with an overflow, and no error
     };
     all.push_back(refused<error::not_finite>(
         "a position that overflows, mid-point", [&] { walk(embed(free, mid_point), 1e308, 1e308, 10); }, "the step from t = 0"));
@@ -137,7 +137,7 @@ void beyond(rows& all) {
     auto const push = [](auto const& q, auto const& v) { return v * v * 1e10 / 2 + 1e308 * q; };
     all.push_back(refused<error::not_finite>(
         "a momentum that overflows, mid-point", [&] { walk(embed(push, mid_point), 0.0, 1.5e308, 1); }, "the step from t = 0"));
-    // The sum of the components overflows, and no component does.
+    // The sum of the components overflows; no single component does.
     auto const still = embed([](auto const&, auto const& v) { return v.dot(v) / 2; }, mid_point);
     auto const y = still.step(state<double, plane>{0, plane(1.5e308, 1.5e308), plane(1, 1)}, 1.0);
     all.push_back(holds("components of 1.5e308, whose sum overflows", "(1.5e308, 1.5e308)", y.q == plane(1.5e308, 1.5e308)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The smallest scales, of one step and of two, in exact rationals: operators and their integration by parts, integrals, flows and two-sided
-// problems; and none of no step.
+// problems; and scales without a step, which are refused.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 #include "identities/by_parts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Steps from 1e-12 to beyond what is stable: the oscillator against its linear map in 100 digits, where it grows as against where it stays,
-// and equations without a solution.
+// Steps from 1e-12 to beyond the limit of stability: the oscillator against its linear map in 100 digits, in the stable and in the growing
+// range, and equations without a solution.
 #include "extremes/row.hpp"
 #include "hilger/hilger.hpp"
 
@@ -31,12 +31,12 @@ map midpoint_map(float100 const& h) {
     return {(1 - h * h / 4) / s, h / s, -h / s, (1 - h * h / 4) / s};
 }
 
-/// The state after N steps against that of the map, in epsilons of the largest component, times h where h > 1.
+/// The state after N steps against the power of the map, in epsilons of the largest component, times h when h > 1.
 template <class Flow>
 double against(Flow const& flow, map (*one_step)(float100 const&), double h, index_type N) {
     auto const end = last_of(flow.along(uniform(0.0, h, N), 1.0, 0.0));
     map const m = powers(one_step(float100(h)), N).back();
-    // A step longer than the period adds h dL/dq to p, and that rounds as q does.
+    // A step longer than the period adds h dL/dq to p, which rounds as q does.
     float100 const size = std::max(float100(abs(m.a)), float100(abs(m.c))) * std::max(1.0, h);
     return std::max(in_epsilons(end.q, m.a, size), in_epsilons(end.p, m.c, size));
 }
@@ -65,7 +65,7 @@ rows steps(scope) {
     auto const euler = embed(oscillator, order_one);
     auto const verlet = stoermer_verlet(oscillator);
     auto const mid = embed(oscillator, mid_point);
-    // Of h = 1 and 2 explicit steps make small multiples of 1/4. Long implicit ones round h dL/dq, in one direction for long.
+    // For h = 1 and 2 explicit steps yield small multiples of 1/4. Long implicit steps round h dL/dq, with a bias.
     each_step(all, "order one", euler, order_one_map, {{1e-12, 4}, {1e-6, 20}, {1, 0}, {1.99, 500}, {2, 0}});
     each_step(all, "Stoermer-Verlet", verlet, verlet_map, {{1e-12, 4}, {1, 0}, {1.99, 300}});
     each_step(all, "mid-point", mid, midpoint_map, {{1e-12, 4}, {1e-6, 20}, {1, 100}, {2.5, 2000}, {1e3, 2e4}, {1e6, 4e4}});
@@ -76,7 +76,7 @@ rows steps(scope) {
                   return map{(even * even - odd * odd) / s, 2 * even * odd / s, -2 * even * odd / s, (even * even - odd * odd) / s};
               },
               {{1e-12, 4}, {1, 2000}, {100, 4e4}});
-    // What the first steps round grows as what they make, and is all that is seen.
+    // The rounding of the first steps grows as the solution does, and dominates.
     all.push_back(kept("growth beyond the limit, order one, 300 steps of h = 2.5", against(euler, order_one_map, 2.5, 300), 4));
     overflow(all, "order one", euler, 2.5);
     overflow(all, "order one, left", embed(oscillator, order_one_left), 2.5);
@@ -89,7 +89,7 @@ rows steps(scope) {
     all.push_back(refused<error::no_convergence>(
         "Galerkin where a step has no solution", [&] { walk(embed(cubic, galerkin<2, gauss>).along(uniform(0.0, 1.0, 3), 1.0, 0.0)); },
         "the step from t = 0"));
-    // Whatever a large step makes of a pendulum, it solves the equation of the step or says that it does not.
+    // A large step of a pendulum either solves its equation or fails with an error.
     double worst = 0;
     int solved = 0, said = 0;
     for (double h = 0.5; h < 200; h *= 1.25) {
@@ -104,7 +104,7 @@ rows steps(scope) {
             ++said;
         }
     }
-    // q, p and the sine round; h |q| / 2 is how the sine sees the rounding of q.
+    // q, p and the sine round; h |q| / 2 is the sensitivity of the sine to the rounding of q.
     all.push_back(kept("pendulum, mid-point, h from 1/2 to 200: " + std::to_string(solved) + " solve their equation", worst, 100));
     all.push_back(holds("    and the others say that they do not", "27 steps in all", solved + said == 27, std::to_string(said) + " do"));
     return all;

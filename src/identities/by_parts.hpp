@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Integration by parts: the formulae of Cresson-Safi in their correct form, and the law behind them for any operator.
-// Where an integrand is undefined at an end point, the sum runs over the inner points only.
+// Integration by parts: the formulae of Cresson-Safi in their correct form, and the general law for any operator. If an integrand is
+// undefined at an end point, the sum runs over the inner points only.
 #pragma once
 
 #include "hilger/adjoint/adjoint.hpp"

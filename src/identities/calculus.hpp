@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The calculus' own identities, on T and on every scale that comes from it: the fundamental theorem, the Leibniz rules, what
-// shifts do to derivatives, and where derivatives are undefined.
+// Identities of the calculus, on T and on every scale derived from it: the fundamental theorem, the Leibniz rules, shifts of derivatives,
+// and the points without a derivative.
 #pragma once
 
 #include "hilger/operator/integral.hpp"
@@ -109,7 +109,7 @@ struct shifts_are_inverse : stated<"sigma and rho are inverse", "S definition 3"
     }
 };
 
-/// T^kappa: on a scale whose last point is isolated the Delta derivative is not defined there, and nothing is made up.
+/// T^kappa: on a scale whose last point is isolated the Delta derivative is undefined there, and has no substitute value.
 template <class Base>
 struct t_kappa : stated<"T^kappa", "S definition 6"> {
     void operator()(auto& trial) const {

@@ -49,7 +49,7 @@ struct extension_is_interpolation : stated<"extension as interpolation", "S defi
         auto const f_o = extension<Lambda>{}[f];
         auto const curve = interpolate(f);
         auto const scale = f_o.scale();
-        // Rounding of the points themselves is magnified by the slope.
+        // The slope magnifies the rounding of the points.
         auto const size = trial.size_of(f) * (trial.steepness() * trial.length() + typename Trial::scalar(1)) * 4;
         for (index_type j = 0; j <= f_o.last(); ++j) trial.equal(f_o[j], curve(scale.element(j)), size);
     }

@@ -35,7 +35,7 @@ inline constexpr auto formulae = boost::hana::make_tuple(
     integral_diagram<detail::third>{}, integral_diagram<detail::half_>{}, extension_is_interpolation<detail::half_>{},
     extension_is_interpolation<detail::third>{}, midpoint_quadrature{});
 
-/// Operators, primitive and composed, whose adjoint laws are tried.
+/// Operators, primitive and composed, for the tests of adjoint laws.
 inline constexpr auto operators =
     boost::hana::make_tuple(sigma, rho_o, Delta_plus, Delta_minus, Delta_h_minus, Delta_o_plus, extend, extend_lambda<1, 3>, on_T, on_half,
                             pi_half, pi_inverse, step_mean, mean_h_minus, mean_o, antiderivative, antiderivative_h, antiderivative_nabla,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// One trial of an identity: a scale, random functions on it, and the comparison of two sides. In an exact scalar the sides must be
-// equal; in a floating one they may differ by 4 epsilons times the size of the data, which the identity itself states.
+// One trial of an identity: a scale, random functions on it, and the comparison of two sides. In an exact scalar the sides must be equal;
+// in a floating one they may differ by 4 epsilons times the size of the data, which the identity states.
 //
-// An identity is a type derived from stated<...> with operator()(trial), which draws functions and says trial.equal(left, right, size).
+// An identity is a type derived from stated<...> with operator()(trial), which draws functions and calls trial.equal(left, right, size).
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,7 @@
 namespace hilger {
 
 namespace identities {
-/// What an identity is called, its equation (S = Cresson-Safi, B = Bourdin and co-workers), and whether it is stated for uniform scales
-/// only.
+/// The name of an identity, its equation (S = Cresson-Safi, B = Bourdin and co-workers), and whether it holds on uniform scales only.
 template <text_argument Name, text_argument Source, bool UniformOnly = false>
 struct stated {
     static constexpr char const* name = Name.characters;
@@ -39,7 +38,7 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// What a trial found.
+/// The outcome of a trial.
 struct verdict {
     bool holds = true;
     long comparisons = 0;
@@ -94,13 +93,13 @@ public:
         for (auto const& x : f) most = std::max(most, scalar(magnitude(x)));
         return most;
     }
-    /// 1 / (shortest step): what a difference quotient multiplies values by.
+    /// 1 / (shortest step): the factor by which a difference quotient magnifies values.
     [[nodiscard]] scalar steepness() const {
         scalar least = T.root().step(0);
         for (index_type i = 1; i < T.root().steps(); ++i) least = std::min(least, scalar(T.root().step(i)));
         return scalar(1) / least;
     }
-    /// b - a, plus the size of the points: what an integral multiplies values by.
+    /// b - a, plus the size of the points: the factor by which an integral magnifies values.
     [[nodiscard]] scalar length() const {
         return scalar(T.root().element(T.root().steps()) - T.root().element(0)) + magnitude(T.root().element(0));
     }

@@ -2,19 +2,19 @@
 // A problem in TOML:
 //   title = "A pendulum with friction"
 //   lagrangian = "m*l^2*v^2/2 - m*g*l*(1 - cos(q))"
-//                                                    or a list of what adds up, and then embedding is one, or a list of one for each
+//                                                    or a list of summands, with one embedding or a list of one for each
 //   force = "-0.1*v"                                 one, or a list with one for each coordinate
 //   parameters = { m = 1, g = 9.81, l = "1/3" }      numbers, lists of numbers, digits
-//   coordinates = "q[2]"                             names with lengths; so are velocities; q and v where nothing is said
+//   coordinates = "q[2]"                             names with lengths; velocities likewise; by default q and v
 //   interval = [0, 100]                              or "2*pi"
 //   steps = 1000
-//   initial = { q = 1, v = 0 }                       numbers or lists under the names of the coordinates, 0 for all that
-//                                                    stands under one, or formulas of the parameters and of i, which component it is
+//   initial = { q = 1, v = 0 }                       numbers, lists, or formulas of the parameters and of the index i; 0
+//                                                    or one formula also stands for all components of a name
 //   embedding = "mid-point"                          or "theta:0.3", or operators: "integral(L((q + sigma[q])/2, Delta_plus[q]))"
 //   damping = [ { rho = 0.2, alpha = 0.5 } ]         and history = "exponentials"
 //   material = { relaxed_modulus = 1e6, unrelaxed_modulus = 5e7, relaxation_time = 1e-3, alpha = 0.5 }     instead, of a linear structure
 //   first = { q = 0 }                                and last = { q = 1 } instead of initial: between two ends
-// What is looked at, and measured with, is in observed_in_file.cpp.
+// Observed quantities and the reference are in observed_in_file.cpp.
 #include "from_file.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ public:
 
         scene s;
         s.name = std::filesystem::path(file_.path()).stem().string();
-        for (char& c : s.name) // it names files, in the commands of gnuplot too
+        for (char& c : s.name) // it becomes file names, in the commands of gnuplot too
             if (not(std::isalnum(static_cast<unsigned char>(c)) or static_cast<signed char>(c) < 0 or c == '-' or c == '.')) c = '_';
         s.title = file_.get("title") != nullptr ? file_.text_of(*file_.get("title"), "title") : "a problem of " + file_.path();
         s.dimension = words->dimension();
@@ -74,11 +74,11 @@ public:
                 (void)text::embedding_in(file_.text_of(*e, "embedding"), words, file_.path(), file_.begin_of_text(*e));
             if (std::find(s.embeddings.begin(), s.embeddings.end(), method) == s.embeddings.end()) {
                 if (not file_.saying_where(e, [&] { return has_embedding(what, method); }))
-                    (void)file_.chosen(*e, "embedding", s.embeddings); // says which there are
+                    (void)file_.chosen(*e, "embedding", s.embeddings); // its error lists them
                 s.embeddings.push_back(method);
             }
             s.usual.embedding = method;
-            if (method.starts_with("two-sided:")) s.embeddings = {method}; // another equation than all others
+            if (method.starts_with("two-sided:")) s.embeddings = {method}; // its equation differs from all others
         }
         if (what.of.has_memory()) {
             s.histories = {"exponentials", "exponentials:1e-8", "blocks", "direct"};
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    /// Which of the embeddings there are in the scalar of c.
+    /// The embeddings available in the scalar of c.
     static std::string listed_in(stated_problem const& what, configuration c, std::vector<std::string> const& embeddings) {
         std::string text;
         for (auto const& e : embeddings) {
@@ -212,7 +212,7 @@ scene scene_from_file(std::string const& path) {
     std::ostringstream content;
     if (not in or std::filesystem::is_directory(path))
         hilger::error::raise<hilger::error::unreadable>("cannot read a problem from '", path, "'");
-    content << in.rdbuf(); // nothing, where the file is empty
+    content << in.rdbuf(); // empty for an empty file
     return scene_from_text(content.str(), path);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What moves, as a file says it: Lagrangians, the embeddings that read them, forces, damping, a material.
+// The mechanics in a file: Lagrangians, their embeddings, forces, damping, a material.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ public:
         if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
         return what;
     }
-    /// A list has one for each part of the Lagrangian.
+    /// A list has one embedding for each part of the Lagrangian.
     [[nodiscard]] std::string embedding(toml::node const& n, stated_problem const& what) const {
         auto const* list = n.as_array();
         if (list == nullptr) return on_one_line(file_.text_of(n, "embedding"));
@@ -88,7 +88,7 @@ private:
         });
         return *one.material;
     }
-    /// What digits in a file spell.
+    /// The exact value of the digits in a file.
     [[nodiscard]] hilger::float100 exactly(toml::node const& n) const {
         return *hilger::text::number_in<hilger::float100>(file_.digits_of(n));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What is looked at along a walk: numbers that should be constant, and others.
+// Quantities observed along a walk: invariants, and others.
 #pragma once
 
 #include "from_file.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// What is looked at along the way of a problem in TOML, beside t, positions and momenta, and what it is measured with:
+// Observed quantities of a problem in TOML, beside t, positions and momenta, and the reference for its errors:
 //   units = "s"                                                            of the interval
 //   conserved = { "angular momentum" = "x*v_y - y*v_x" }                   formulas whose change is a column, as the energy's is
 //   observed = { height = "-l*cos(q)" }                                    formulas that are columns
-//   pictures = [ { title = "Path", x = "x", y = "y", equal = true } ]      columns by their names; y may be a list, and x too; x is else t
-//   reference = { embedding = "gauss-8", steps = 4000 }                    whose end `hilger trade` measures with, or
+//   pictures = [ { title = "Path", x = "x", y = "y", equal = true } ]      columns by their names; y and x may be lists; x defaults to t
+//   reference = { embedding = "gauss-8", steps = 4000 }                    a run to its end, the reference of `hilger trade`, or
 //   exact = { position = ["0.5", "1/3"], source = "...", error = 1e-30 }   the position at the end of the interval
-// Nothing in it is a command: of a picture only names and titles come from the file, in single quotes, where gnuplot replaces nothing.
+// Nothing in it is executed: only names and titles of a picture come from the file, in single quotes, where gnuplot substitutes nothing.
 #include "parts_of_file.hpp"
 
 #include <algorithm>
@@ -119,10 +119,10 @@ private:
         for (auto const& c : s_.columns) known += (known.empty() ? "" : ", ") + c;
         file_.refuse(&n, "there is no column '" + name + "': there are " + known);
     }
-    /// One plot, by gnuplot's numbers of columns, from 1; of all y over one x, or of each over its own.
+    /// One plot, by gnuplot's column numbers, from 1; all y over one x, or each over its own.
     void plot(std::string const& title, std::vector<std::size_t> const& x, std::vector<std::size_t> const& y, bool equal) const {
         std::string const units = x[0] == 0 and not s_.units.empty() ? " / " + s_.units : "";
-        // Not enhanced: of q_12 that would make an index 1 and a 2.
+        // Not enhanced: otherwise q_12 would become q with the index 1, and a 2.
         s_.picture += "set key noenhanced; set title '" + title + "' noenhanced; set size " + (equal ? "ratio -1" : "noratio") +
                       "; set xlabel '" + (x.size() == 1 ? s_.columns[x[0]] : "") + units + "' noenhanced; set ylabel '" +
                       (y.size() == 1 ? s_.columns[y[0]] : "") + "' noenhanced\nplot ";

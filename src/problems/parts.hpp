@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// Lagrangians that are a sum of parts, each read by an embedding of its own, as "mid-point + order-one" says.
+// Lagrangians that are a sum of parts, each with an embedding of its own, as in "mid-point + order-one".
 #pragma once
 
 #include "from_file.hpp"
 
 namespace program {
 
-/// What stands between plus signs outside of brackets.
+/// The texts between plus signs outside of brackets.
 inline std::vector<std::string> summands(std::string const& text) {
     std::vector<std::string> all{""};
     int depth = 0;
@@ -35,7 +35,7 @@ struct problem_with_method {
     engine::problem of;
     std::string method;
 };
-/// @throws hilger::error::invalid_parameter where there are not as many methods as parts
+/// @throws hilger::error::invalid_parameter when the numbers of methods and of parts differ
 inline problem_with_method read_by(stated_problem const& what, std::string const& method) {
     if (not names_parts(what, method)) return {what.of, method};
     std::vector<std::string> const methods = summands(method);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Parts of a file: positions and velocities at the ends of the interval, { q = 1, v = [0, "sqrt(2)/k"] }; what is looked at.
+// Parts of a file: positions and velocities at the ends of the interval, { q = 1, v = [0, "sqrt(2)/k"] }; observed quantities.
 #pragma once
 
 #include <limits>
@@ -16,13 +16,13 @@ namespace program {
 /// Names with their lengths, 0 for one number.
 using named_coordinates = std::vector<std::pair<std::string, int>>;
 
-/// What is read for names: digits, and the formulas among them.
+/// The values of names: digits, and the formulas among them.
 struct wanted_values {
     named_coordinates const& names;
     std::vector<std::string>& to;
     std::vector<initial_formula>& formulas;
 };
-/// Reads the table `key`: as many numbers as names ask for.
+/// Reads the table `key`, with as many numbers as the names have components.
 class values_in_file {
 public:
     values_in_file(toml_file const& file, std::shared_ptr<hilger::text::vocabulary const> words) : file_(file), words_(std::move(words)) {}
@@ -70,7 +70,7 @@ private:
         auto const s = n.value_exact<std::string>();
         return s and not hilger::text::number_in<double>(*s);
     }
-    /// What a formula of the parameters and of i is in a hundred digits.
+    /// The value of a formula of the parameters and of i, in a hundred digits.
     [[nodiscard]] std::string value(toml::node const& n, hilger::text::stated const& f, std::string const& what) const {
         using R = hilger::float100;
         if (f.reads_state()) file_.refuse(&n, what + " is a number, or a formula of the parameters and of i, which component it is");
@@ -82,8 +82,8 @@ private:
     std::shared_ptr<hilger::text::vocabulary const> words_;
 };
 
-/// Reads what a file looks at and is measured with: units, conserved, observed, pictures, reference, exact. The columns of t, positions
-/// and momenta are there.
+/// Reads the observed quantities and the reference of a file: units, conserved, observed, pictures, reference, exact. Expects the columns
+/// of t, positions and momenta.
 void observe(toml_file const& file, std::shared_ptr<hilger::text::vocabulary const> const& words, stated_problem& what, scene& s);
 
 } // namespace program

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A scene is a system, its scale, embedding, forces or memory, scalar, and what is observed. Here its types are erased: what is chosen on
-// the command line is a configuration, and what is under way is a walk.
+// A scene is a system, its scale, embedding, forces or memory, scalar, and observed quantities. Here its types are erased: a configuration
+// holds the choices of the command line, and a walk is a run in progress.
 #pragma once
 
 #include <functional>
@@ -13,34 +13,34 @@
 
 namespace program {
 
-/// What can be chosen. An empty text or no steps stand for what the scene usually has.
+/// The choices for a run. An empty text or zero steps mean the scene's default.
 struct configuration {
     std::string embedding, scalar, history;
     hilger::index_type steps = 0;
     friend bool operator==(configuration const&, configuration const&) = default;
 };
 
-/// A trajectory on its way along T.
+/// A position on a trajectory along T.
 class walk {
 public:
     virtual ~walk() = default;
-    /// So many steps further, or up to the last point. @throws what steps throw; the walk is then at its last good point
+    /// Advances by so many steps, or to the last point. @throws the errors of steps; the walk is then at its last good point
     virtual void advance(hilger::index_type steps) = 0;
     [[nodiscard]] virtual hilger::index_type number() const = 0;
-    /// The numbers of this point under the scene's columns, in digits that read back exactly.
+    /// The values of the scene's columns at this point, in digits that read back exactly.
     [[nodiscard]] virtual std::string row() const = 0;
     /// Position at this point, all components.
     [[nodiscard]] virtual std::vector<hilger::float100> position() const = 0;
-    /// The largest amounts by which what should be constant has changed, at the points where row() was asked for.
+    /// The largest changes of the invariants, over the points where row() was called.
     [[nodiscard]] virtual std::vector<double> drift() const = 0;
-    /// Writes all that the rest depends on; false where a walk is repeated from its start instead, because it has a memory.
+    /// Writes the state of the walk; false when there is a memory: such a walk is repeated from its start instead.
     virtual bool save(std::ostream&) const { return false; }
-    /// Goes on from what save has written. @throws hilger::error::unreadable
+    /// Continues from the output of save. @throws hilger::error::unreadable
     virtual void load(std::istream&, std::string const& source) { (void)source; }
 };
 
 struct stated_problem;
-/// What stands for the file of rows in a picture's commands.
+/// The placeholder for the file of rows in a picture's commands.
 inline constexpr std::string_view rows_of_picture = "<rows>";
 
 struct scene {
@@ -51,7 +51,7 @@ struct scene {
     double t0 = 0, t1 = 1;
     configuration usual;
     std::vector<std::string> embeddings, scalars, histories;
-    std::vector<std::string> columns, invariants; ///< all columns of a row; those of them that should be zero
+    std::vector<std::string> columns, invariants; ///< all columns of a row; the ones that should be zero
     std::string picture;                          ///< gnuplot's commands, in which <rows> is the file of rows
     std::function<std::unique_ptr<walk>(configuration const&)> begin;
     /// The position at t1 in 100 digits; or a configuration to compute it with.
@@ -59,18 +59,17 @@ struct scene {
     std::string exact_source;
     double exact_error = 1e-95;
     configuration reference;
-    std::shared_ptr<stated_problem const> stated; ///< of what a file states
+    std::shared_ptr<stated_problem const> stated; ///< the problem, for a scene from a file
 };
 
 /// All scenes, those of examples/problems.
 std::vector<scene> const& all_scenes();
-/// The scene of this name, or the one that a file my.toml states. @throws hilger::error::invalid_parameter that lists the names there are,
-/// hilger::error::unreadable
+/// The scene of this name, or of a file my.toml. @throws hilger::error::invalid_parameter with the known names, hilger::error::unreadable
 scene const& scene_named(std::string const& name);
-/// What is empty in a configuration, as the scene usually has it. @throws hilger::error::invalid_parameter that says what can be chosen
+/// Fills the empty choices with the scene's defaults. @throws hilger::error::invalid_parameter with the possible choices
 configuration completed(scene const& what, configuration choice);
 std::string description(configuration const& c);
-/// A method without the comments and the ends of lines that a text of operators may have: it stands in titles and in names.
+/// A method without comments and line breaks, which a text of operators may have, for titles and names.
 std::string on_one_line(std::string_view method);
 
 } // namespace program

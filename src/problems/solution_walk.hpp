@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Solutions between two ends: computed at once, and then walked along.
+// Solutions between two ends: computed at once, then traversed as a walk.
 #pragma once
 
 #include "stated_walk.hpp"
@@ -16,10 +16,10 @@ public:
         auto const k = static_cast<std::size_t>(at_);
         std::string text = digits_of(t_[k]);
         for (double const x : q_[k]) text += ',' + digits_of(x);
-        for (auto const& f : observed_) text += ',' + digits_of(f.of.value(t_[k], q_[k], q_[k])); // no velocity is read
+        for (auto const& f : observed_) text += ',' + digits_of(f.of.value(t_[k], q_[k], q_[k])); // the formulas read no velocity
         return text;
     }
-    /// In the middle: at the ends it is given.
+    /// At the middle: the ends are given.
     [[nodiscard]] std::vector<hilger::float100> position() const override {
         auto const& middle = q_[q_.size() / 2];
         return {middle.begin(), middle.end()};

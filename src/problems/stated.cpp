@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a file states, as motions of the engine.
+// Problems from files, as motions of the engine.
 #include <iostream>
 
 #include "engine/machine_code/machine_code.hpp"
@@ -52,7 +52,7 @@ std::unique_ptr<engine::motion<S>> motion_in(stated_problem const& what, configu
     return engine::make_motion<S>(of, method, T);
 }
 
-/// What one walk leaves for the next one.
+/// Data that one walk leaves for the next one.
 template <class S>
 struct walked_before {
     configuration by;

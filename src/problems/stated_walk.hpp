@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The walk of a problem of a file: a cursor of the engine with what is looked at.
+// The walk of a problem in a file: a cursor of the engine with observed quantities.
 #pragma once
 
 #include <iomanip>
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    /// What is observed at the first point. It is looked at when somebody asks for rows: that may take longer than to walk.
+    /// The observed values at the first point, computed on the first request for rows: that may take longer than the walk.
     std::vector<S> const& start_of_all() const {
         if (not start_) {
             start_ = seen_->constants(first_, first_velocity_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A file in TOML, read with sentences that say file, line and column, what stands there and what is accepted.
+// A file in TOML, read with error messages that give file, line and column, the text found and the accepted ones.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-// Version 3.3 asserts what a file decides, as that a header begins with a letter: such a file is refused, and does not end the program.
+// Version 3.3 asserts conditions on the file, as that a header begins with a letter: the file is refused instead of ending the program.
 #define TOML_ASSERT(condition) ((condition) ? void() : throw std::domain_error(#condition))
 #define TOML_EXCEPTIONS 1
 #if defined(__GNUC__) and not defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wterminate" // where nothing may be thrown the program ends, as with assert
+#pragma GCC diagnostic ignored "-Wterminate" // in a noexcept function the throw ends the program, as assert would
 #endif
 #include <toml++/toml.h>
 #if defined(__GNUC__) and not defined(__clang__)
@@ -42,7 +42,7 @@ public:
     }
     [[nodiscard]] std::string const& path() const { return path_; }
 
-    /// What is not one of these keys is refused.
+    /// Refuses all other keys.
     template <class Keys>
     void require_known(toml::table const& table, Keys const& keys) const {
         for (auto const& [key, node] : table)
@@ -67,7 +67,7 @@ public:
         if (auto const s = n.value_exact<std::string>()) return *s;
         refuse(&n, std::string(key) + " is a text, in quotes");
     }
-    /// A text that goes into rows, summaries and pictures as it is.
+    /// A text that is copied into rows, summaries and pictures.
     [[nodiscard]] std::string heading(toml::source_position const& at, std::string const& word) const {
         for (char const c : word)
             if (not(std::isalnum(static_cast<unsigned char>(c)) or static_cast<signed char>(c) < 0 or
@@ -95,7 +95,7 @@ public:
         if (not n.is_number() or not count or *count < 1) refuse(&n, std::string(key) + " is a positive whole number");
         return static_cast<hilger::index_type>(*count);
     }
-    /// `with_numbers`: what follows a colon may be another one.
+    /// `with_numbers`: another number may follow the colon.
     [[nodiscard]] std::string chosen(toml::node const& n, char const* key, std::vector<std::string> const& choices,
                                      bool with_numbers = false) const {
         std::string const name = text_of(n, key);
@@ -113,14 +113,14 @@ public:
                                                char const* key) const {
         return {hilger::text::read(text_of(n, key), path_, begin_of_text(n)), words, path_};
     }
-    /// Where the first letter in quotation marks stands.
+    /// The place of the first letter in quotation marks.
     static hilger::text::place begin_of_text(toml::node const& n) {
         auto const at = n.source().begin;
         return {static_cast<int>(at.line), static_cast<int>(at.column) + 1};
     }
     static double number(std::string const& digits) { return *hilger::text::number_in<double>(digits); }
 
-    /// What `work` refuses is refused at n.
+    /// Refuses n when `work` throws.
     template <class Work>
     auto saying_where(toml::node const* n, Work const& work) const -> decltype(work()) {
         try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the parts of the Python module share. The module _core is for the package beside it, which is what people write.
+// Common declarations of the Python module. The module _core is internal to the package beside it.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -12,7 +12,7 @@ namespace py = pybind11;
 
 namespace bindings {
 
-/// A number or a formula of Python as a formula; nothing for what is neither.
+/// A number or a formula of Python as a formula; nothing for other types.
 std::optional<hilger::text::expression> as_expression(py::handle x);
 inline py::object not_implemented() { return py::reinterpret_borrow<py::object>(Py_NotImplemented); }
 void add_expressions(py::module_& m);

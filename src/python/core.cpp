@@ -20,7 +20,7 @@ PYBIND11_MODULE(_core, m) {
     namespace error = hilger::error;
     m.attr("version") =
         std::to_string(HILGER_VERSION_MAJOR) + "." + std::to_string(HILGER_VERSION_MINOR) + "." + std::to_string(HILGER_VERSION_PATCH);
-    // The last one that is registered is tried first: derived types come after their bases.
+    // The translator registered last is tried first: derived types come after their bases.
     py::object const base = py::register_exception<error::exception>(m, "Error", PyExc_RuntimeError);
     py::object const value = py::reinterpret_steal<py::object>(
         PyErr_NewException("hilger._core.InvalidInput", py::make_tuple(base, py::handle(PyExc_ValueError)).ptr(), nullptr));

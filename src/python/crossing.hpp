@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How numbers and initial values come from Python and go there: in numpy's arrays of double; in rationals and 50 digits as text.
+// Conversions of numbers and initial values from and to Python: numpy arrays of double; text for rationals and 50 digits.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace bindings {
 
-/// How numbers come from Python and go there.
+/// Conversions of one scalar type.
 template <class S>
 struct crossing {
     using word_type = std::string; ///< of one number
@@ -41,7 +41,7 @@ struct crossing<double> {
     using given = py::array_t<double, py::array::c_style | py::array::forcecast>;
     static engine::vector<double> vector_of(given const& x) { return Eigen::Map<engine::vector<double> const>(x.data(), x.size()); }
     static double number(double x) { return x; }
-    /// An array that owns the numbers, not a copy of them.
+    /// An array that takes ownership of the numbers without a copy.
     static py::object array(std::vector<double>&& numbers, int columns) {
         auto* const kept = new std::vector<double>(std::move(numbers));
         py::capsule const owner(kept, [](void* p) { delete static_cast<std::vector<double>*>(p); });
@@ -52,7 +52,7 @@ struct crossing<double> {
     static py::object word(double x) { return py::float_(x); }
 };
 
-/// From (start, step, steps), or from (points,).
+/// The points of T from (start, step, steps), or from (points,).
 template <class S>
 engine::points<S> points_from(py::tuple const& T) {
     using with = crossing<S>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Many motions at once, in threads of their own that are asked every tenth of a second how far they are.
+// Many motions at once, in their own threads, which are polled for their progress every tenth of a second.
 #include <chrono>
 #include <future>
 
@@ -20,8 +20,8 @@ engine::cast cast_of(engine::problem const& what, std::string const& method, boo
     });
 }
 
-/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension. `parameters` has a row for each
-/// member of those that states bring.
+/// Walks of all members of an ensemble: (t, q, p, failures), q and p of members x points x dimension. `parameters` has a row of own
+/// parameters for each member.
 py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const& what, matrix const& other, matrix const& parameters,
                    hilger::index_type stride, int threads, py::object const& progress) {
     if (other.shape(0) != q0.shape(0) or parameters.shape(0) != q0.shape(0))
@@ -46,7 +46,7 @@ py::tuple walk_all(engine::cast const& all, matrix const& q0, std::string const&
         if (interrupted) continue;
         try {
             interrupted = not goes_on(progress, static_cast<std::size_t>(done.load()));
-        } catch (...) { // or its members would be waited for
+        } catch (...) { // otherwise the threads would be awaited
             stop = true;
             throw;
         }

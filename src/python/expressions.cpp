@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Formulas by the operators and functions of Python. Numbers keep all their digits: 0.1 is the digits that repr prints, Fraction(1, 3) is a
-// quotient, Decimal and mpf are their digits.
+// Formulas from the operators and functions of Python. Numbers keep all their digits: 0.1 has those of its repr, Fraction(1, 3) is a
+// quotient, Decimal and mpf have their own.
 #include <optional>
 #include <unordered_map>
 
@@ -22,7 +22,7 @@ expression of_digits(std::string digits) {
     return minus ? -size : size;
 }
 bool is_a(py::handle x, char const* module, char const* type) {
-    // Nobody has one of a module that nobody imported.
+    // A type of a module that was never imported has no objects.
     py::dict const loaded = py::module_::import("sys").attr("modules");
     return loaded.contains(module) and py::isinstance(x, py::object(py::object(loaded[module]).attr(type)));
 }
@@ -31,7 +31,7 @@ void require_finite(py::handle is_finite, py::handle x) {
     if (not is_finite.cast<bool>())
         hilger::error::raise<hilger::error::not_finite>("a number in a formula is finite, and this one is ", text_of(x));
 }
-/// Of a formula of numbers alone.
+/// The value of a formula of numbers alone.
 double number_of(expression const& x) {
     try {
         return hilger::text::stated(x, hilger::text::no_words(), "the formula").number<double>();
@@ -61,9 +61,9 @@ std::optional<expression> as_expression(py::handle x) {
         require_finite(x.attr("is_finite")(), x);
         return of_digits(text_of(py::str("{:f}").attr("format")(x)));
     }
-    if (is_a(x, "mpmath.ctx_mp_python", "_constant")) // pi, which has as many digits as it is asked for
+    if (is_a(x, "mpmath.ctx_mp_python", "_constant")) // pi, evaluated in as many digits as requested
         return as_expression(x(py::arg("dps") = 110));
-    if (is_a(x, "mpmath", "mpf")) { // with its own digits, whatever the precision is where it stands
+    if (is_a(x, "mpmath", "mpf")) { // with its own digits, whatever the current precision
         py::module_ const mpmath = py::module_::import("mpmath");
         require_finite(mpmath.attr("isfinite")(x), x);
         long const bits = x.attr("man_exp").cast<py::tuple>()[0].attr("bit_length")().cast<long>();
@@ -114,7 +114,7 @@ std::string text_for_people(expression const& x) {
     return hilger::text::written(x, page).value_or("a formula of more than " + std::to_string(page) + " characters");
 }
 
-// What formulas share is shared when they come back. The numbers of kinds are those of one version.
+// Subexpressions that are shared stay shared after unpickling. The numbers of kinds are valid within one version.
 using kept_node = std::tuple<int, std::string, std::vector<std::size_t>>;
 using kept = std::tuple<int, int, std::vector<kept_node>>;
 kept kept_of(expression const& x) {
@@ -202,11 +202,11 @@ void add_expressions(py::module_& m) {
     py::list functions;
     for (auto const name : hilger::text::functions_of_one) {
         functions.append(py::str(name.data(), name.size()));
-        // as methods numpy's functions find them: numpy.sin(q)
+        // numpy's functions find them as methods: numpy.sin(q)
         type.def(std::string(name).c_str(), [f = std::string(name)](expression const& x) { return expression::call(f, {x}); });
     }
     m.attr("functions_of_one") = functions;
-    for (std::string const name : {"sin", "cos", "tan", "sinh", "cosh", "tanh"}) // as numpy calls their inverses
+    for (std::string const name : {"sin", "cos", "tan", "sinh", "cosh", "tanh"}) // numpy's names of their inverses
         type.def(("arc" + name).c_str(), [f = "a" + name](expression const& x) { return expression::call(f, {x}); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What runs long says how far it is, and looks for an interrupt.
+// Progress reports and checks for an interrupt during long computations.
 #pragma once
 
 #include <chrono>
@@ -11,14 +11,14 @@
 
 namespace bindings {
 
-/// Seconds, to a few milliseconds: steps may take nanoseconds, or seconds.
+/// A clock in seconds, accurate to a few milliseconds and cheap: steps may take nanoseconds.
 inline double coarse_now() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Says how far it is, and looks for Ctrl-C. @returns whether it goes on; what else is raised, in `progress` or by a signal's handler, is
+/// Reports progress, and checks for Ctrl-C. @returns whether to continue; other exceptions, of `progress` or of a signal handler, are
 /// thrown
 inline bool goes_on(py::object const& progress, std::size_t done) {
     try {
@@ -31,7 +31,7 @@ inline bool goes_on(py::object const& progress, std::size_t done) {
     }
 }
 
-/// goes_on every tenth of a second, of what runs while other threads of Python may.
+/// Calls goes_on every tenth of a second of a computation that has released the interpreter lock.
 class looking {
 public:
     explicit looking(py::object const& progress) : progress_(progress) {}
@@ -48,8 +48,7 @@ private:
     double last_ = coarse_now();
 };
 
-/// What run(std::stop_token) returns, in a thread of its own. Ctrl-C, or what else a signal's handler raises, asks it to stop, and is
-/// thrown.
+/// The result of run(std::stop_token), in its own thread. An exception of a signal handler, as Ctrl-C, requests the stop and is thrown.
 template <class Run>
 auto interruptible(Run const& run) {
     std::stop_source stop;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Motions, one at a time. A walk lets other threads of Python run, looks for an interrupt every tenth of a second, and keeps what there is.
+// Motions, one at a time. A walk lets other threads of Python run, checks for an interrupt every tenth of a second, and then returns early.
 #include "crossing.hpp"
 #include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"
@@ -17,7 +17,7 @@ py::tuple tuple_of(S const& t, engine::vector<S> const& q, engine::vector<S> con
     return py::make_tuple(with::word(t), with::array({q.data(), q.data() + q.size()}, 0), with::array({p.data(), p.data() + p.size()}, 0));
 }
 
-/// (t, q, p, why it stopped, whether it was interrupted). `until`(t, q, p) is asked at each point, and true at the last one.
+/// (t, q, p, reason for the stop, whether it was interrupted). `until`(t, q, p) is called at each point; true ends the walk there.
 template <class S>
 py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const& q0, std::string const& what,
                typename crossing<S>::given const& other, py::object const& progress, py::object const& until) {
@@ -45,11 +45,11 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
             });
         } catch (hilger::error::exception const& why) {
             stopped = why.what();
-            if (t.empty()) unexpected = std::current_exception(); // it did not begin
+            if (t.empty()) unexpected = std::current_exception(); // the first step failed
         } catch (py::error_already_set const& raised) {
             py::gil_scoped_acquire const here;
             if (not raised.matches(PyExc_KeyboardInterrupt)) throw;
-            interrupted = true; // heard in `until`
+            interrupted = true; // raised inside `until`
         }
     }
     if (unexpected) std::rethrow_exception(unexpected);
@@ -58,7 +58,7 @@ py::tuple walk(engine::motion<S> const& path, typename crossing<S>::given const&
                           stopped, interrupted);
 }
 
-/// The first fraction of a step at or behind the zero of g, which was and is at its ends: see hilger/trajectory/events.hpp.
+/// The first fraction of a step at or after the zero of g, given its values at both ends: see hilger/trajectory/events.hpp.
 template <class S>
 S fraction_at_zero(std::function<S(S const&)> const& g, S const& was, S const& now) {
     if constexpr (std::numeric_limits<S>::is_exact)
@@ -122,8 +122,8 @@ void add_motion(py::module_& m, char const* name) {
         });
 }
 
-/// The same as walk, which makes the first step where one is needed, by steps that are machine code as a whole; None where there are none,
-/// or one fails.
+/// The same walk by steps compiled to machine code as a whole; `path` makes the first step if needed. None without such code, or when a
+/// step fails.
 py::object walk_in_whole_steps(engine::motion<double> const& path, engine::problem const& what, std::string const& method,
                                py::tuple const& points, crossing<double>::given const& q0, std::string const& other_is,
                                crossing<double>::given const& other, py::object const& progress) {

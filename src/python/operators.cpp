@@ -44,7 +44,7 @@ py::object multiplied(operator_formula const& a, py::handle x, bool over) {
     return py::cast(a * x.cast<operator_formula>());
 }
 
-/// What nobody reads is not printed: a power of a sum grows by its terms each time.
+/// Prints at most 10 000 characters: a power of a sum grows by its terms each time.
 std::string printed(operator_formula const& a, hilger::print_style style) {
     if (text::written(a, "q", 10'000)) return text::written(a, style);
     auto const lost = a.lost();
@@ -104,7 +104,7 @@ void add_operators(py::module_& m) {
                      "an operator acts on another one, as sigma[Delta_plus], and on a function of t by h.apply(sigma, f, T); "
                      "how a Lagrangian's variables are read on T is said by h.embedding(position, velocity)");
              })
-        .def_property_readonly_static("__array_ufunc__", [](py::object const&) { return py::none(); }) // it is no array of operators
+        .def_property_readonly_static("__array_ufunc__", [](py::object const&) { return py::none(); }) // not an array of operators
         .def("__eq__",
              [](operator_formula const& a, py::handle x) {
                  if (not py::isinstance<operator_formula>(x)) return not_implemented();

@@ -60,7 +60,7 @@ void add_problems(py::module_& m) {
              [](engine::problem& p, engine::problem const& other, std::string const& method) {
                  p.besides.push_back({other.lagrangian, method});
              })
-        // The same with parameters that the members of an ensemble bring with them, in this order.
+        // The same problem, with these parameters, in this order, given by the members of an ensemble.
         .def("brought_by_members",
              [](engine::problem const& p, std::vector<std::string> const& names) {
                  text::vocabulary words = p.lagrangian.formula().words();

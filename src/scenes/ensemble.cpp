@@ -32,7 +32,7 @@ using hilger::text::meaning;
 std::atomic<bool> stop_asked = false;
 extern "C" void ask_members_to_stop(int) { stop_asked = true; }
 
-/// Which part of the members is ours: what starts several processes of one program tells each its number in its environment.
+/// This process' share of the members: a launcher of several processes gives each its number in its environment.
 struct share {
     index_type rank = 0, ranks = 1;
     [[nodiscard]] index_type first(index_type members) const { return members * rank / ranks; }
@@ -57,7 +57,7 @@ public:
         std::string line;
         if (not in or std::filesystem::is_directory(path_)) error::raise<error::unreadable>("cannot read members from '", path_, "'");
         if (not std::getline(in, line)) refuse("the first line names columns, as 'q, v', and this file is empty");
-        if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3); // some programs begin UTF-8 so
+        if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3); // the byte order mark of some programs
         read_names(line);
         engine::vector<double> const q = numbers_of(what.q), v = numbers_of(what.v);
         if (words_.brought() > 0) {
@@ -68,13 +68,13 @@ public:
             if (line.find_first_not_of(" \t\r") != std::string::npos) members_.push_back(read_member(line, q, v));
     }
     [[nodiscard]] std::vector<engine::member> const& members() const { return members_; }
-    /// With the parameters that members bring.
+    /// The vocabulary with the members' parameters.
     [[nodiscard]] hilger::text::vocabulary const& words() const { return words_; }
 
 private:
     struct column {
         meaning::role is;
-        int at; ///< of the coordinates, the velocities or the parameters that are brought
+        int at; ///< among the coordinates, the velocities or the members' parameters
     };
     static std::vector<std::string> fields(std::string const& line) {
         constexpr char const* blank = " \t\r";
@@ -88,7 +88,7 @@ private:
     }
     void read_names(std::string const& line) {
         auto const names = fields(line.substr(line.find_first_not_of("# ") == std::string::npos ? 0 : line.find_first_not_of("# ")));
-        auto const before = words_; // what is a parameter now
+        auto const before = words_; // with the members' parameters as common ones
         for (std::string const& field : names) {
             auto const bracket = field.find('[');
             std::string const name = field.substr(0, bracket);
@@ -124,7 +124,7 @@ private:
             numbers.push_back(*x);
             if (columns_[k].is == meaning::role::parameter) made.parameters[static_cast<std::size_t>(columns_[k].at)] = *x;
         }
-        // Formulas of what it brings; then what is its own.
+        // First the formulas of its parameters, then its own values.
         int const d = words_.dimension();
         auto const bring = [&](int k) { return k < d ? 0.0 : made.parameters[static_cast<std::size_t>(k - d)]; };
         for (auto const& [formulas, to] : {std::pair{&q_of_, &made.from.q0}, std::pair{&v_of_, &made.from.other}})
@@ -138,7 +138,7 @@ private:
                 (columns_[k].is == meaning::role::position ? made.from.q0 : made.from.other)(columns_[k].at) = numbers[k];
         return made;
     }
-    /// The same formulas, of the parameters that states bring.
+    /// The same formulas, as functions of the members' parameters.
     [[nodiscard]] std::vector<initial_formula> with_what_members_bring(std::vector<initial_formula> const& formulas) const {
         std::vector<initial_formula> all;
         for (auto const& f : formulas)
@@ -150,12 +150,12 @@ private:
     hilger::text::vocabulary words_;
     std::vector<column> columns_;
     std::vector<initial_formula> q_of_, v_of_;
-    std::vector<double> usual_; ///< of the parameters that are brought, as the file of the problem has them
+    std::vector<double> usual_; ///< the values in the problem's file of the members' parameters
     std::vector<engine::member> members_;
     int number_ = 1;
 };
 
-/// One array of doubles in numpy's format, of which several processes may write parts.
+/// One array of doubles in numpy's format; several processes may write parts of it.
 class array_file {
 public:
     array_file(std::string const& path, std::vector<index_type> const& shape) : path_(path) {
@@ -177,7 +177,7 @@ public:
     ~array_file() { ::close(file_); }
     array_file(array_file const&) = delete;
     array_file& operator=(array_file const&) = delete;
-    /// Numbers from number `first` on.
+    /// Writes the numbers from number `first` on.
     void write(index_type first, std::vector<double> const& numbers) const {
         put(head_.size() + static_cast<std::size_t>(first) * sizeof(double), numbers.data(), numbers.size() * sizeof(double));
     }
@@ -227,7 +227,7 @@ int run_ensemble(run_options const& options) {
     index_type const points = engine::points_kept(c.steps, stride);
     int const d = what.dimension;
     std::filesystem::create_directories(options.out);
-    // Several processes write one file. One alone leaves what is there until it has another result to put in its place.
+    // Several processes write one file. A single process keeps the old file until it has a new result.
     std::string const path = (std::filesystem::path(options.out) / (what.name + ".npy")).string();
     bool const beside = ours.ranks == 1 and std::filesystem::exists(path);
     std::string written = beside ? (std::filesystem::path(options.out) / (what.name + ".interrupted.npy")).string() : path;
@@ -236,7 +236,7 @@ int run_ensemble(run_options const& options) {
     std::signal(SIGTERM, ask_members_to_stop);
     array_file const file(written, {members, points, 2 * d});
     std::vector<double> numbers(static_cast<std::size_t>((end - first) * points * 2 * d), std::numeric_limits<double>::quiet_NaN());
-    file.write(first * points * 2 * d, numbers); // whatever becomes of us, nobody takes an older file for the result
+    file.write(first * points * 2 * d, numbers); // after a crash, an older file cannot pass for the result
     std::atomic<index_type> done = 0;
     auto const made =
         engine::walk_all(all, {table.members().begin() + first, table.members().begin() + end}, stride, threads, stop_asked, done);
@@ -252,7 +252,7 @@ int run_ensemble(run_options const& options) {
     }
 
     double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    std::ostringstream said; // at once: other ranks speak too
+    std::ostringstream said; // printed at once, since other ranks print too
     index_type failed = 0;
     for (std::size_t m = 0; m < made.failures.size(); ++m)
         if (auto const& why = made.failures[m]; not why.empty() and ++failed > 0)

@@ -7,10 +7,10 @@
 
 namespace program {
 
-/// The next of the numbers that divide each of [2^k, 2^(k + 1)] into so many parts.
+/// The next number on a grid that divides each of [2^k, 2^(k + 1)] into so many parts.
 inline long next_number(long n, long parts) { return n + static_cast<long>(std::bit_floor(static_cast<unsigned long>(n))) / parts; }
 
-/// Seconds of the fastest of several runs: at most a hundred, and no more than fit into a fifth of a second or what is said.
+/// Seconds of the fastest of several runs: at most a hundred, within a fifth of a second or the given time.
 template <class Run>
 double fastest(Run const& run, double enough = 0.2) {
     using clock = std::chrono::steady_clock;

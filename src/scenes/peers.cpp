@@ -23,7 +23,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// q'' = M^-1 dL/dq, of the formula that is stepped here too, in states of D coordinates or, where D is 0, of any number.
+/// q'' = M^-1 dL/dq, of the same formula that hilger steps, in states of D coordinates or, for D = 0, of any number.
 template <std::size_t D>
 class acceleration {
     using L = std::conditional_t<D == 0, hilger::text::stated_lagrangian, engine::small_lagrangian<double, static_cast<int>(D)>>;
@@ -149,7 +149,7 @@ private:
 };
 
 /// m u'' + rho D^(1/2) u + k u = f as the system D^(1/2) y_1 = y_2, ..., D^(1/2) y_4 = (f - k y_1 - rho y_2) / m (u = y_1, u' = y_3), by
-/// the predictor-corrector of Diethelm, Ford and Freed, whose sums go over all of the past.
+/// the predictor-corrector of Diethelm, Ford and Freed, with sums over all of the past.
 double predictor_corrector(stated_problem const& what, int steps) {
     constexpr double alpha = 0.5;
     auto const parts = engine::second_degree_of<double>(what.of.lagrangian, 1);

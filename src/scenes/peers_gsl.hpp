@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The GNU Scientific Library's solvers of ordinary differential equations, where it is installed.
+// The GNU Scientific Library's solvers of ordinary differential equations, if installed.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct gsl_method {
     char const* name;
     gsl_odeiv2_step_type const* type;
 };
-/// Those that need no Jacobian matrix, of orders 4, 5, 8 and changing.
+/// The methods without a Jacobian matrix, of orders 4, 5, 8 and variable order.
 inline std::vector<gsl_method> gsl_methods() {
     return {{"gsl-rkf45", gsl_odeiv2_step_rkf45},
             {"gsl-rkck", gsl_odeiv2_step_rkck},
@@ -26,7 +26,7 @@ inline std::vector<gsl_method> gsl_methods() {
             {"gsl-msadams", gsl_odeiv2_step_msadams}};
 }
 
-/// Where x' = field(x) takes x in the time t1. @throws std::runtime_error where the tolerance cannot be kept
+/// The solution x(t1) of x' = field(x) from x. @throws std::runtime_error when the tolerance cannot be kept
 template <class Field, class Phase>
 Phase by_gsl(gsl_method const& method, double tolerance, Field const& field, Phase x, double t1) {
     gsl_odeiv2_system const system{[](double, double const* y, double* rate, void* f) {
@@ -34,7 +34,7 @@ Phase by_gsl(gsl_method const& method, double tolerance, Field const& field, Pha
                                        return static_cast<int>(GSL_SUCCESS);
                                    },
                                    nullptr, x.size(), const_cast<Field*>(&field)};
-    gsl_set_error_handler_off(); // it would end the program
+    gsl_set_error_handler_off(); // the default handler ends the program
     std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> const driver(
         gsl_odeiv2_driver_alloc_y_new(&system, method.type, t1 / 1000, tolerance, tolerance), gsl_odeiv2_driver_free);
     if (driver == nullptr) throw std::bad_alloc();

@@ -30,7 +30,7 @@ using clock = std::chrono::steady_clock;
 std::sig_atomic_t volatile stop_asked = 0;
 extern "C" void ask_to_stop(int) { stop_asked = 1; }
 
-/// Whether digits are those of NaN or of an infinity.
+/// Whether digits are NaN or an infinity.
 bool is_not_finite(std::string const& digits) { return digits.find_first_of("nN") != std::string::npos; }
 
 std::uint32_t checksum(std::string const& text) {
@@ -47,7 +47,7 @@ public:
           rows_(files::path(options.out) / (what.name + ".csv")), checkpoint_(files::path(options.out) / (what.name + ".checkpoint")) {
         if (options.anew) files::remove(checkpoint_);
     }
-    /// Puts the walk where the interrupted run was, if there is one. @throws hilger::error::mismatch when it was another run
+    /// Restores the state of an interrupted run, if there is one. @throws hilger::error::mismatch when it was another run
     bool continues(walk& w, hilger::index_type every, hilger::index_type steps, progress_bar& bar) {
         std::ifstream in(checkpoint_);
         if (not in) return false;
@@ -78,7 +78,7 @@ public:
         std::istringstream remembered(memory);
         if (state)
             w.load(remembered, "'" + checkpoint_.string() + "'");
-        else // what has a memory is walked again
+        else // a walk with a memory is repeated
             while (w.number() < point) {
                 (void)w.row();
                 w.advance(std::min(every, point - w.number()));
@@ -87,7 +87,7 @@ public:
         out_.open(rows_, std::ios::app | std::ios::binary);
         return true;
     }
-    /// Whether so many bytes are the rows of that checksum, which is then that of the rows here.
+    /// Whether the first so many bytes have that checksum; it then becomes the checksum of the rows.
     bool rows_are(std::uintmax_t bytes, std::uint32_t sum) {
         std::ifstream rows(rows_, std::ios::binary);
         std::array<char, 1 << 16> some{};
@@ -113,9 +113,9 @@ public:
         for (std::size_t k = 0; std::getline(numbers, number, ','); ++k)
             if (is_not_finite(number)) not_finite_.insert(k);
     }
-    /// The columns that were, in rows that were written here.
+    /// The columns that were not finite in some row.
     [[nodiscard]] std::set<std::size_t> const& not_finite() const { return not_finite_; }
-    /// Never half a checkpoint: it is moved to its place when it is whole.
+    /// Writes a checkpoint, atomically: the complete file is moved to its place.
     void keep(walk const& w) {
         if (not out_.flush()) refuse();
         auto const beside = checkpoint_.string() + ".new";
@@ -151,7 +151,7 @@ private:
     std::set<std::size_t> not_finite_;
 };
 
-/// In quotation marks of JSON.
+/// As a string of JSON.
 std::string in_json(std::string const& text) {
     std::string all = "\"";
     for (char const c : text) {
@@ -219,7 +219,7 @@ int run_scene(run_options const& options) {
         hilger::index_type rows = 0;
         while (w->number() < c.steps) {
             try {
-                // In parts, for who asks it to stop. What continues goes on to the next row.
+                // In parts, so that the run can be stopped. A continued run first goes to the next row.
                 hilger::index_type const row = std::min(c.steps, (w->number() / every + 1) * every);
                 while (w->number() < row and stop_asked == 0) w->advance(std::min<hilger::index_type>(row - w->number(), 1 << 16));
             } catch (error::exception const&) {

@@ -17,7 +17,7 @@ std::string listed(std::vector<std::string> const& names) {
     return text;
 }
 
-/// `chosen`, or `usual` where nothing is. What follows a colon is a parameter.
+/// `chosen`, or by default `usual`. A parameter follows a colon.
 void complete(std::string& chosen, std::string const& usual, std::vector<std::string> const& choices, scene const& what,
               char const* option) {
     if (chosen.empty()) chosen = usual;

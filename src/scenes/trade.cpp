@@ -24,7 +24,7 @@ using hilger::float100;
 using numbers = std::vector<float100>;
 
 struct point {
-    std::string method; ///< all that was chosen but the number of steps
+    std::string method; ///< all choices except the number of steps
     std::string steps;  ///< or the tolerance
     double seconds, error;
     bool ours = true;
@@ -41,12 +41,12 @@ numbers position_at_end(scene const& what, configuration const& c) {
     return w->position();
 }
 
-/// What is compared with, and how far it may be off.
+/// The reference position, and its accuracy.
 struct truth {
     numbers position;
     double own_error;
     std::string how;
-    /// What is as far away as the position is long, or by 1 where that is shorter, is no approximation.
+    /// An error of the size of the position, or of 1 if that is larger, is no approximation.
     [[nodiscard]] double largest_error() const {
         return std::max(1.0, static_cast<double>(distance(position, numbers(position.size(), float100(0)))));
     }
@@ -54,7 +54,7 @@ struct truth {
 truth find_truth(scene const& what) {
     if (what.exact) return {what.exact(), what.exact_error, what.exact_source};
     configuration c = what.reference;
-    c.steps += c.steps % 2; // between two ends the position is that in the middle, which is a point then
+    c.steps += c.steps % 2; // between two ends the reported position is the middle one, which must be a point
     numbers const coarse = position_at_end(what, c);
     c.steps *= 2;
     numbers fine = position_at_end(what, c);
@@ -62,7 +62,7 @@ truth find_truth(scene const& what) {
     return {std::move(fine), own, description(c) + ", and half as many"};
 }
 
-/// What is measured twice counts once, at its fastest.
+/// Measurements of one configuration count once, at their fastest.
 void keep(std::vector<point>& points, point p) {
     auto const known =
         std::find_if(points.begin(), points.end(), [&](point const& q) { return q.method == p.method and q.steps == p.steps; });
@@ -72,8 +72,8 @@ void keep(std::vector<point>& points, point p) {
         known->seconds = std::min(known->seconds, p.seconds);
 }
 
-/// More and more steps (8, 10, 12, 14, 16, 20, ...; of many digits 8, 12, 16, 24, ...) of one configuration, until that is too slow or
-/// rounding has the last word. Many digits begin where steps are short enough for the iterations of high orders.
+/// Increases the number of steps (8, 10, 12, 14, 16, 20, ...; for many digits 8, 12, 16, 24, ...) of one configuration, until it is too
+/// slow or rounding dominates. Many digits begin where steps are short enough for the iterations of high orders.
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
     double best = 1e300, fine = reference.own_error * 4, before = 1e300;
     double const most = reference.largest_error();
@@ -94,16 +94,16 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
                               std::to_string(c.steps), seconds, std::max(error, reference.own_error)});
             worse = error < best / 1.05 ? 0 : worse + 1;
             best = std::min(best, error);
-            // Where few steps are so long that they need Newton's method, more steps take less.
+            // Few steps may be so long that they need Newton's method; more steps then take less time.
             slower += seconds > budget and seconds > before;
             before = seconds;
             if (slower > 1 or (best < most and worse > 6) or error < fine) return;
-        } catch (hilger::error::exception const&) { // steps that are too long
+        } catch (hilger::error::exception const&) { // the steps are too long
         }
     }
 }
 
-/// Cheapest first; each is more accurate than all that are cheaper.
+/// Cheapest first; each is more accurate than all cheaper ones.
 std::vector<point> front_of(std::vector<point> points, bool (*belongs)(point const&)) {
     std::erase_if(points, [&](point const& p) { return not belongs(p); });
     std::sort(points.begin(), points.end(), [](point const& a, point const& b) { return a.seconds < b.seconds; });
@@ -145,8 +145,8 @@ void compare(std::vector<point> const& ours, std::vector<point> const& theirs) {
     if (asked > 0) std::cout << "  below every peer at " << below << " of " << asked << " accuracies from 1e-3 to 1e-13\n";
 }
 
-/// A picture for double and shorter numbers and, where there are any, one for longer ones: all that was measured as points, the fronts of
-/// hilger and of the fastest peer as lines, and the name of a method where it begins on a front. The first as text, too.
+/// A picture for double and shorter numbers and, if any, one for longer ones: all measurements as points, the fronts of hilger and of the
+/// fastest peer as lines, and the name of a method at its first point on a front. The first as text, too.
 void picture(std::string const& out, scene const& what, std::vector<point> const& points) {
     auto const name = "trade_" + what.name;
     std::ofstream rows = create(out, name + ".csv");
@@ -205,7 +205,7 @@ int run_trade(trade_options const& options) {
     auto const& histories = what.histories.empty() ? none : what.histories;
     {
         progress_bar bar(what.name, static_cast<long>(2 * what.scalars.size() * what.embeddings.size() * histories.size()));
-        // In two rounds, by turns with the others: a machine that does something else for a while does it to both.
+        // Two rounds, alternating with the peers: a temporary load of the machine affects both.
         for (bool const first : {true, false}) {
             for (auto const& scalar : what.scalars)
                 for (auto const& embedding : what.embeddings)

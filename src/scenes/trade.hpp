@@ -7,8 +7,8 @@ namespace program {
 
 struct trade_options {
     std::string scene;
-    double accuracy = 0; ///< says what to use for it; 0 for all
-    double budget = 1;   ///< seconds that one run may take; ten times that in many digits
+    double accuracy = 0; ///< recommends a method for it; 0 prints all
+    double budget = 1;   ///< seconds for one run; ten times that for many digits
     std::string out = "out";
 };
 /// Measures the error at the end against the time, over embeddings, numbers of steps, scalars and histories, beside other libraries, and

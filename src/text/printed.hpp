@@ -28,8 +28,8 @@ inline bool takes_two(std::string_view name) {
 /// The operands of a value, direct and indirect, and the value itself, in the order of the graph.
 std::vector<int> nodes_below(formula_graph<double> const& g, std::vector<formula_node> const& results);
 
-/// A formula for a reader, with the factors of a product and equal terms of a sum gathered. @throws error::no_formula when a constant is
-/// not finite
+/// A formula for a reader, with the factors of a product and equal terms of a sum gathered.
+/// @throws error::no_formula when a constant is not finite
 std::string printed(named_graph const& in, formula_node const& f, print_style style);
 
 /// @throws error::no_formula when it is not finite

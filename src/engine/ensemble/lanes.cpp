@@ -34,8 +34,8 @@ registers registers_here() {
     }
 }
 
-/// The Lagrangian and a force as formulas, with the members' own parameters as m[0], m[1], ... @throws hilger::error::no_formula when one
-/// of them has a comparison
+/// The Lagrangian and a force as formulas, with the members' own parameters as m[0], m[1], ...
+/// @throws hilger::error::no_formula when one of them has a comparison
 hilger::detail::node_formulas formulas_of(problem const& what) {
     using hilger::detail::named_graph;
     int const d = what.lagrangian.formula().words().dimension();

@@ -19,7 +19,8 @@ inline bool has_lambda_of_step(problem const& what, std::string const& method) {
     return is_embedding_in_text(method) and hilger::text::depends_on_step(own_embedding(what, method));
 }
 /// The lambda of a method whose steps of length h are those of theta_at(lambda): theta:0.3, and embeddings in text; without h, one for all
-/// lengths. Nothing for others. @throws hilger::error::unreadable, hilger::error::invalid_parameter
+/// lengths. Nothing for others.
+/// @throws hilger::error::unreadable, hilger::error::invalid_parameter
 template <class S>
 std::optional<S> lambda_of(problem const& what, std::string const& method, std::optional<S> const& h = {}) {
     if (is_embedding_in_text(method)) return hilger::text::lambda_of_step<S>(own_embedding(what, method), h);

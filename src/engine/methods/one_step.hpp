@@ -151,8 +151,8 @@ private:
     }
 };
 
-/// The embedding of each Lagrangian on T, of the first one by `method`; nothing when that is no embedding in one step. @throws
-/// hilger::error::invalid_parameter, hilger::error::unreadable; hilger::error::mismatch for parts with other coordinates
+/// The embedding of each Lagrangian on T, of the first one by `method`; nothing when that is no embedding in one step.
+/// @throws hilger::error::invalid_parameter, hilger::error::unreadable; hilger::error::mismatch for parts with other coordinates
 template <class S>
 std::optional<embedding_list<S>> embeddings_in_one_step(problem const& what, std::string const& method, points<S> const& T) {
     if (what.besides.empty()) {
