@@ -2,9 +2,8 @@
 # The command-line program.
 file(GLOB sources CONFIGURE_DEPENDS *.cpp scenes/*.cpp problems/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(demo|solar_system|numbers|engines.*)[.]cpp$")
-# Scales of one step take no time, nor do proofs in rationals and what papers print; many digits have theirs in loops that are
-# compiled elsewhere; and optimising all that takes minutes. In a library of their own they share what is precompiled for the extremes; of
-# what is in several files the linker takes the first, which is the program's own.
+# Files that are not worth minutes of optimisation: they run briefly, or spend their time in loops over digits compiled elsewhere. In a
+# library of their own they share the precompiled header of the extremes; the linker takes the program's own definitions first.
 set(not_optimised main.cpp papers_bourdin.cpp papers_cresson.cpp papers_galucio.cpp papers_jimenez.cpp prove.cpp problems/from_file.cpp
   problems/newmark_in_50_digits.cpp problems/observed_in_file.cpp problems/stated.cpp)
 list(TRANSFORM not_optimised PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
@@ -19,14 +18,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_include_directories(hilger_not_optimised PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(hilger_not_optimised PRIVATE hilger_development hilger_engine)
   target_link_libraries(hilger PRIVATE hilger_not_optimised)
-  # Runs take the same time with -O3, and what is compiled here a sixth more.
+  # With -O3 runs take the same time, and compiling takes a sixth more.
   target_compile_options(hilger PRIVATE -O2)
   target_precompile_headers(hilger PRIVATE compiled_once.hpp)
   link_numbers(hilger)
   set(precompiled_for_programs hilger PARENT_SCOPE)
 else()
   if(HILGER_TEST_EVERYTHING)
-    set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # they include what they use
+    set_source_files_properties(${not_optimised} PROPERTIES SKIP_PRECOMPILE_HEADERS ON) # checks their includes
   endif()
   precompile_as(hilger ${precompiled})
 endif()
@@ -35,18 +34,18 @@ set_target_properties(hilger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINAR
 target_include_directories(hilger PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
 target_include_directories(hilger SYSTEM PRIVATE ${HILGER_TOMLPLUSPLUS})
 target_link_libraries(hilger PRIVATE hilger_development extremes hilger_engine CLI11::CLI11)
-# One more peer for hilger trade, where it is installed (libgsl-dev).
+# One more peer for hilger trade, if installed (libgsl-dev).
 find_package(GSL QUIET)
 if(GSL_FOUND)
   target_link_libraries(hilger PRIVATE GSL::gsl)
 endif()
 set_property(SOURCE scenes/peers.cpp PROPERTY COMPILE_DEFINITIONS PROGRAM_HAS_GSL=$<BOOL:${GSL_FOUND}>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ does not see that what Boost.odeint copies is not read before it is written.
+  # g++ does not see that Boost.odeint writes its copies before it reads them.
   set_source_files_properties(scenes/peers.cpp PROPERTIES COMPILE_OPTIONS "-Wno-maybe-uninitialized;-Wno-uninitialized")
 endif()
 set_property(SOURCE scenes/peers.cpp APPEND PROPERTY COMPILE_OPTIONS ${less_memory})
-# Scenes in files travel inside the program, under their names with - for _.
+# The program contains the scenes in files, under their names with - for _.
 file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/problems/*.toml)
 set(texts)
 foreach(problem IN LISTS problems)
