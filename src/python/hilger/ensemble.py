@@ -17,10 +17,10 @@ from .solving import bar_of, require_history, require_room
 
 
 class Ensemble:
-    """Many trajectories of one equation: t, and q and p of members x kept points (x coordinates, where there are several).
+    """Many trajectories of one equation: t, and q and p of members x kept points (x coordinates, if there are several).
 
-    `failed` says of members that did not come to the end why; where they did not get to, q and p are NaN. `lanes` is how many stepped
-    together, 1 where each was alone.
+    `failed` maps the numbers of failed members to reasons; their q and p are NaN after the failure. `lanes` is the number of members that
+    stepped together, 1 if each was alone.
     """
 
     def __init__(self, t, q, p, failed: "dict[int, str]", lanes: int = 1) -> None:
@@ -51,18 +51,18 @@ def solve_many(
     """Solve an equation from many initial values: q0 and one of v0, p0, q1 are arrays with a row (or a number) for each member, or one row
     for all; so is each of `parameters`, the values of parameters of L that differ between members.
 
-    Kept are the first point of each, every so many, and the last one; where `every` is not said the first and the last. Members do not know
-    of each other, and the result does not depend on the number of threads, to the last bit; it is that of the processors where it is not
-    said. An interrupt keeps what there is. `progress` is as in `solve`, of members that are done.
+    Keeps the first point of each member, every `every`-th, and the last one; by default the first and the last. Members are independent, and
+    the result does not depend on the number of threads, to the last bit; by default there is one thread for each processor. An interrupt
+    returns the members so far. `progress` is as in `solve`, and counts complete members.
 
-    With `comm`, MPI.COMM_WORLD of mpi4py, each rank computes its share of the members, in one thread where `threads` is not said, and every
-    rank gets the whole, which does not depend on their number; `progress` is of its share.
+    With `comm`, MPI.COMM_WORLD of mpi4py, each rank computes its share of the members, by default in one thread, and every rank gets the
+    whole result, which does not depend on the number of ranks; `progress` counts within the share.
 
-    With `lanes` the members of order_one, order_one_left, midpoint, verlet and kahan_li_8 that have up to six coordinates, no memory, no
-    branches, no formulas of thousands of operations and nothing that is not defined everywhere (log, asin, atan2, q^v) step several at once,
-    in the lanes of the processor's registers, and agree with what `solve` makes of each to rounding; how many lanes there are changes no
-    bit, but functions of the C library may differ in their last ones on a processor without AVX2. Without, and everywhere else (with no C
-    compiler, see `machine_code`), they agree to the last bit.
+    With `lanes` several members step at once, in the lanes of the processor's registers, for the methods order_one, order_one_left,
+    midpoint, verlet and kahan_li_8, up to six coordinates, no memory, no branches, no formulas of thousands of operations and no functions
+    with a restricted domain (log, asin, atan2, q^v). Results agree with `solve` to rounding. The number of lanes changes no bit, but on a
+    processor without AVX2 functions of the C library may differ in the last bits. Without lanes, or a C compiler (see `machine_code`),
+    members agree with `solve` to the last bit.
     """
     for what, n in (("every", every), ("threads", threads)):
         if n == 0 and what == "threads":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Methods, forces and damping, and the discrete Euler-Lagrange equations that they make with Lagrangians."""
+"""Methods, forces and damping, and the discrete Euler-Lagrange equations of Lagrangians with them."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .scales import TimeScale, Uniform, digits, real
 
 @dataclass(frozen=True)
 class Method:
-    """An embedding, or a composition of steps: its name, or what is summed, as "integral(L((q + sigma[q])/2, Delta_plus[q]))"."""
+    """An embedding, or a composition of steps: its name, or its discrete action, as "integral(L((q + sigma[q])/2, Delta_plus[q]))"."""
 
     name: str
 
     def __post_init__(self) -> None:
         if "(" in self.name:
-            return  # the equation knows what the names in it mean
+            return  # the equation looks up the names in it
         kinds = {name.split(":")[0] + ":" for name in _core.methods if ":" in name}
         if self.name not in _core.methods and not any(self.name.startswith(kind) for kind in kinds):
             raise _core.InvalidParameter(f"there is no method '{self.name}': there are {', '.join(_core.methods)}")
@@ -37,32 +37,32 @@ lobatto_3 = Method("lobatto-3")
 kahan_li_8 = Method("kahan-li-8")
 """Seventeen steps of verlet, of order 8 together (Kahan, Li 1997)."""
 g_alpha_newmark = Method("g-alpha-newmark")
-"""The G^α-Newmark scheme, of linear structures - L of second degree and a force of the time alone - with one fractional term or a material:
-of order two, by the weights of bdf2, also where the force compares the time and jumps, on a point or within a step."""
+"""The G^α-Newmark scheme for linear structures (L of second degree, a force of the time alone) with one fractional term or a material: of
+order two, by the weights of bdf2, even if the force compares the time and jumps, on a point or within a step."""
 gl_newmark = Method("gl-newmark")
-"""The same with the weights of Grünwald and Letnikov: of order one."""
+"""The same scheme with the weights of Grünwald and Letnikov, of order one."""
 
 
 def methods() -> None:
-    """Print all methods: name, order, definition, and the numbers that each is for. variation(L, T, "blanes-moan-4") takes any of these names."""
+    """Print all methods: name, order, definition, and supported number types. variation(L, T, "blanes-moan-4") takes any of these names."""
     print(_core.list_of_methods(), end="")
 
 
 def gauss(nodes: int) -> Method:
-    """Galerkin's embedding with 2, 4, 6 or 8 Gauss nodes in a step: of order 4, 8, 12 or 16. In 50 digits there are gauss(8) and gauss(16), to
-    compare others with."""
+    """Galerkin's embedding with 2, 4, 6 or 8 Gauss nodes in a step: of order 4, 8, 12 or 16. In 50 digits gauss(8) and gauss(16) are
+    available, as references."""
     return Method(f"gauss-{nodes}")
 
 
 def theta(lam: float) -> Method:
-    """Position and force at (1 - λ) t_i + λ t_{i+1}, 0 < λ < 1: of order one, but for the mid-point."""
+    """Position and force at (1 - λ) t_i + λ t_{i+1}, 0 < λ < 1: of order one, except for λ = 1/2 (the mid-point rule)."""
     if not 0 < real(lam, "λ") < 1:
         raise _core.InvalidParameter(f"λ of theta lies between 0 and 1, and here is {lam}; at 0 and 1 it is order_one and order_one_left")
     return Method(f"theta:{digits(lam)}")
 
 
 def two_sided(alpha: float) -> Method:
-    """v is the fractional derivative Δ₋^α[q]: the equation ∂L/∂q + Δ₊^α[∂L/∂v] = 0 looks to both ends of T, and is solved from q0 and qN."""
+    """The two-sided fractional equation ∂L/∂q + Δ₊^α[∂L/∂v] = 0 with v = Δ₋^α[q], a boundary value problem that is solved from q0 and qN."""
     return Method(f"two-sided:{digits(alpha)}")
 
 
@@ -90,8 +90,7 @@ class Force:
 
 @dataclass(frozen=True)
 class Damping:
-    """The force -rho D^alpha q on every coordinate, 0 < alpha < 2, read as a mean over each step: of order two under the mid-point
-    embedding."""
+    """The force -rho D^alpha q on every coordinate, 0 < alpha < 2, as a mean over each step: of order two with the mid-point embedding."""
 
     rho: float
     alpha: float
@@ -99,8 +98,8 @@ class Damping:
 
 @dataclass(frozen=True)
 class Zener:
-    """The fractional Zener material of a linear structure, whose Lagrangian has the stiffness of the relaxed modulus. It has no strain before
-    the first point: where q0 is not 0 it is strained there at once, and begins with the stress of the unrelaxed modulus."""
+    """The fractional Zener material of a linear structure, whose Lagrangian has the stiffness of the relaxed modulus. It is unstrained before
+    the first point: a q0 other than 0 is a sudden strain, and the stress begins with the unrelaxed modulus."""
 
     relaxed_modulus: float
     unrelaxed_modulus: float
@@ -125,7 +124,7 @@ def damping(rho: float, alpha: float) -> Damping:
 
 def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: float, alpha: float) -> Zener:
     """σ + τ^α D^α σ = E₀ ε + E∞ τ^α D^α ε, 0 < α <= 1 and E∞ >= E₀, for g_alpha_newmark and gl_newmark: the Lagrangian of the structure is
-    that of the relaxed modulus E₀. A q0 that is not 0 is a strain that comes at once, and σ begins with E∞: relaxed bodies begin at q0 = 0."""
+    that of the relaxed modulus E₀. A q0 other than 0 is a sudden strain, and σ begins with E∞: relaxed bodies begin at q0 = 0."""
     names = ("the relaxed modulus", "the unrelaxed modulus", "the relaxation time", "the order alpha")
     return Zener(*map(real, (relaxed_modulus, unrelaxed_modulus, relaxation_time, alpha), names))
 
@@ -134,8 +133,8 @@ def zener(relaxed_modulus: float, unrelaxed_modulus: float, relaxation_time: flo
 class Equation:
     """The discrete Euler-Lagrange equation of a Lagrangian on a scale; forces, damping and a material are added with +.
 
-    So are equations of other Lagrangians of the same coordinates on the same scale: that of the sum of both actions, each Lagrangian read by
-    a method of its own in one step (order_one, order_one_left, midpoint, theta, embeddings of operators). Forces are read as the first one.
+    Equations of other Lagrangians of the same coordinates on the same scale can be added too: the result is the equation of the sum of the
+    actions, each with its own one-step method (order_one, order_one_left, midpoint, theta, embeddings of operators). Forces use the first.
     """
 
     lagrangian: Lagrangian
@@ -157,7 +156,7 @@ class Equation:
                     f"a force has one formula for each coordinate, and here are {len(other.components)} for {self.lagrangian.dimension}"
                 )
             made = replace(self, forces=(*self.forces, other))
-            made._stated()  # every name in it has a meaning
+            made._stated()  # raises for unknown names
             return made
         if isinstance(other, Damping):
             return replace(self, dampings=(*self.dampings, other))
@@ -168,7 +167,7 @@ class Equation:
         return NotImplemented
 
     def __radd__(self, nothing: object) -> "Equation":
-        return self if isinstance(nothing, int) and nothing == 0 else NotImplemented  # what sum() begins with
+        return self if isinstance(nothing, int) and nothing == 0 else NotImplemented  # the start of sum()
 
     def _with(self, other: "Equation") -> "Equation":
         L, M = self.lagrangian, other.lagrangian
@@ -179,7 +178,7 @@ class Equation:
         if other.forces or other.dampings or other.material is not None or self.dampings or self.material is not None:
             raise _core.InvalidParameter("equations add up without damping, and forces are beside the first one, or added to the sum")
         made = replace(self, besides=(*self.besides, (M, other.method), *other.besides))
-        made._motion()  # every method is of one step
+        made._motion()  # raises unless every method has one step
         return made
 
     def _methods(self) -> str:
@@ -203,8 +202,8 @@ class Equation:
         return problem
 
     def c_code(self, name: str) -> str:
-        """One step as C99 that needs math.h alone, of order_one, order_one_left, midpoint, theta and embeddings of operators:
-        ``int NAME_step(double h, double q[d], double p[d], double v[d])``, with ``double t`` first where the time is read."""
+        """One step as C99 that needs only math.h, for order_one, order_one_left, midpoint, theta and embeddings of operators:
+        ``int NAME_step(double h, double q[d], double p[d], double v[d])``, with ``double t`` first if the time is used."""
         if not isinstance(name, str):
             raise TypeError(f"C code has a name, a text, and here is {name!r}")
         return self._stated().c_code(self.method.name, name)
@@ -222,7 +221,7 @@ class Equation:
         if self.method in (g_alpha_newmark, gl_newmark):
             try:
                 return self._stated().equation(self.method.name, isinstance(self.scale, Uniform), latex)
-            except _core.InvalidParameter as why:  # what is missing may be added yet
+            except _core.InvalidParameter as why:  # a missing term may still be added
                 return f"{self.method.name}: {why}\n"
         undamped = replace(self, dampings=(), forces=(), material=None)
         return undamped._stated().equation(self.method.name, isinstance(self.scale, Uniform), latex)
@@ -234,7 +233,7 @@ class Equation:
             m = self.material
             more += f"material: E₀ = {m.relaxed_modulus}, E∞ = {m.unrelaxed_modulus}, τ = {m.relaxation_time}, α = {m.alpha}\n"
         written = self._written(False)
-        if more and not written.endswith("\n"):  # of a method that is a name
+        if more and not written.endswith("\n"):  # for methods without an equation
             written += "\n"
         return f"{self._lagrangians(False)}\n{written}{more}"
 
@@ -257,8 +256,8 @@ class Equation:
 
 
 def variation(L: Lagrangian, T: "Uniform | TimeScale", method: "Method | str" = midpoint) -> Equation:
-    """The variation of the action of L on T under an embedding. It prints as the equation that is solved. An embedding of one's own is made
-    of operators, h.embedding(A, B), or is a text, "integral(L((q + sigma[q])/2, Delta_plus[q]))"; parameters of L are known in it."""
+    """The variation of the action of L on T under an embedding. It prints as the equation that is solved. A user-defined embedding is made of
+    operators, h.embedding(A, B), or is a text, "integral(L((q + sigma[q])/2, Delta_plus[q]))", which may use parameters of L."""
     if isinstance(method, str):
         method = Method(method)
     for x, kind, what in (

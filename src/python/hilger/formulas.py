@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Variables, and the functions that formulas are made with. Numbers in formulas keep their digits: 0.1 is one tenth in rationals."""
+"""Variables and functions for formulas. Numbers in formulas keep their digits: 0.1 is one tenth in rationals."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Vector(np.lib.mixins.NDArrayOperatorsMixin):
         if isinstance(k, slice):
             raise TypeError(f"a component of {self!r} is {self.name}[k], one at a time: [{self.name}[k] for k in range({self.size})[1:]]")
         try:
-            return _core.element(self.name, range(self.size)[k])  # negative ones from the end
+            return _core.element(self.name, range(self.size)[k])  # negative indices count from the end
         except IndexError:
             raise IndexError(f"{self!r} has the components 0 to {self.size - 1}, and here is {k}") from None
 
@@ -113,7 +113,7 @@ def _function_of_one(name: str):
 
 
 for _f in _core.functions_of_one:
-    if _f != "abs":  # Python's abs works
+    if _f != "abs":  # Python has its own
         globals()[_f] = _function_of_one(_f)
 
 
@@ -128,12 +128,12 @@ def hypot(x: Formula, y: Formula) -> Expression:
 
 
 def minimum(x: Formula, y: Formula) -> Expression:
-    """The smaller one; where they cross a derivative jumps."""
+    """The smaller one; its derivative jumps where they cross."""
     return _core.call("min", x, y)
 
 
 def maximum(x: Formula, y: Formula) -> Expression:
-    """The larger one; where they cross a derivative jumps."""
+    """The larger one; its derivative jumps where they cross."""
     return _core.call("max", x, y)
 
 
@@ -150,8 +150,8 @@ _of_two = {
 
 
 def _by_numpy(self, ufunc: np.ufunc, method: str, *inputs: object, **more: object) -> object:
-    """numpy's functions of formulas, one by one. It asks what it does not know by itself from a method of that name, as q.sin(), of its
-    first argument; and makes comparisons true or false, which no formula is."""
+    """Apply a numpy function to formulas element by element. numpy calls methods as q.sin() of the first argument for functions it does not
+    know, and turns comparisons into true or false, which formulas are not: these use _of_two."""
     objects = [np.asarray(x).astype(object) for x in inputs]
     if not all(isinstance(x, np.ndarray) for x in more.get("out", ())):
         more.pop("out")  # Q += 1 makes another Q

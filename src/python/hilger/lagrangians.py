@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Lagrangians, of a formula, a text or a function."""
+"""Lagrangians, made of a formula, a text or a function."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ def _size(x: "Expression | Vector") -> int:
 
 
 def _components(text: str) -> str:
-    """What a text takes of q and v, as "[2]" where that is q[0] and v[1], and nothing where they are numbers."""
+    """The dimension of q and v in a text, as "[2]" for q[0] and v[1]; empty if they are numbers."""
     numbers = [int(i) for i in re.findall(r"\b[qv]\s*\[\s*(\d+)\s*\]", text)]
     return f"[{max(numbers) + 1}]" if numbers else ""
 
 
 def _called(L: Callable, time: str, qs: list, vs: list) -> "Formula":
-    """What a function of (q, v), or of variables that it names, makes of them."""
+    """The formula returned by a function of (q, v), or of variables that it names."""
     q, v = (x[0] if len(x) == 1 else x for x in (qs, vs))
     known = {time: variables(time), getattr(q, "name", "q"): q, getattr(v, "name", "v"): v}
     try:
         taken = [name for name, x in inspect.signature(L).parameters.items() if x.default is x.empty and x.kind == x.POSITIONAL_OR_KEYWORD]
-    except ValueError:  # of numpy's functions
+    except ValueError:  # numpy's functions have no signature
         taken = []
     if taken and {*taken} <= {*known}:
         return L(**{name: known[name] for name in taken})
@@ -57,9 +57,9 @@ class Lagrangian:
     """L(t, q, v): a formula, a function of (q, v) or (t, q, v) that makes one, or a text such as "m*v^2/2 - m*g*l*(1 - cos(q))" with the
     parameters in it as keywords.
 
-    q and v are variables, lists of them, or their names: q and v where nothing is said, of as many components as a text takes of them, as
-    v[1]; `time` is the name of the time. Coordinates are numbered as they are given. Parameters of any name, as "time", can be given in a
-    dictionary: parameters={"time": 3}.
+    q and v are variables, lists of them, or their names; by default q and v, with as many components as a text uses, as v[1]. `time` is the
+    name of the time. Coordinates are numbered in the given order. Parameters of any name, as "time", can be given in a dictionary:
+    parameters={"time": 3}.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Lagrangian:
             raise _core.InvalidParameter(f'parameters are given by their names, as {{"g": 9.81}}, and here is {parameters!r}')
         if nameless := [name for name in parameters or () if not isinstance(name, str)]:
             raise _core.InvalidParameter(f"parameters are given by their names, which are texts, and here is {nameless[0]!r}")
-        # q= and v= are the coordinates where these are not given before, and else parameters
+        # q= and v= are the coordinates, or parameters if coordinates are given by position
         components = _components(L) if isinstance(L, str) else ""
         q, v = (more.pop(name, name + components) if x is None else x for x, name in ((q, "q"), (v, "v")))
         if twice := sorted({*more} & {*(parameters or ())}):
@@ -137,7 +137,7 @@ class Lagrangian:
 
     @property
     def is_scalar(self) -> bool:
-        """One coordinate that is a number: states are numbers then, and not vectors of one."""
+        """Whether the only coordinate is a number: states are then numbers, not vectors of one component."""
         return len(self.coordinates) == 1 and self.coordinates[0][2] == 0
 
     def _written(self, latex: bool) -> str:

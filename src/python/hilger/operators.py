@@ -35,7 +35,7 @@ def adjoint(A: Operator) -> Operator:
 
 def embedding(position: "Operator | str", velocity: "Operator | str", integral: str = "delta") -> Method:
     """How L(q, v) is read on T: L(A q, B q) at each point, under the Delta integral (weights mu) or the nabla integral (weights nu). The
-    operators read the two ends of one step, and are consistent: A 1 = 1, B 1 = 0, B t = 1."""
+    operators use the two ends of one step, and must be consistent: A 1 = 1, B 1 = 0, B t = 1."""
     sums = {"delta": "integral", "nabla": "nabla_integral"}
     if integral not in sums:
         raise _core.InvalidParameter(f'the integral of an embedding is "delta" or "nabla", and here is {integral!r}')
@@ -48,8 +48,8 @@ def embedding(position: "Operator | str", velocity: "Operator | str", integral: 
 
 
 def apply(A: Operator, f: "Callable | Sequence", T: "Uniform | TimeScale") -> tuple:
-    """The points of T at which A[f] lives, and its values there. f is a function of t, or has a value for each point of T. In double, or
-    exact where T is made of fractions, or in 50 digits where of mpf."""
+    """The points of T at which A[f] lives, and its values there. f is a function of t, or has a value for each point of T. In double;
+    exact if T is made of fractions, and in 50 digits if of mpf."""
     if not isinstance(A, Operator):
         raise TypeError(f"an operator, as h.Delta_plus, was expected, and here is {A!r}")
     if not isinstance(T, (Uniform, TimeScale)):

@@ -14,7 +14,7 @@ from . import _core
 
 
 def kind_of(numbers: Iterable[object]) -> str:
-    """Which scalar holds numbers: 'double', 'exact' for fractions, '50 digits' for mpf and Decimal."""
+    """The scalar type for numbers: 'double', 'exact' for fractions, '50 digits' for mpf and Decimal."""
     kinds = set()
     for x in numbers:
         name = type(x).__name__
@@ -34,7 +34,7 @@ def kind_of(numbers: Iterable[object]) -> str:
 
 
 def require_real(x: object, what: str) -> None:
-    """Raises where a number, or one of a list of them, is complex, which float() of an array would drop half of."""
+    """Raise TypeError for a complex number, or one in a list: float() of an array would drop the imaginary part."""
     numbers = x if isinstance(x, (list, tuple)) else np.ravel(x) if np.iscomplexobj(x) else [x]
     for y in numbers:
         if isinstance(y, (complex, np.complexfloating)):
@@ -42,7 +42,7 @@ def require_real(x: object, what: str) -> None:
 
 
 def rounds(x: object) -> bool:
-    """Whether it is a number of so many digits, and no fraction."""
+    """Whether x is a rounded number, and not a fraction."""
     return isinstance(x, (float, np.floating)) or type(x).__name__ in ("mpf", "constant")
 
 
@@ -69,7 +69,7 @@ def _text_of_whole(n: int) -> str:
 
 
 def fraction_from(text: str) -> Fraction:
-    """What the engine writes of a rational, a/b."""
+    """A rational in the engine's notation, a/b."""
     above, _, below = text.partition("/")
     return Fraction(whole_from(above), whole_from(below) if below else 1)
 
@@ -81,7 +81,7 @@ def exact(x: object) -> Fraction:
 
 
 def digits(x: object) -> str:
-    """A number as digits that lose nothing."""
+    """A number as text, without loss."""
     if isinstance(x, _core.Expression):
         raise _core.InvalidParameter(f"a number was expected, and here is the formula {x!r}: write it into the formula, or float() of it")
     if isinstance(x, str):
@@ -91,7 +91,7 @@ def digits(x: object) -> str:
     if type(x).__name__ in ("mpf", "constant"):
         import mpmath
 
-        if type(x).__name__ == "constant":  # mpmath.pi, which has as many digits as it is asked for
+        if type(x).__name__ == "constant":  # mpmath.pi, in as many digits as requested
             x = x(dps=60)
         return mpmath.nstr(x, 55, min_fixed=0, max_fixed=0)
     if isinstance(x, (int, np.integer)):
@@ -107,7 +107,7 @@ def digits(x: object) -> str:
 
 
 def real(x: object, what: str) -> float:
-    """A number as a double; "1/3" is one. @raises InvalidParameter where it is none, NotFinite where it is beyond them"""
+    """A number, or a text as "1/3", as a double. @raises InvalidParameter when it is not real, NotFinite when double overflows"""
     try:
         if isinstance(x, (complex, np.complexfloating)):
             raise TypeError
@@ -119,7 +119,7 @@ def real(x: object, what: str) -> float:
 
 
 class _Scale:
-    """Equal where the points are, in whatever way they were written."""
+    """Scales of one class are equal when their points are, in any notation."""
 
     def __eq__(self, other: object) -> bool:
         return self._numbers() == other._numbers() if type(self) is type(other) else NotImplemented
@@ -148,8 +148,8 @@ class Uniform(_Scale):
 
 
 class TimeScale(_Scale):
-    """Any increasing points, two or more. Fractions and texts as "1/3" are exact; then so is what is computed on them. Raises InvalidScale
-    where they do not increase or are not finite, and TypeError for what is no list of numbers."""
+    """Any increasing points, two or more. Fractions and texts as "1/3" are exact, and so are computations on them. Raises InvalidScale
+    unless the points increase and are finite, and TypeError unless they are a list of numbers."""
 
     def __init__(self, points: Iterable[object]) -> None:
         if isinstance(points, str):
@@ -196,7 +196,7 @@ class TimeScale(_Scale):
 
 
 def uniform(start: object, step: object, steps: int) -> Uniform:
-    """T = {start + i*step}, i = 0 ... steps; in rationals where start or step is a Fraction, in 50 digits for mpmath's mpf."""
+    """T = {start + i*step}, i = 0 ... steps; in rationals if start or step is a Fraction, in 50 digits for mpmath's mpf."""
     if isinstance(steps, bool) or not hasattr(steps, "__index__"):
         raise TypeError(f"the number of steps is a whole number, and here is {steps!r}")
     if not 0 < int(steps) < 2**62:

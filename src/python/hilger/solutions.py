@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""What solving gives: positions and momenta at the points of a scale, and what can be asked of them."""
+"""Solutions: positions and momenta at the points of a scale, with dense output, events, residuals and energies."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .scales import TimeScale, Uniform, digits, fraction_from, real
 
 
 class StepFailure(_core.Error):
-    """A step failed. What was reached before is in `solution`; None where the first step could not begin."""
+    """A step failed. `solution` has the points before it; None if the first step could not begin."""
 
     def __init__(self, message: str, solution: "Solution") -> None:
         super().__init__(message)
@@ -27,7 +27,7 @@ class StepFailure(_core.Error):
 
 
 def digits_of(kind: str):
-    """What a scalar computes with where Python computes with it."""
+    """A context in which Python computes with the digits of a scalar."""
     if kind != "50 digits":
         return contextlib.nullcontext()
     import mpmath
@@ -36,7 +36,7 @@ def digits_of(kind: str):
 
 
 def numbers_from(kind: str, made: object) -> np.ndarray:
-    """What came from the engine, as an array: of Fraction or mpf for scalars that numpy does not have."""
+    """Numbers from the engine as an array, of Fraction or mpf for scalars that numpy does not have."""
     if kind == "double":
         return made
     words, columns = made
@@ -56,11 +56,11 @@ def number_from(kind: str, made: object):
 
 
 class DoubtfulSolution(RuntimeWarning):
-    """A solution between two ends that responds strongly to them, or that fewer points show otherwise: it may be near no motion."""
+    """A solution between two ends that is sensitive to them, or differs on fewer points: it may be near no motion."""
 
 
 class Events(NamedTuple):
-    """Where a function of the state passes zero: times t, positions q and momenta p, one row for each event."""
+    """The zeros of a function of the state: times t, positions q and momenta p, one row for each event."""
 
     t: np.ndarray
     q: np.ndarray
@@ -83,7 +83,7 @@ class Zeros:
             if y is None or isinstance(y, (str, bytes)) or np.ndim(y) > 0 or np.iscomplexobj(y):
                 raise _core.InvalidParameter(f"a function whose zeros are events returns a real number, or a bool, and at t = {t} it is {y!r}")
         if inside and abs(y) == float("inf"):
-            return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, which says on which side it is
+            return np.finfo(float).max if y > 0 else -np.finfo(float).max  # at a pole, keeping the sign
         with np.errstate(invalid="ignore"):
             finite = y - y == 0
         if not finite:
@@ -91,7 +91,7 @@ class Zeros:
         return y
 
     def state(self, t, q, p):
-        """From what the engine says of it."""
+        """A state from the engine's numbers."""
         t, q, p = number_from(self.kind, t), numbers_from(self.kind, q), numbers_from(self.kind, p)
         return (t, q[0], p[0]) if self.scalar else (t, q, p)
 
@@ -101,16 +101,16 @@ class Zeros:
 
 
 class Solution:
-    """A trajectory: points t, positions q and momenta p, one row for each point (one number where there is one coordinate).
+    """A trajectory: points t, positions q and momenta p, one row for each point (one number for a scalar coordinate).
 
-    `x(t)` is q between the points, of order 4 in the step, where there is no fractional damping; `x.events(g)` where a function passes zero;
-    `x.residual()` what the positions leave of their equation, in roundings of its terms; `x.energy()` H at the points; `x.stopped` says why a trajectory ended before its
-    scale did, `x.compiled` whether its steps were machine code as a whole. The solution of a two-sided fractional equation has positions
-    alone, and p is None. It can be pickled; without fractional damping, which remembers what a state does not say, it goes on where it ends
-    with h.solve(later, q0=x.q[-1], p0=x.p[-1]).
+    `x(t)` is q between the points, of order 4 in the step, without fractional damping; `x.events(g)` the zeros of a function; `x.residual()`
+    the residual of the equation, in roundings of its terms; `x.energy()` H at the points; `x.stopped` the reason why a trajectory ended
+    before its scale, `x.compiled` whether whole steps were machine code. The solution of a two-sided fractional equation has positions alone,
+    and p is None. It can be pickled. h.solve(later, q0=x.q[-1], p0=x.p[-1]) continues it, unless there is fractional damping, whose memory is
+    not part of a state.
 
-    Momenta are those of the discrete Legendre map, p_i = -dL_h/dq_i of the step that begins at t_i; the p of a Hamiltonian system that is
-    printed is dL/dv at the nodes of the embedding: of order_one at t_i what x.p has at t_{i+1}.
+    Momenta are those of the discrete Legendre map, p_i = -dL_h/dq_i of the step that begins at t_i. A printed Hamiltonian system has dL/dv
+    at the nodes of the embedding instead: for order_one its p at t_i is x.p at t_{i+1}.
     """
 
     def __init__(self, equation: Equation, start: tuple, history: str, t, q, p, stopped: "Optional[str]") -> None:
@@ -168,17 +168,16 @@ class Solution:
         return q[0] if self.q.ndim == 1 else q
 
     def _inside(self, i: int, t):
-        """q and p at t between the points i and i + 1, as the engine says them."""
+        """q and p at t between the points i and i + 1, as numbers of the engine."""
         row, time = self._row, self._time
         ends = (z for j in (i, i + 1) for z in (time(self.t[j]), row(self.q, j), row(self.p, j)))
         return self._motion.between_states(*ends, time(t))
 
     def events(self, g: Callable, crossing: str = "any") -> Events:
-        """Where g(t, q, p) passes zero, as in Poincaré sections: located between the points, on what x(t) is, to the last digits.
+        """The zeros of g(t, q, p), as in Poincaré sections, located on the dense output x(t) to the last digits.
 
-        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event, two within one step (of a solution to an accuracy within
-        an eighth of one) are not seen, and a pole, where |g| is larger than at both ends of its step, is none. A g that is true or false
-        passes zero where it changes.
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event. Two zeros within one step are missed (for a solution to an
+        accuracy, within an eighth of one). A pole, with |g| larger than at both ends of its step, is no event. A bool g is zero where it changes.
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
@@ -205,14 +204,14 @@ class Solution:
         return zeros.state(self._time(t), *self._inside(i, t))
 
     def _zero(self, zeros: Zeros, i: int, first: tuple, last: tuple, was, now) -> tuple:
-        """The first state at or behind the zero of g between two of step i, where g was and is."""
+        """The first state at or after the zero of g between two states of step i with the values `was` and `now`."""
 
         def at(fraction):
             with digits_of(zeros.kind):
                 t = first[0] + number_from(zeros.kind, fraction) * (last[0] - first[0])
             return self._state(zeros, i, t)
 
-        stays = now == 0  # then its first zero is meant
+        stays = now == 0  # finds the first zero
 
         def g(fraction):
             y = zeros.value(*at(fraction), inside=True)
@@ -221,17 +220,17 @@ class Solution:
         fraction = self._motion.fraction_at_zero(g, self._time(was), self._time(-was if stays else now))
         return last if number_from(zeros.kind, fraction) == 1 else at(fraction)
 
-    #: How often events are looked for in a step.
+    #: Points in a step at which events are checked.
     _looks = 1
 
     def residual(self, absolute: bool = False):
-        """The largest component of what the positions leave of their discrete Euler-Lagrange equation, each divided by the rounding of its
-        row: by epsilon times the sum of the sizes of its terms. That has no unit and is less than some tens for what solves the equation, in
-        any steps; of fractions, which do not round, divided by the sizes alone. `absolute=True` gives it as it is, in the units of the
-        equation: that grows as epsilon / h**2. Of a solution that has stopped it is meant as far as it goes.
+        """The largest residual of the discrete Euler-Lagrange equation at the positions, each row divided by its rounding: by epsilon times
+        the sum of the sizes of its terms. It has no unit, and is at most some tens for a solution, with any steps. For exact fractions the
+        divisor is the sum of the sizes alone. `absolute=True` gives it in the units of the equation, where it grows as epsilon / h**2. For a
+        stopped solution it covers the points that exist.
 
-        Of compositions, as verlet and kahan_li_8, what positions and momenta leave of the equations of their parts. Newmark's schemes have no
-        such equation, and raise InvalidParameter.
+        For compositions, as verlet and kahan_li_8, it is the residual of their parts at positions and momenta. Newmark's schemes have no such
+        equation, and raise InvalidParameter.
         """
         if len(self) < 2:
             raise _core.InvalidParameter("the residual is that of two points and more, and this solution has one")
@@ -240,7 +239,7 @@ class Solution:
         return number_from(self.equation.scale.kind(), motion.residual(*self._start, positions, momenta, bool(absolute)))
 
     def _reached(self) -> Equation:
-        """The equation on what of its scale there is of a solution that has stopped."""
+        """The equation of a stopped solution, on its part of the scale."""
         T = self.equation.scale
         return replace(self.equation, scale=Uniform(T.start, T.step, len(self) - 1) if isinstance(T, Uniform) else TimeScale(T.points[: len(self)]))
 
@@ -252,7 +251,7 @@ class Solution:
         return np.array([number_from(kind, self._motion.energy(self._time(t), *(row(x, i) for x in (self.q, p, mean)))) for i, t in enumerate(self.t)])
 
     def _mean_velocities(self):
-        """Of the step behind each point, and of the last step at the last one: near those of the points, whose momenta others may have too."""
+        """The mean velocity of the step after each point, of the last step at the last one: selects among velocities of equal momentum."""
         if len(self) == 1:
             return np.zeros_like(self.q)
         h = np.diff(self.t)
@@ -284,11 +283,12 @@ class Solution:
 
 
 class AccurateSolution(Solution):
-    """A solution to a wanted accuracy, of the equation that was chosen for it: `equation.method` and `equation.scale` say which. `error` is
-    the distance of q from the run with half as many steps.
+    """A solution to a requested accuracy. `equation.method` and `equation.scale` were chosen for it; `error` is the distance of q from the run
+    with half as many steps.
 
-    That is more than its own error where L is smooth, and no less than the rounding that both runs share, or the accuracy where all positions are 0; where L has branches it is four times the largest distance from five other runs. Where L compares the time alone there are points.
-    Between the points x(t) and x.events(g) are as accurate as at them: what is there is a step of the same method, from the point before.
+    For smooth L that exceeds its own error; it is at least the rounding shared by both runs, or the accuracy if all positions are 0. For L
+    with branches it is four times the largest distance from five other runs. Times at which L switches are points of the scale. Between the
+    points x(t) and x.events(g) are as accurate as at them, by a step of the same method from the point before.
     """
 
     _looks = 8  # steps are long
@@ -301,7 +301,7 @@ class AccurateSolution(Solution):
         for j in (i, i + 1):
             if t == self.t[j]:
                 return self._row(self.q, j), self._row(self.p, j)
-        for steps in (1, 2, 4, 8):  # which fail where they are long
+        for steps in (1, 2, 4, 8):  # long steps may fail
             shorter = replace(self.equation, scale=Uniform(self.t[i], (t - self.t[i]) / steps, steps))
             _, q, p, stopped, _ = shorter._motion(self._history).walk(self._row(self.q, i), "p0", self._row(self.p, i), None, None)
             if not stopped:

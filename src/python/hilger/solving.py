@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Discrete Euler-Lagrange equations, solved."""
+"""Solvers of discrete Euler-Lagrange equations."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from .scales import TimeScale, digits, real, require_real, rounds, uniform
 from .solutions import AccurateSolution, DoubtfulSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
-LONG = 10_000_000  # steps, from which on to make machine code of them takes less than it wins
+LONG = 10_000_000  # steps: for more, machine code saves more time than its compilation takes
 
 
 def direct() -> str:
-    """The sum over all that was: exact, and of cost N**2."""
+    """The direct sum over all earlier values: exact, at cost N**2."""
     return "direct"
 
 
 def blocks() -> str:
-    """The same sums by fast convolutions in O(N log(N)**2)."""
+    """The same sums by fast convolution, in O(N log(N)**2)."""
     return "blocks"
 
 
 def exponentials(tolerance: float = 0.0) -> str:
-    """The weights as a sum of exponentials: constant memory. With tolerance 0 as exact as double is."""
+    """The weights as a sum of exponentials, with constant memory. Tolerance 0 means the accuracy of double."""
     return f"exponentials:{tolerance}" if tolerance else "exponentials"
 
 
 def require_history(history: object) -> None:
-    """Raises where it is none, whether there is a memory or not."""
+    """Raise unless history is one, even if nothing uses it."""
     is_one = isinstance(history, str) and re.fullmatch(r"direct|blocks|exponentials(:[0-9.]+(e-?[0-9]+)?)?", history)
     if not is_one:
         wrong = _core.InvalidParameter if isinstance(history, str) else TypeError
@@ -78,31 +78,31 @@ def solve(
     longest_step: float = 0.0,
     compiled: "Optional[bool]" = None,
 ) -> "Solution | AccurateSolution":
-    """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. Of the methods order_one, order_one_left, midpoint and theta
-    start from q1, where nothing is damped. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a
-    number) for each point of T. Of several solutions one near the guess is looked for, and mostly found: look at it, or guess a
-    solution of a problem that differs little. Nothing is returned that leaves more of its equation than the rounding of its terms. Ends that
-    determine what lies between them to less than half of the digits, as those half a period of an oscillator apart, raise IllConditioned;
-    those that a solution responds to more than a thousandfold, and a solution that one on every second point differs from by more than any
-    order allows, warn with DoubtfulSolution.
+    """Solve an equation from q0 and one of v0, p0, q1, or between q0 and qN. The methods order_one, order_one_left, midpoint and theta start
+    from q1, without damping. Between two ends Newton's method starts from the straight line, or from `guess`, a row (or a number) for each
+    point of T. If there are several solutions it usually finds one near the guess: inspect it, or guess the solution of a similar problem.
+    The residual of a returned solution is at most the rounding of the equation's terms. Raises IllConditioned if the ends determine the
+    solution to less than half of the digits, as ends half a period of an oscillator apart. Warns with DoubtfulSolution if the solution
+    magnifies changes of the ends more than a thousandfold, or differs from the one on every second point by more than any order allows.
 
-    `until=g` ends a walk at the first point of T behind a zero of g(t, q, p), as of the height of what falls: x.stopped says so, and
-    x.events(g) where it was. A g that is true or false passes zero where it changes; g = 0 at the start is no zero.
+    `until=g` ends a walk at the first point of T after a zero of g(t, q, p), as the height of a falling body: x.stopped says so, and
+    x.events(g) locates the zero. A bool g is zero where it changes; g = 0 at the start is no zero.
 
-    `history` is what fractional damping remembers with: direct(), blocks() or exponentials(). `progress=True` shows a bar where tqdm is
-    installed; a callable gets the number of steps made, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and what there
-    is is returned with a warning; between two ends, and to an accuracy, there is nothing to keep, and KeyboardInterrupt is raised. With a Lagrangian, an interval and an accuracy the method and the number of steps are found: solve(L,
-    (0, 50), q0=1, v0=0, accuracy=1e-10). `longest_step` is for what is narrow, as a smooth pulse in time: steps that are all longer may miss it.
-    Where the formula compares the time alone, as in where(abs(t - 7) < 0.01, 100, 0) or abs(t - pi), the solution has points, and nothing is
-    missed: exactly where the comparison is affine in t on each side; of others, as sin(t) < 0, what changes and changes back within a 4096th
-    of the interval is not seen.
+    `history` is the algorithm for fractional damping: direct(), blocks() or exponentials(). `progress=True` shows a bar if tqdm is installed;
+    a callable gets the number of steps so far, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and the points so far are
+    returned with a warning; between two ends, and to an accuracy, it raises KeyboardInterrupt.
 
-    `compiled=True` makes machine code of whole steps, by the system's C compiler and in some tenths of a second the first time, where
-    solve_many has lanes: order_one, order_one_left, midpoint, verlet and kahan_li_8 of up to six coordinates in double, without a memory,
-    branches and formulas of more than some hundred operations. They take the time of the same system in C++, and agree with what `compiled=False` makes to rounding. Where nothing is said
-    they are for ten million steps and more; `x.compiled` says which they were.
+    With a Lagrangian, an interval and an accuracy, solve chooses the method and the number of steps: solve(L, (0, 50), q0=1, v0=0,
+    accuracy=1e-10). `longest_step` bounds the steps, which could otherwise miss a narrow feature, as a smooth pulse in time. If the formula
+    compares the time alone, as in where(abs(t - 7) < 0.01, 100, 0) or abs(t - pi), the switching times become points of the scale. They are
+    exact if the comparison is affine in t on each side; otherwise, as for sin(t) < 0, two changes within a 4096th of the interval are missed.
 
-    Raises StepFailure, whose `solution` has what was reached, and the errors of this module for input that has no meaning.
+    `compiled=True` compiles whole steps to machine code, by the system's C compiler, in some tenths of a second the first time. The conditions
+    are those for lanes in solve_many: order_one, order_one_left, midpoint, verlet and kahan_li_8, up to six coordinates in double, no memory,
+    no branches, formulas of at most some hundred operations. Steps take the time of the same system in C++, and agree with `compiled=False`
+    to rounding. The default is True for ten million steps and more; `x.compiled` tells whether the steps were compiled.
+
+    Raises StepFailure, whose `solution` has the points so far, and the errors of this module for invalid input.
     """
     if isinstance(equation, Lagrangian):
         if interval is None or accuracy is None or v0 is None:
@@ -173,7 +173,7 @@ def solve(
 
 
 def require_room(numbers: int, what: str, remedy: str) -> None:
-    """Raises where so many numbers are more than there is memory."""
+    """Raise if so many numbers exceed the memory of the machine."""
     if not hasattr(os, "sysconf"):
         return
     needed, there = 8 * numbers, os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
@@ -190,13 +190,13 @@ def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, acc
     nodes = re.search("[0-9]+", method)
     T = uniform(a, (b - a) / (len(t) - 1), len(t) - 1)
     if not np.allclose(t, np.linspace(a, b, len(t)), rtol=0, atol=8 * np.finfo(float).eps * max(abs(a), abs(b))):
-        T = TimeScale(t)  # with points where L switches
+        T = TimeScale(t)  # includes the switching times of L
     equation = variation(L, T, gauss(int(nodes[0])) if nodes else midpoint)
     return AccurateSolution(equation, start, t, q[:, 0] if L.is_scalar else q, p[:, 0] if L.is_scalar else p, error)
 
 
 class _EndOfWalk:
-    """Asked at each state of a walk in turn: whether g has passed zero since the one before."""
+    """Called at each state of a walk in turn: whether g has passed zero since the previous one."""
 
     def __init__(self, zeros: Zeros) -> None:
         self.zeros, self.was, self.reached = zeros, None, False
@@ -224,7 +224,7 @@ class _Bar:
 
 
 def bar_of(progress: object, total: int, unit: str):
-    """What is told how far it is, where somebody wants to know."""
+    """The receiver of progress reports, or None."""
     if callable(progress):
         return progress
     if not isinstance(progress, (bool, np.bool_, type(None))):
@@ -239,11 +239,11 @@ def bar_of(progress: object, total: int, unit: str):
 
 
 def machine_code(how: str = "on") -> None:
-    """Whether formulas become machine code: "on", as it is, once they have been evaluated a thousand times and the system's C compiler is
-    ready with them; "off"; or "at once", waiting for the compiler. Results are the same to the last bit.
+    """Set whether formulas become machine code: "on", the default, after 512 or 1024 evaluations, once the system's C compiler has finished; "off";
+    or "at once", waiting for the compiler. Results are the same to the last bit.
 
-    What is compiled is kept in the folder hilger of $XDG_CACHE_HOME or ~/.cache, the 256 libraries last used. HILGER_MACHINE_CODE=off in the
-    environment says "off".
+    The 256 libraries last used are cached in the folder hilger of $XDG_CACHE_HOME or ~/.cache. HILGER_MACHINE_CODE=off in the environment
+    sets "off".
     """
     if not isinstance(how, str):
         raise TypeError(f'machine code is "on", "off" or "at once", and here is {how!r}')
