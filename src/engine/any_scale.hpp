@@ -26,7 +26,7 @@ public:
     using scalar_type = S;
     using root_type = any_scale;
     using domain_type = hilger::domain<hilger::nodes>;
-    static constexpr bool is_uniform = false; // known from the type
+    static constexpr bool is_uniform = false; // by its type, even with equal steps
     static constexpr auto kind() { return hilger::fixed_text("a scale of points"); }
 
     /// @throws hilger::error::invalid_scale

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // One case at the limits of the accepted input: its promise, the measured value, and its outcome, which is either full accuracy or a typed
-// error, never a silent wrong number. The tests check the rows that `hilger extremes` prints. A bound follows from theory where that is
-// sharp; where rounding is random or cancels, it is 4 epsilon or up to thirty times the measured value, because compilers and processors
+// error, never a silent wrong number. The tests check the rows that `hilger extremes` prints. A bound follows from theory if that is
+// sharp; if rounding is random or cancels, it is 4 epsilon or up to thirty times the measured value, because compilers and processors
 // contract products and sums differently.
 #pragma once
 

@@ -45,8 +45,8 @@ inline constexpr std::string_view rows_of_picture = "<rows>";
 
 struct scene {
     std::string name, title;
-    std::string fingerprint; ///< of the text that states it
-    std::string units;       ///< of the interval, "" where there are none
+    std::string fingerprint; ///< of the problem's text
+    std::string units;       ///< of the interval, or ""
     int dimension = 1;
     double t0 = 0, t1 = 1;
     configuration usual;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Motions, one at a time. A walk lets other threads of Python run, checks for an interrupt every tenth of a second, and then returns early.
+// Motions, one at a time. A walk lets other threads of Python run, and checks every tenth of a second for an interrupt, which ends it.
 #include "crossing.hpp"
 #include "engine/ensemble/whole_steps.hpp"
 #include "engine/machine_code/machine_code.hpp"

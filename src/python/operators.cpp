@@ -134,7 +134,7 @@ void add_operators(py::module_& m) {
     m.def("read_operator", [](std::string const& of) { return text::operator_in(of); });
     m.def("require_method", [](engine::problem const& what, std::string const& method, bool in_double) {
         if (not engine::is_embedding_in_text(method)) return;
-        if (in_double) // where factors may be rounded
+        if (in_double) // its factors may be rounded
             (void)engine::lambda_of<double>(what, method, 1.0);
         else
             (void)engine::lambda_of<hilger::float50>(what, method, hilger::float50(1));

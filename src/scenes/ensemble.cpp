@@ -88,7 +88,7 @@ private:
     }
     void read_names(std::string const& line) {
         auto const names = fields(line.substr(line.find_first_not_of("# ") == std::string::npos ? 0 : line.find_first_not_of("# ")));
-        auto const before = words_; // with the members' parameters as common ones
+        auto const before = words_; // with all parameters as common ones
         for (std::string const& field : names) {
             auto const bracket = field.find('[');
             std::string const name = field.substr(0, bracket);

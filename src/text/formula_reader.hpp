@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Number-independent facts about a formula: the meanings of its names, whole numbers, errors.
+// Properties of a formula in every number type: the meanings of its names, whole numbers, errors.
 #pragma once
 
 #include <map>

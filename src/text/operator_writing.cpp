@@ -12,7 +12,7 @@ namespace printed = hilger::detail;
 
 namespace {
 
-/// c with a = c b, where both are rational and lose the same points.
+/// c with a = c b; nothing unless both are rational and lose the same points.
 std::optional<Q> ratio(operator_formula const& a, operator_formula const& b, bool uniform) {
     if (not(a.lost() == b.lost())) return {};
     auto const x = detail::exact_row_of(a, uniform, a.lost()), y = detail::exact_row_of(b, uniform, a.lost());

@@ -14,8 +14,8 @@ namespace engine {
 struct ensemble {
     hilger::index_type members = 0, points = 0; ///< kept of each member
     int dimension = 0;
-    std::vector<double> t, q, p;       ///< q and p: members x points x dimension, NaN after a failure
-    std::vector<std::string> failures; ///< of each member, "" without a failure
+    std::vector<double> t, q, p;       ///< q and p: members x points x dimension, NaN if not reached
+    std::vector<std::string> failures; ///< of each member, "" if it reached the end
     [[nodiscard]] std::size_t place(hilger::index_type member, hilger::index_type point) const {
         return static_cast<std::size_t>((member * points + point) * dimension);
     }

@@ -21,9 +21,9 @@ public:
         : node_equation(what, b, "lanes"), name_(std::move(name)), one_(one) {
         w_ = constant("w", w_);
     }
-    /// The equation is linear in y and needs no guess.
+    /// Whether the equation is linear in y: it then needs no guess.
     [[nodiscard]] bool is_linear() const { return linear_; }
-    /// The node is inside the step: a polynomial guesses its velocity.
+    /// Whether the node is inside the step: a polynomial then guesses its velocity.
     [[nodiscard]] bool is_inside() const { return not c_.is(0) and not f_.is(0); }
     /// A part that is called once or twice is inlined into the walk.
     [[nodiscard]] std::string text(bool is_inlined) {

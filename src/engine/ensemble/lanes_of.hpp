@@ -25,13 +25,12 @@ struct one_node_parts {
 std::size_t size_in_lanes(int dimension, one_node_parts const& of);
 
 /// C99 with the vector types of gcc and clang: states are lists of vectors with `width` lanes, one for each member.
-/// begin(double t, double *x, long long *lost)    sets momenta p = dL/dv from the velocities
+///   void begin(double t, double *x, long long *lost)    sets momenta p = dL/dv from the velocities
 ///   void walk(long i, long n, const double *t, double h, double *x, long long *lost, double *kept_q, double *kept_p)
-/// walks n steps from t[i], the i-th point; h is their length, or 0 for the differences of the times. A lane is lost from its first failing
-/// step on: its number in `lost` is -1. Lanes are independent of each other to the last bit. Nothing when a formula has branches, or a
-/// domain that its derivatives do not share, as log(1 - q) with 1/(1 - q).
-/// `width` 0 means one member in plain numbers, with functions of the C library and branches instead of masks; q and p after each step go
-/// to kept_q and kept_p, unless these are null.
+/// walks n steps from t[0], point i of the scale; h is their length, or 0 for the differences of the times. A lane is lost from its first
+/// failing step on: its number in `lost` is -1. Lanes are independent of each other to the last bit. Nothing when a formula has branches,
+/// or a domain that its derivatives do not share, as log(1 - q) with 1/(1 - q). `width` 0 means one member in plain numbers, with functions
+/// of the C library and branches instead of masks; q and p after each step go to kept_q and kept_p, unless these are null.
 std::string lanes_of(hilger::detail::node_formulas const& what, one_node_parts const& of, int brought, int width);
 
 } // namespace engine

@@ -19,7 +19,7 @@ from .solving import bar_of, require_history, require_room
 class Ensemble:
     """Many trajectories of one equation: t, and q and p of members x kept points (x coordinates, if there are several).
 
-    `failed` maps the numbers of failed members to reasons; their q and p are NaN after the failure. `lanes` is the number of members that
+    `failed` maps the numbers of failed members to reasons; q and p are NaN at points not reached. `lanes` is the number of members that
     stepped together, 1 if each was alone.
     """
 
