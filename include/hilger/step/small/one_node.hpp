@@ -128,8 +128,7 @@ private:
             bool done;
             if constexpr (order_one) {
                 done = quadratic or is_at_the_floor(d, v, r, p, f_size, g);
-                if (at_start and (not quadratic or has_force<Problem>))
-                    (add_row<K>(g, D, d), ...); // g was evaluated at the previous velocity
+                if (at_start and (not quadratic or has_force<Problem>)) (add_row<K>(g, D, d), ...); // g is of the v before
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
