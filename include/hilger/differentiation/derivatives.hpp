@@ -3,8 +3,7 @@
 // Gradients are columns like x; blocks are d x d, entry (j, k) = second derivative by component j of the first and k of the second named
 // argument. For scalars all of them are scalars.
 //
-// Up to d = 4 by one evaluation with jets, in registers. Beyond, the function is traced into a graph, of which only the nonzero derivatives
-// are made (hilger/differentiation).
+// Up to d = 4 by one evaluation with jets, in registers. Beyond, the function is traced into a graph, for the nonzero derivatives only.
 #pragma once
 
 #include "hilger/differentiation/jet/functions.hpp"

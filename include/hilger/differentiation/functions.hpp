@@ -64,7 +64,7 @@ HILGER_FUNCTION(asin, T(1) / T(sqrt(T(T(1) - x * x))), x* s* s* s)
 HILGER_FUNCTION(acos, T(-1) / T(sqrt(T(T(1) - x * x))), x* s* s* s)
 HILGER_FUNCTION(atan, T(1) / T(T(1) + x * x), -(x + x) * s * s)
 HILGER_FUNCTION(asinh, T(1) / T(sqrt(T(x * x + T(1)))), -x* s* s* s)
-// NaN where acosh is
+// NaN if acosh is NaN
 HILGER_FUNCTION(acosh, T(1) / T(T(sqrt(T(x - T(1)))) * T(sqrt(T(x + T(1))))), -x* s* s* s)
 HILGER_FUNCTION(atanh, (slope_of_log(T(T(1) + x)) + slope_of_log(T(T(1) - x))) / T(2), (x + x) * s * s)
 HILGER_FUNCTION(cbrt, T(1) / T(T(3) * T(y * y)), T(-2) * s * s / y)

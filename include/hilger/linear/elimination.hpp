@@ -32,8 +32,7 @@ public:
     [[nodiscard]] int place(int j, int k) const { return j * stride_ + k + offset_; }
     [[nodiscard]] list<S, D*(D + 1)>& data() { return data_; }
 
-    /// @returns false if the matrix is singular to rounding. Rows are weighed by their largest entry: a small mass beside a large one is
-    /// not singular.
+    /// @returns false if the matrix is singular to rounding. Rows are weighed by their largest entry, as masses may differ in size.
     bool factorize() {
         factors_ = data_;
         for (int j = 0; j < d_; ++j) {

@@ -15,8 +15,7 @@
 
 namespace hilger::detail {
 
-/// Factors of a sparse matrix. Eigen's cannot be copied: a copied matrix makes its own, and an assigned one keeps the analysed pattern
-/// only.
+/// Factors of a sparse matrix. Eigen's cannot be copied: a copied matrix makes its own, an assigned one keeps the analysed pattern only.
 template <class S>
 struct sparse_factors {
     struct factors {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Newton's method for r(x) = 0, with one stopping rule, and its continuation. A correction d = -r'(x)^-1 r(x) is taken whole if it
-// contracts, else shortened.
+// Newton's method for r(x) = 0, with one stopping rule, and its continuation. A correction d = -r'(x)^-1 r(x) is shortened unless it
+// contracts.
 //   Contraction: the derivative at x and the residual at x + s d give a simplified correction, ideally (1 - s) d; s is accepted if they
 // differ by less than a quarter of d (Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 3.1.4 and 3.3). This test does not
 // depend on the units of the rows, and keeps to the path that leads to the root nearby.
@@ -34,8 +34,7 @@ struct newton_equation {
 };
 
 /// Requirement on the correction that is left by a share s of a correction d: none; less than d; (1 - s) d to a quarter of d, which keeps
-/// to the path that leads to the root nearby; the same half-way too, which leaps over nothing. The first two give the root to half of the
-/// digits.
+/// to the path that leads to the root nearby; the same half-way too, which leaps over nothing. The first two give half of the digits.
 enum class corrections { any, smaller, on_the_path, followed };
 
 /// One search for a root from x. At its end x is the last argument of r, and `residual` is r(x).
@@ -175,8 +174,7 @@ struct continuation_shares {
     S first, most, least;
 };
 /// Follows a root from a small share, near `start`, to the whole; `set_share` changes the equation. @returns whether it arrives: x,
-/// `residual` and the derivatives of the equation are then those of the whole; else x and `residual` are unchanged, and the equation is
-/// that of some share
+/// `residual` and the derivatives are then those of the whole; else x and `residual` are unchanged, and the equation is that of some share
 template <class X>
 bool continued(newton_equation<X> const& equation, X& x, X const& start, X& residual, continuation_shares<scalar_of<X>> const& shares,
                corrections how, function_view<void(scalar_of<X> const&)> const& set_share) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // K x = r for at most four unknowns, in scalars that the optimiser can keep in registers: matrices known to be diagonal by division, two
-// equations by their determinant if it is a normal number, all others by elimination. Also the stopping rules of Newton's iteration for
-// them.
+// equations by their determinant if it is a normal number, all others by elimination. Also the stopping rules of Newton's iteration.
 #pragma once
 
 #include <algorithm>

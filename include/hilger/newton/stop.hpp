@@ -97,8 +97,7 @@ private:
     int rounds_ = 0;
 };
 
-/// Weighs each component of a correction by that of the solution or, near its zero, by the terms of the residual: components may be of very
-/// different sizes.
+/// Weighs each component of a correction by that of the solution or, near its zero, by the terms of the residual: their sizes may differ.
 template <class Unknown, class S, class Vector>
 class weighed_corrections {
     using u = shape<Unknown>;

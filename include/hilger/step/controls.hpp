@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // One step of an embedding in numbers: its tableau, the control values U_0 = q_i, U_1, ..., U_n = q_{i+1}, and at each node the position
-// A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. The unknowns are U_1, ..., U_n; those of one
-// component are adjacent, so that couplings of neighbours form a band. Also magnitudes and rounding of the terms of the equation
-// (step/equation.hpp).
+// A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. The unknowns are U_1, ..., U_n, ordered by
+// components: couplings of neighbours form a band. Also the magnitudes of the terms of the equation (step/equation.hpp).
 #pragma once
 
 #include <algorithm>
@@ -121,8 +120,8 @@ public:
                 for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
         }
     }
-    /// Largest weight of dL/dq in the equation over that in the momentum after the step, at most 1: a correction changes the momentum by
-    /// the inverse of this factor more.
+    /// Largest weight of dL/dq in the equation over that in the momentum after the step, at most 1: the momentum changes by its inverse
+    /// more.
     [[nodiscard]] S share_of_force() const {
         S in_equation(0), in_momentum(0);
         for (int k = 0; k < t_.nodes; ++k) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // The equation of one step of an embedding, given by its tableau, in any dimension. With the control values U_0 = q_i, U_1, ..., U_n =
 // q_{i+1}, L_h is stationary in U_1, ..., U_{n-1}, the values inside the step, and p_i = -d_0 L_h:
-//     r_j(U) = [j = 0] p_i + sum_k w_k (a_kj dL/dq + b_kj dL/dv)(A_k, B_k) = 0,  j < n,   A_k = sum_m a_km U_m,   B_k = sum_m b_km U_m,
+//   r_j(U) = [j = 0] p_i + sum_k w_k (a_kj dL/dq + b_kj dL/dv)(A_k, B_k) = 0,  j < n,   A_k = sum_m a_km U_m,   B_k = sum_m b_km U_m,
 // with its derivative by U_1, ..., U_n in the sparsity pattern of the formula of L, and the momentum after the step,
-//     p_{i+1} = d_n L_h = sum_k w_k (a_kn dL/dq + b_kn dL/dv).
+//   p_{i+1} = d_n L_h = sum_k w_k (a_kn dL/dq + b_kn dL/dv).
 // Rows and unknowns of one component are adjacent, so that couplings of neighbours form a band.
 #pragma once
 
@@ -47,7 +47,7 @@ public:
     matrix constant_part;      ///< its entries that never change
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
 
-    /// Evaluates the gradients at the current displacements, and the second derivatives as `which` asks. @returns whether the matrices are
+    /// Evaluates the gradients, and the second derivatives as `which` asks, at the current displacements. @returns whether the matrices are
     /// new
     bool evaluate(given_problem<V> const& problem, state<S, V> const& x, wanted which) {
         bool is_new = not is_prepared;

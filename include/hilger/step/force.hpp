@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // A force that is constant in time over a step and affine in the displacement,
-//     F = constant - slope (q_{i+1} - q_i),   component by component:
+//   F = constant - slope (q_{i+1} - q_i),   component by component:
 // the part of a memory, read as a mean over the step, that enters the equation of the step. Its virtual work is that of the mean position:
-//     no control values inside the step    p_i + h F / 2 = -d_1 L_h,   p_{i+1} = d_2 L_h + h F / 2,   whatever the embedding
-//     control values inside                F is added to dL/dq at every node
+//   no control values inside the step    p_i + h F / 2 = -d_1 L_h,   p_{i+1} = d_2 L_h + h F / 2,   whatever the embedding
+//   control values inside                F is added to dL/dq at every node
 // Both change the momentum by h F. They coincide for mid-point.
 #pragma once
 

@@ -3,9 +3,8 @@
 // step; velocities computed from the U_m would carry their rounding divided by h.
 //
 // The formula of L selects the solver. A constant matrix is factorized once, one correction solves the equation, and terms outside of it
-// are evaluated at its solution only: explicit schemes are that case. With constant masses, an iteration with these alone is used while it
-// converges fast. Otherwise Newton's method.
-// constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
+// are evaluated at its solution only: explicit schemes are that case. Constant masses alone serve as the matrix while that converges fast.
+// Otherwise Newton's method.
 #pragma once
 
 #include <limits>
@@ -214,8 +213,8 @@ private:
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
         return previous > S(0) and not(size < previous) and magnitude(correction_) <= S(16) * epsilon<S>() * magnitude(x.q);
     }
-    /// With masses that grow without bound, as near the speed of light, corrections are small everywhere: they prove nothing if the
-    /// residual exceeds its terms.
+    /// With masses that grow without bound, as near the speed of light, all corrections are small: they prove nothing beside a large
+    /// residual.
     [[nodiscard]] bool is_elsewhere(state<S, V> const& x) const {
         return not e_.has_constant_mass and not std::numeric_limits<S>::is_exact and
                magnitude(x.p) + e_.impulses() < S(e_.residual.cwiseAbs().maxCoeff());

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The step of a one-node embedding for L = v.Mv / 2 - U(q) of any size (models/mechanical.hpp) by forces alone: the velocity v at the node
 // solves M v = p - a_0 h U'(q + a_1 h v). If the node is an end of the step, one force determines it. Otherwise it is iterated: each round
-// costs one gradient and gains a factor h^2 |M^-1 U''| / 4. If that is too slow, the equation of the step is solved (step/many_nodes.hpp),
-// in the sparsity pattern of U.
+// costs one gradient and gains a factor h^2 |M^-1 U''| / 4. If that is too slow, the equation of the step is solved (step/many_nodes.hpp).
 #pragma once
 
 #include <optional>

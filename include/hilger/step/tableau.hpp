@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // An embedding on one step, in numbers. The control values U_0 = q_i, ..., U_d = q_{i+1}, at the ends of the step and at points inside,
 // give the position and the velocity at each node of the integral, A_k = sum_j position[k][j] U_j and B_k = sum_j velocity[k][j] U_j, and
-// L_h = sum_k weight[k] L(A_k, B_k) (Cresson-Safi (47), (48) for mid-point). The numbers are the embedding's operators applied to unit
-// functions.
+// L_h = sum_k weight[k] L(A_k, B_k) (Cresson-Safi (47), (48) for mid-point). The operators applied to unit functions give the numbers.
 #pragma once
 
 #include <array>
@@ -67,8 +66,7 @@ struct tableau {
 };
 
 namespace detail {
-/// Makes c + f = w exact for numbers that satisfy it to rounding: only then is the one-node step symplectic. w less the larger one is
-/// exact.
+/// Makes c + f = w exact for numbers that satisfy it to rounding: else the one-node step is not symplectic. w less the larger one is exact.
 template <class S>
 void add_up_to(S const& w, S& c, S& f) {
     if (magnitude(c) < magnitude(f))

@@ -46,16 +46,15 @@ std::string written_equations(F const& L, embedding<A, B, W, Checked> const& e, 
 
 } // namespace detail
 
-/// C99 that needs math.h alone, for states of the kind V: double, or an Eigen vector of d components. With d = 1 for a number, and `double
-/// t` as the first argument of all if L or the force depends on the time (t at q, at q0 for the residual):
+/// C99 that needs math.h alone, for states of the kind V: double, or an Eigen vector of d components. With d = 1 for a number, and the time
+/// `double t` as the first argument of all if L or the force depends on it (t at q, at q0 for the residual):
 ///   double NAME_lagrangian(const double q[d], const double v[d])
 ///   void NAME_momentum(const double q[d], const double v[d], double p[d])                    p = dL/dv
 ///   void NAME_residual(double h, const double q0[d], const double q1[d], const double q2[d], double r[d])
 ///       r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2) and the forces, a momentum
 ///   int NAME_step(double h, double q[d], double p[d], double v[d])
-///         one step; v is the guess of the velocity at the node, and becomes that velocity: of several solutions of a long step the one
-///         that Newton's method finds from there. Returns NAME_ok (0), or NAME_singular, NAME_no_convergence, NAME_not_finite with q, p and
-///         v as they were.
+///       one step; v is the guess of the velocity at the node, and becomes that velocity: of several solutions the one that Newton's method
+///       finds from there. Returns NAME_ok (0), or NAME_singular, NAME_no_convergence, NAME_not_finite with q, p and v unchanged.
 /// @throws error::no_formula if L compares its arguments, error::invalid_parameter if `name` is no name in C, or V is dynamic without d
 template <class V = double, class F, class Force, class E>
 std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string const& name, int d = detail::shape<V>::size) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Embeddings in text as those of types: the operators of an action that is derived, stepped and printed like all others.
+// Embeddings in text as those of types: their operators make an action that is derived, stepped and printed like all others.
 //   auto const how = text::embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))");
 //   text::with_embedding<double>(how, T.is_uniform, [&](auto const& e) { return embed(L, e); });
 #pragma once

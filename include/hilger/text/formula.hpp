@@ -104,8 +104,7 @@ formula formula_of(F const& lagrangian, int d = detail::shape<V>::size) {
     });
     return {std::move(in), L};
 }
-/// The formula of a text; its arguments have the names of the coordinates and of the time, without an index for a coordinate that is a
-/// number.
+/// The formula of a text; its arguments are named as the coordinates, without an index for one that is a number, and as the time.
 formula formula_of(text::stated const& lagrangian, std::vector<text::coordinate> const& coordinates, std::string const& time);
 
 } // namespace hilger

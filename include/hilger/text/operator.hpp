@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Linear operators on functions on T that are known at run time only: identity, sigma, rho, Delta_plus, Delta_minus, multiples, sums and
 // compositions of them. Algebra and adjoints are those of operator/compose.hpp: between the nabla and the Delta sum
-//     adjoint(sigma) = rho,  adjoint(Delta_plus) = -Delta_minus,
+//   adjoint(sigma) = rho,  adjoint(Delta_plus) = -Delta_minus,
 // and other sums multiply by the ratio of their weights. A == B compares what both make of one generic function on one generic scale
 // (adjoint/normal_form.hpp).
 #pragma once
@@ -104,8 +104,7 @@ struct embedding_formula {
 /// Parameters in its factors are those of `words`. @throws error::unreadable with line and column
 operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                              std::string const& source = "the operator");
-/// The embedding in a text: the arguments of L, applied to the unknown q, or ((1 + sigma)/2)[q]; `source` and `from` are the place of the
-/// text in errors:
+/// The embedding in a text: the arguments of L, applied to the unknown q, or ((1 + sigma)/2)[q]; `source` and `from` place it in errors:
 ///   integral(L((q + sigma[q])/2, Delta_plus[q]))
 ///   nabla_integral(L(q, Delta_minus[q]))           the sum with weights nu
 /// @throws error::unreadable
@@ -118,8 +117,8 @@ inline bool operator==(operator_formula const& a, operator_formula const& b) { r
 
 /// The operator applied to a function f, for a terminal or in LaTeX; `uniform`: on a scale of equal steps.
 std::string written(operator_formula const& a, print_style style, bool uniform = false);
-/// The text that operator_in reads the same operator from, applied to the name `on`, or as an operator if that is "". @throws
-/// error::invalid_parameter if it is too long to be read
+/// The text that operator_in reads the same operator from, applied to the name `on`, or as an operator if that is "".
+/// @throws error::invalid_parameter if it is too long
 std::string text_of(operator_formula const& a, std::string const& on = "q");
 /// The same, if it has at most `longest` characters.
 std::optional<std::string> written(operator_formula const& a, std::string const& on, std::size_t longest);

@@ -56,8 +56,7 @@ private:
 /// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first. A
 /// formula switches if a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, changes its outcome, or an abs, min or max of the
 /// time has a kink. An affine a + b t is solved exactly; for others, as sin(t) < 0, changes between 4096 equal parts of the interval are
-/// bisected down to rounding, and two changes within a part are missed. Comparisons in both parts of a choice count, whether the state
-/// leads there or not.
+/// bisected down to rounding, and two changes within a part are missed. Comparisons in both parts of a choice count.
 /// @throws error::invalid_parameter if one that is not affine changes more often than it is sampled
 template <class S>
 std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b);

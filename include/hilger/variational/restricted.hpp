@@ -31,8 +31,8 @@ constexpr auto operator*(F const& f, G const& g) {
         return f; // no further error
 }
 
-/// factor int A[x] B[y] over T: the sum over all points including the last. Without that one, as (19) is printed, the equation of y would
-/// have an end term that (20) lacks.
+/// factor int A[x] B[y] over T: the sum over all points. Without the last, as (19) is printed, the equation of y has a term that (20)
+/// lacks.
 template <linear_map A, linear_map B, class Root>
 struct coupling {
     [[no_unique_address]] A first;

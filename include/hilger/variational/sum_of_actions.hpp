@@ -24,8 +24,7 @@ struct multiple_of_lagrangian {
         requires std::invocable<F const&, X const&...>
     constexpr auto operator()(X const&... x) const { return plain_t<decltype(factor * function(x...))>(factor * function(x...)); }
 };
-/// L + M, each evaluated at nodes of its own in a step (step/sum_of_embeddings.hpp). As a function it is their sum: for the momentum, the
-/// energy and the continuous system.
+/// L + M, each evaluated at nodes of its own in a step (step/sum_of_embeddings.hpp); as a function their sum, for momenta and energies.
 template <class F, class G>
 struct lagrangian_by_node : sum_of_callables<F, G> {};
 /// Number of Lagrangians in F.

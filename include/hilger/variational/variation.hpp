@@ -131,8 +131,7 @@ public:
     [[nodiscard]] constexpr auto force_on_T() const { return written_on_T(action_.position); }
     [[nodiscard]] constexpr auto momentum_on_T() const { return written_on_T(action_.velocity); }
 
-    /// The left-hand side at x in C(T), a function on T^+-; zero exactly if x solves the equation. For traced vectors one formula serves
-    /// all points.
+    /// The left-hand side at x in C(T), a function on T^+-; zero exactly if x solves the equation. Traced vectors share one formula.
     template <discrete_function X>
     constexpr auto residual(X const& x) const {
         if constexpr (detail::is_traced_at<problem_with<no_force>, value_of<X>>) {
@@ -183,8 +182,7 @@ public:
             [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.vq_ * of_q + at.e.vv * of_v); }, seconds, a, b);
         return sum_of_adjoints(of_position, of_velocity);
     }
-    /// The sum of the magnitudes of the terms of the residual at its point k: the same operators, with absolute values of their weights and
-    /// of the derivatives of L.
+    /// The sum of the magnitudes of the terms of the residual at its point k: from absolute values of weights and of derivatives of L.
     template <discrete_function X, class Force>
     constexpr auto residual_size(X const& x, index_type k, detail::kept_derivatives<problem_with<Force>> const& kept) const {
         using V = value_of<X>;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The four operations on jets and constants. All derivatives of a result are one expression: an optimiser sees less through loops and
-// lambdas.
+// The four operations on jets and constants. All derivatives of a result are one expression: optimisers see less through loops and lambdas.
 #pragma once
 
 #include "hilger/differentiation/comparisons.hpp"

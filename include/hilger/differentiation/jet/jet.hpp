@@ -21,8 +21,7 @@
 
 namespace hilger {
 
-/// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Upper bounds, found along the way; they decide what is
-/// iterated.
+/// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Upper bounds that decide what is iterated.
 struct dependence {
     static constexpr int no_polynomial = 1000;
     int q = 0, v = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Sums and products of numbers that a compiler may know to be 0 or 1. IEEE rules forbid it to drop 0 * x and 0 + x; derivatives are full of
-// exact zeros.
+// Sums and products of numbers that a compiler may know to be 0 or 1. IEEE rules forbid it to drop 0 * x and 0 + x for these.
 #pragma once
 
 #include <concepts>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Derivatives of a node of a graph as nodes of the same graph, in reverse mode. Parts shared with the formula, or with another derivative,
-// are one node.
+// Derivatives of a node of a graph as nodes of the same graph, in reverse mode. Parts shared with the formula or each other are one node.
 #pragma once
 
 #include <queue>

@@ -171,7 +171,7 @@ private:
                     far = std::max(far, S(magnitude(S(s::component(D_[k], c) - s::component(before_[k], c))) / size));
         return far;
     }
-    /// Computes A_k - q_0 from the forces. @returns the largest displacement of a node
+    /// Computes A_k - q_0 from the forces. @returns the largest change of a node
     HILGER_ALWAYS_INLINE S move_nodes(Extra const& extra) {
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {
@@ -210,7 +210,7 @@ private:
         bend();
         next_ = (v_ + next_) * h_;
     }
-    /// Extra force for the end that the forces lead to. @returns the displacement of that end
+    /// Extra force for the end that the forces lead to. @returns the change of that end
     S renew_extra(Extra const& extra) {
         reach_end();
         room_ = next_ - end_;

@@ -70,8 +70,7 @@ struct forced_node_jet : node_jet<N, Jet> {
     }
 };
 
-/// Small states: straight from the jets. Rare calls are not flattened: with a second call site a compiler stops splitting the first one
-/// into registers.
+/// Small states: straight from the jets. Rare calls are not flattened: with a second call site a compiler keeps the first in memory.
 template <bool Scalar, bool Flat, class F, class S, std::size_t Size, int... K>
 HILGER_ALWAYS_INLINE inline auto lagrangian_jets(F const& L, S const& t, std::array<S, Size> const& q, std::array<S, Size> const& v,
                                                  std::integer_sequence<int, K...> all) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // The derivatives of a Lagrangian, and of a force, at one node of a step: a list of values and their places, for the d components of dL/dq
 // and dL/dv and the nonzero second derivatives.
-//     asked_node    for small states by jets, for callables with derivatives of their own, and for models, which list them. The degrees of
-//                   L tell which second derivatives are zero or constant, except for a callable that compares: another branch may be
-//                   another formula. If L takes the time none is constant, and zeros may fill in later: a driven L may compare the time
-//                   unnoticed.
-//     traced_node   by formulas that are traced on first use (differentiation/traced/trace.hpp): again when a comparison of arguments comes
-//                   out differently, and at each time for callables that take it, unless they accept a traced time: is_generic_in_time.
+//   asked_node    for small states by jets, for callables with derivatives of their own, and for models, which list them. The degrees of L
+//                 tell which second derivatives are zero or constant, except for a callable that compares: another branch may be another
+//                 formula. If L takes the time none is constant, and zeros may fill in: a driven L may compare the time unnoticed.
+//   traced_node   by formulas that are traced on first use (differentiation/traced/trace.hpp): again when a comparison of arguments comes
+//                 out differently, and at each time for callables that take it, unless they accept a traced time: is_generic_in_time.
 #pragma once
 
 #include <memory>

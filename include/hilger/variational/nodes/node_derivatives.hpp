@@ -14,8 +14,7 @@ namespace hilger::detail {
 template <class V>
 using node_derivatives = std::conditional_t<is_traced_state<V>, traced_node<V>, asked_node<V>>;
 
-/// A node for any arguments, and states of any kind; the formula is traced on first use and shared by copies. Thread-safe: a thread that
-/// finds it in use traces for itself.
+/// A node for any arguments and states; its formula is traced on first use and shared by copies. A thread that finds it in use traces anew.
 template <class Problem>
 class kept_derivatives {
     struct kept {
@@ -57,8 +56,7 @@ public:
         known.evaluate(what, t, q, v, which);
         return use(std::as_const(known));
     }
-    /// dL/dq, with the force, and dL/dv, for states of any kind. The first argument numbers the Lagrangians of a sum
-    /// (step/sum_of_embeddings.hpp).
+    /// dL/dq, with the force, and dL/dv, for states of any kind. The first argument numbers the Lagrangians of a sum.
     template <class S, class V>
     std::pair<V, V> gradients(int, S const& t, V const& q, V const& v) const {
         if constexpr (is_traced_at<Problem, V>)
