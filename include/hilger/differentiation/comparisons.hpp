@@ -52,12 +52,14 @@ HILGER_ALWAYS_INLINE constexpr T extremum(T const& x, T const& y) {
 
 } // namespace detail
 
+/// |x|; at 0 with the derivative of x.
 template <class X>
 requires detail::watched_pair<X, X> HILGER_ALWAYS_INLINE constexpr X abs(X const& x) {
     if constexpr (requires { X::is_written_out(); })
         if (X::is_written_out()) return written_abs(x);
     return x < typename X::scalar_type(0) ? -x : x;
 }
+/// The larger and the smaller of x and y; x if they are equal.
 template <class X>
 requires detail::watched_pair<X, X> HILGER_ALWAYS_INLINE constexpr X fabs(X const& x) { return abs(x); }
 template <class X, class Y>

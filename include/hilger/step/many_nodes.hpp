@@ -213,8 +213,7 @@ private:
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
         return previous > S(0) and not(size < previous) and magnitude(correction_) <= S(16) * epsilon<S>() * magnitude(x.q);
     }
-    /// With masses that grow without bound, as near the speed of light, all corrections are small: they prove nothing beside a large
-    /// residual.
+    /// If masses grow without bound, as near the speed of light, corrections are small: they prove nothing beside a large residual.
     [[nodiscard]] bool is_elsewhere(state<S, V> const& x) const {
         return not e_.has_constant_mass and not std::numeric_limits<S>::is_exact and
                magnitude(x.p) + e_.impulses() < S(e_.residual.cwiseAbs().maxCoeff());

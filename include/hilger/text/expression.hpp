@@ -13,6 +13,7 @@
 
 namespace hilger::text {
 
+/// Kinds of nodes, with the meaning of their parts.
 enum class kind : unsigned char {
     number,  ///< name: its digits
     name,    ///< of a variable, a parameter, or the index of a sum

@@ -9,6 +9,7 @@
 
 namespace hilger {
 
+/// Stands for the force of a problem without one.
 struct no_force {};
 
 /// A Lagrangian and a force, callables of (q, v) or of (t, q, v).

@@ -17,6 +17,7 @@ struct coupling_density {
     [[no_unique_address]] A first;
     [[no_unique_address]] B second;
 };
+/// The coupling density f g of expressions of two unknowns.
 template <symbolic_function F, symbolic_function G>
 constexpr auto operator*(F const& f, G const& g) {
     constexpr bool of_two = not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>;
@@ -60,6 +61,7 @@ constexpr auto integral(coupling_density<A, B> const& density, Scale const& scal
     else
         return coupling<A, B, Root>{density.first, density.second, typename Root::scalar_type(1), scale.root()};
 }
+/// Multiples of a coupling.
 template <linear_map A, linear_map B, class Root>
 constexpr auto operator*(std::type_identity_t<typename Root::scalar_type> const& c, coupling<A, B, Root> k) {
     k.factor = c * k.factor;

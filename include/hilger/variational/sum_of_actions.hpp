@@ -137,6 +137,7 @@ constexpr auto operator*(std::type_identity_t<typename S::root_type::scalar_type
         return action<F, A, B, typename S::weight, typename S::root_type>{{c, s.function}, s.position, s.velocity, s.T};
     }
 }
+/// -S and S - R. @throws as S + R
 template <detail::some_action S>
 constexpr auto operator-(S const& s) {
     return typename S::root_type::scalar_type(-1) * s;
@@ -198,6 +199,7 @@ public:
     [[nodiscard]] constexpr auto const& second() const { return second_; }
     static constexpr reach reads = decltype(first_)::reads | decltype(second_)::reads;
 
+    /// The left-hand side at x in C(T), a function on T^+-, and below its derivatives and sizes as for one action.
     template <discrete_function X, class Force = no_force>
     constexpr auto residual(X const& x, Force const& force = {}) const {
         return first_.residual(x, force) + second_.residual(x);
@@ -215,6 +217,7 @@ public:
         return value_of<X>(first_.residual_size(x, k, kept.first) + second_.residual_size(x, k, kept.second));
     }
 };
+/// The discrete Euler-Lagrange equation of a sum of actions.
 template <class First, class Second>
 constexpr auto variation(action_sum<First, Second> const& S) {
     return euler_lagrange<action_sum<First, Second>>(S);

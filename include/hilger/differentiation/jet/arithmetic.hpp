@@ -154,6 +154,7 @@ HILGER_ALWAYS_INLINE constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G
     return detail::build<detail::pair_of<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x,
                                                                                                       y);
 }
+/// 1 / x
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
     S const i = S(1) / x.value;

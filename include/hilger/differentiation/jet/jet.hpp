@@ -157,6 +157,7 @@ struct jet : detail::keeps_its_derivatives<S> {
     }
 };
 
+/// Whether T is a jet.
 template <class T>
 inline constexpr bool is_jet = false;
 template <class S, int F, int C, int O>

@@ -59,6 +59,7 @@ public:
 #undef HILGER_ASSIGNMENT
 };
 
+/// Whether T is a traced number.
 template <class T>
 inline constexpr bool is_traced = false;
 template <class S>

@@ -157,7 +157,7 @@ private:
         }
         return false;
     }
-    /// With masses that grow without bound, as near the speed of light, all corrections are small: they prove nothing beside a large r.
+    /// If masses grow without bound, as near the speed of light, corrections are small: they prove nothing beside a large r.
     HILGER_ALWAYS_INLINE static bool is_at_the_floor(components_ const& d, components_ const& v, components_ const& r, components_ const& p,
                                                      S const& f_size, components_ const& g) {
         return at_the_floor(d, v, rest_of_newton<S, Compensated>()) and (exact or largest(r) <= largest(p) + f_size * largest(g));
