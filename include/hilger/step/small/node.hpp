@@ -138,9 +138,9 @@ HILGER_ALWAYS_INLINE inline S rest_of_sum(Sum const& sum, S const& x, S const& y
 }
 
 /// Rounding terms of a step for compensated sums. With h = 0.1 the numbers q + c v and p + f dL/dq fall on few residues, and their rounding
-/// is biased: an error that grows with the number of steps, unlike that of the sums. Their rounding errors, and the rests of earlier sums,
-/// therefore pass through the equation once more, to first order, with the matrix of its last round: Newton's method for r = p + f g(q + c
-/// v, v) - dL/dv(q + c v, v), J d = r.
+/// is biased: an error that grows with the number of steps, unlike that of the sums. These errors, and the rests of earlier sums, therefore
+/// pass through the equation once more, to first order, with the matrix of its last round: Newton's method for r = p + f g(q + c v, v) -
+/// dL/dv(q + c v, v), J d = r.
 template <class S, std::size_t N>
 struct last_round {
     using components = std::array<S, N>;

@@ -20,8 +20,8 @@ struct small_table {
     std::array<S, N * N> qq, qv, vq, vv;
 };
 
-/// The step by a search. With branches: from the iterate v, or else from the last velocity, until the equation holds at the result.
-/// Without: along Newton's path from the last velocity. Both fall back to growing steps.
+/// The step by a search (newton/newton.hpp, root_of_step). With branches: from the guess v, or else by continuation from the last velocity.
+/// Without: by continuation from the last velocity; exact scalars search from there.
 template <bool Compensated, class S, class V, class Components>
 class small_search;
 template <bool Compensated, class S, class V, int... K>
