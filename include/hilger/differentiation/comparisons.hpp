@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Comparisons of jets and of traced numbers look at values, so that branches work, and write down how they came out (branches.hpp); and the
-// functions that are made of branches. Where both sides are equal, a function has the derivative of the side that it returns, which is the
-// one that std::max and its like return. In a formula without values these functions are operations (traced/choices.hpp).
+// Comparisons of jets and of traced numbers look at values, so that branches work, and record their outcomes (branches.hpp); and the
+// functions made of branches. For equal arguments a function has the derivative of the one that it returns, which std::max and its like
+// return. In a formula without values these functions are operations (traced/choices.hpp).
 #pragma once
 
 #include <type_traits>
@@ -52,12 +52,14 @@ HILGER_ALWAYS_INLINE constexpr T extremum(T const& x, T const& y) {
 
 } // namespace detail
 
+/// |x|; at 0 with the derivative of x.
 template <class X>
 requires detail::watched_pair<X, X> HILGER_ALWAYS_INLINE constexpr X abs(X const& x) {
     if constexpr (requires { X::is_written_out(); })
         if (X::is_written_out()) return written_abs(x);
     return x < typename X::scalar_type(0) ? -x : x;
 }
+/// The larger and the smaller of x and y; x if they are equal.
 template <class X>
 requires detail::watched_pair<X, X> HILGER_ALWAYS_INLINE constexpr X fabs(X const& x) { return abs(x); }
 template <class X, class Y>
@@ -70,7 +72,7 @@ HILGER_ALWAYS_INLINE constexpr detail::pair_of<X, Y> min(X const& x, Y const& y)
     using both = detail::pair_of<X, Y>;
     return detail::extremum<false>(both(x), both(y));
 }
-/// max and min, but of a number and NaN the number.
+/// max and min; for a number and NaN the number.
 template <class X, class Y>
 HILGER_ALWAYS_INLINE constexpr detail::pair_of<X, Y> fmax(X const& x, Y const& y) {
     using both = detail::pair_of<X, Y>;

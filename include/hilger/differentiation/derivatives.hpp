@@ -3,8 +3,7 @@
 // Gradients are columns like x; blocks are d x d, entry (j, k) = second derivative by component j of the first and k of the second named
 // argument. For scalars all of them are scalars.
 //
-// Up to d = 4 by one evaluation with jets, which lives in registers. Beyond, the function is traced into a graph, of which only the
-// derivatives that are not zero are made (hilger/differentiation).
+// Up to d = 4 by one evaluation with jets, in registers. Beyond, the function is traced into a graph, for the nonzero derivatives only.
 #pragma once
 
 #include "hilger/differentiation/jet/functions.hpp"
@@ -15,7 +14,7 @@
 
 namespace hilger {
 
-/// The expansion of f(q, v) to second order.
+/// The derivatives of f(q, v) to second order, and its degrees in q and v.
 template <class V>
 struct expansion {
     V by_q, by_v;
@@ -31,7 +30,7 @@ inline constexpr int one_evaluation = 4; ///< the largest d for which one evalua
 template <class V>
 inline constexpr bool is_traced_state = shape<V>::size == Eigen::Dynamic or shape<V>::size > one_evaluation;
 
-/// What a formula returns when given jets; plain numbers are constants.
+/// The value of a formula as a jet; plain numbers are constants.
 template <class Jet, class R>
 HILGER_ALWAYS_INLINE constexpr Jet as_jet(R const& r) {
     static_assert(std::constructible_from<Jet, plain_t<R>>,
@@ -57,10 +56,10 @@ using v_jet = jet<S, N, N, Order>;
 template <class S, int N, int Order = 2>
 using qv_jet = jet<S, 0, 2 * N, Order>;
 
-/// f(q, v), or f(t, q, v), and all its derivatives by q and v up to the order 1 or 2, d = N small. For the processor's own numbers this is
-/// flattened: the body of f is inlined here before anything is optimised, and then most derivatives of a formula turn out to be zeros and
-/// cost nothing. That takes f being called from here on variables made here, and its result being built in place: with the variables made
-/// by a function of their own a step takes several times as long. A wide number's arithmetic is too long to be flattened.
+/// f(q, v), or f(t, q, v), with all derivatives by q and v up to the order 1 or 2, d = N small. Flattened for built-in floating-point
+/// types: the body of f is inlined before optimisation, and most derivatives turn out to be zeros and cost nothing. This requires f to be
+/// called here on variables made here, and its result to be built in place: with a function that makes the variables a step takes several
+/// times as long. The arithmetic of wide numbers is too long to be flattened.
 #define HILGER_JETS_OF(name, inlined)                                                                                                      \
     template <int Order, bool Scalar, class F, class S, std::size_t Size, int... K, class... Time>                                         \
     inlined inline qv_jet<S, static_cast<int>(Size), Order> name(F const& f, std::array<S, Size> const& q, std::array<S, Size> const& v,   \
@@ -107,13 +106,12 @@ auto with_variables(V const& x, int first, int at, dependence on) {
     return y;
 }
 
-/// The vector x in jets without variables. Callables are given these where numbers would do: max(q(0), 0.0) is found for them, and what
-/// they compare is written down.
+/// The vector x in jets without variables. Callables get these instead of numbers: max(q(0), 0.0) is found, and comparisons are recorded.
 template <class V>
 auto in_constants(V const& x) {
     return with_variables<jet<scalar_of<V>, 0, 1, 1>, 1>(x, shape<V>::dimension(x), 0, {});
 }
-/// f(x, y), a number; plain numbers are what a callable with its own derivatives takes.
+/// f(x, y), a number; a callable with its own derivatives takes plain numbers.
 template <class F, class V, class W>
 scalar_of<V> number_from(F const& f, V const& x, W const& y) {
     if constexpr (requires { f.expand(x, y); })
@@ -122,7 +120,7 @@ scalar_of<V> number_from(F const& f, V const& x, W const& y) {
         return as_jet<jet<scalar_of<V>, 0, 1, 1>>(call(f, in_constants(x), in_constants(y))).value;
 }
 
-/// The gradient of f by the variables that `make` puts into its arguments.
+/// The gradient at x of `evaluate`, a function of vectors of jets.
 template <class V, class Evaluate>
 V gradient_by(V const& x, Evaluate const& evaluate) {
     using s = shape<V>;
@@ -139,7 +137,7 @@ V gradient_by(V const& x, Evaluate const& evaluate) {
     return g;
 }
 
-/// By a graph: in any dimension. Second derivatives by the arguments that `seconds_by` says.
+/// Derivatives by a graph, in any dimension; second derivatives by the arguments in `seconds_by`.
 template <class F, class V>
 traced_there<V> trace_there(F const& f, V const& q, V const& v, std::uint8_t seconds_by) {
     using T = traced<scalar_of<V>>;
@@ -203,8 +201,8 @@ W gradient_second(F const& f, V const& x, W const& y) {
         return detail::gradient_by(y, [&, constant = detail::in_constants(x)](auto const& z) { return detail::call(f, constant, z); });
 }
 
-/// All first and second derivatives of f at (q, v): the user's own when f has a member expand(q, v), else by jets. A member of one's own
-/// is one formula: jets write down what they are compared with (differentiation/branches.hpp), numbers do not.
+/// All first and second derivatives of f at (q, v): by a member expand(q, v) of f if there is one, else by jets or a graph. Such a member
+/// is one formula: numbers do not record comparisons (differentiation/branches.hpp).
 template <class F, class V>
 expansion<V> expand(F const& f, V const& q, V const& v) {
     using s = detail::shape<V>;

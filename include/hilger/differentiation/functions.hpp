@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The elementary functions of one argument, each said once: its value y = f(x), its slope s = f'(x) and its bend f''(x), in numbers and in
-// traced numbers. Jets, traced numbers and formulas in text take them from here.
+// The elementary functions of one argument: value y = f(x), slope s = f'(x) and bend f''(x), in numbers and in traced numbers. Jets, traced
+// numbers and formulas in text take them from this table.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,14 @@
 
 #include "hilger/inlining.hpp"
 
-/// Calls use(name) for each function of which jets and traced numbers need to know no more than stands here; sqrt has a rule of its own.
+/// Calls use(name) for each function that jets and traced numbers take from this table; sqrt has a rule of its own.
 #define HILGER_FOR_EACH_FUNCTION(use)                                                                                                      \
     use(sin) use(cos) use(tan) use(exp) use(log) use(sinh) use(cosh) use(tanh) use(asin) use(acos) use(atan) use(asinh) use(acosh)         \
         use(atanh) use(cbrt) use(expm1) use(log1p) use(erf)
 
 namespace hilger::detail {
 
-/// 1/x where log(x) is a number, and what log says where it is none: only derivatives enter a step, and 1/x alone would lead it on.
+/// 1/x where log(x) is defined, else log(x) itself: only derivatives enter a step, and 1/x alone would continue it.
 template <class S>
 HILGER_ALWAYS_INLINE inline S slope_of_log(S const& x) {
     using std::log;
@@ -64,7 +64,7 @@ HILGER_FUNCTION(asin, T(1) / T(sqrt(T(T(1) - x * x))), x* s* s* s)
 HILGER_FUNCTION(acos, T(-1) / T(sqrt(T(T(1) - x * x))), x* s* s* s)
 HILGER_FUNCTION(atan, T(1) / T(T(1) + x * x), -(x + x) * s * s)
 HILGER_FUNCTION(asinh, T(1) / T(sqrt(T(x * x + T(1)))), -x* s* s* s)
-// no number where acosh is none
+// NaN if acosh is NaN
 HILGER_FUNCTION(acosh, T(1) / T(T(sqrt(T(x - T(1)))) * T(sqrt(T(x + T(1))))), -x* s* s* s)
 HILGER_FUNCTION(atanh, (slope_of_log(T(T(1) + x)) + slope_of_log(T(T(1) - x))) / T(2), (x + x) * s * s)
 HILGER_FUNCTION(cbrt, T(1) / T(T(3) * T(y * y)), T(-2) * s * s / y)

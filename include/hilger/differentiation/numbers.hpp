@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What numbers that carry derivatives, jets and traced ones, have in common: which operands they may have beside them, and what Eigen must
-// know to make vectors of them.
+// Common parts of numbers that carry derivatives, jets and traced ones: their constant operands, and Eigen's traits for vectors of them.
 #pragma once
 
 #include <concepts>
@@ -12,9 +11,8 @@ namespace hilger {
 
 namespace detail {
 
-/// std::cos and its siblings take plain numbers, and a number with derivatives does not become one. They find this conversion and are told
-/// so. It is to one type that S is not, so that both branches of c ? x * x : 0.0 still have one type only. Wide scalars are asked by
-/// Boost what converts to them, and have none.
+/// std::cos and its siblings take plain numbers, which a number with derivatives must not become: they find this conversion, which says so.
+/// It is to one type other than S, so that c ? x * x : 0.0 has one type only. Wide scalars have none: Boost asks what converts to them.
 template <class S>
 struct keeps_its_derivatives {};
 template <std::floating_point S>
@@ -48,7 +46,7 @@ concept carries_derivatives = requires {
 
 } // namespace detail
 
-/// What may stand beside a number with derivatives as a constant.
+/// A constant operand beside a number with derivatives.
 template <class C, class S>
 concept constant_for = std::constructible_from<S, C> and not detail::carries_derivatives<C>;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// K x = r by elimination with partial pivots, for matrices that are small or have a narrow band. One type for all sizes: a library's
-// factorization is one for each, and what makes it fast is of no use here.
+// K x = r by elimination with partial pivoting, for matrices that are small or have a narrow band. One type serves all sizes; Eigen's
+// factorizations need one for each, and are not faster here.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace hilger::detail {
 
-/// Of d rows; where d is known (not Eigen::Dynamic) nothing is allocated.
+/// For d rows; if d is known (not Eigen::Dynamic) nothing is allocated.
 template <class S, int D = -1>
 class elimination {
     template <class X, int Size>
@@ -23,17 +23,16 @@ public:
     elimination() = default;
     /// A full matrix.
     explicit elimination(int d) : d_(d), below_(d - 1), above_(d - 1), stride_(d) { make_room(); }
-    /// One whose entries are at most so far below and above the diagonal. Pivots from below bring more above.
+    /// A band matrix: entries reach so far below and above the diagonal. Pivoting adds `below` diagonals above.
     elimination(int d, int below, int above) : d_(d), below_(below), above_(above + below), stride_(2 * below + above), offset_(below) {
         make_room();
     }
     [[nodiscard]] int size() const { return d_; }
-    /// Where an entry is in data().
+    /// Index of entry (j, k) in data().
     [[nodiscard]] int place(int j, int k) const { return j * stride_ + k + offset_; }
     [[nodiscard]] list<S, D*(D + 1)>& data() { return data_; }
 
-    /// False where it is singular to rounding. Rows are weighed by their largest entry, so that a small mass beside a large one is no
-    /// reason to take a matrix for singular.
+    /// @returns false if the matrix is singular to rounding. Rows are weighed by their largest entry, as masses may differ in size.
     bool factorize() {
         factors_ = data_;
         for (int j = 0; j < d_; ++j) {
@@ -70,7 +69,7 @@ public:
         }
         return true;
     }
-    /// x in K x = r, with the factors.
+    /// Solves K x = r with the factors, with x in place of r.
     template <class X>
     void solve(X& x) const {
         if (below_ == 0 and above_ == 0) {
@@ -105,7 +104,7 @@ private:
     list<int, D> from_; ///< the row of each pivot
 };
 
-/// Of a full matrix.
+/// The elimination of a full matrix.
 template <class S, class Matrix>
 auto elimination_of(Matrix const& K) {
     int const d = static_cast<int>(K.rows());
@@ -114,7 +113,7 @@ auto elimination_of(Matrix const& K) {
         for (int k = 0; k < d; ++k) e.data()[static_cast<std::size_t>(e.place(j, k))] = K(j, k);
     return e;
 }
-/// K becomes its inverse; false where it is singular to rounding.
+/// Replaces K by its inverse. @returns false if it is singular to rounding
 template <class Matrix>
 bool invert(Matrix& K) {
     using S = typename Matrix::Scalar;

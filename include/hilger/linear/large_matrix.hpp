@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A matrix that is too large for elimination written out, dense or sparse by its pattern, and Eigen's factors of it. A file of its own, for
-// these factors take half of the time in which a step is compiled, and small ones do without them.
+// A matrix too large for elimination.hpp, dense or sparse by its pattern, with Eigen's factors. A file of its own: these factors take half
+// of the time in which a step is compiled, and small matrices do without them.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,12 @@
 
 namespace hilger::detail {
 
-/// Factors of a sparse matrix. Eigen's cannot be copied: a copy of the matrix makes its own, and one that is assigned to keeps only what it
-/// knows of the pattern.
+/// Factors of a sparse matrix. Eigen's cannot be copied: a copied matrix makes its own, an assigned one keeps the analysed pattern only.
 template <class S>
 struct sparse_factors {
     struct factors {
         Eigen::SparseLU<Eigen::SparseMatrix<S>> of_pattern;
-        std::shared_ptr<int const> pattern; ///< which one that is
+        std::shared_ptr<int const> pattern; ///< the analysed pattern
         bool are_those_of_the_numbers = false;
     };
     std::unique_ptr<factors> made{};
@@ -41,7 +40,7 @@ class large_matrix {
 public:
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-    /// Entries that may be different from zero, and the diagonal.
+    /// Sets the pattern: `entries` and the diagonal.
     void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
         d_ = d;
         is_sparse_ = 8 * entries.size() < static_cast<std::size_t>(d) * static_cast<std::size_t>(d);
@@ -66,7 +65,7 @@ public:
     S* data() { return is_sparse_ ? sparse_.valuePtr() : dense_.data(); }
     [[nodiscard]] std::ptrdiff_t length() const { return is_sparse_ ? sparse_.nonZeros() : dense_.size(); }
 
-    /// False where it is singular to rounding. Rows are weighed by their largest entry, as elimination weighs them.
+    /// @returns false if the matrix is singular to rounding. Rows are weighed by their largest entry, as in elimination.
     bool factorize() {
         weight_.setZero(d_);
         auto const weigh = [&](index_type row, S const& x) {
@@ -85,7 +84,7 @@ public:
         dense_factors_.compute(weight_.asDiagonal() * dense_);
         return is_regular(dense_factors_);
     }
-    /// A copy of a sparse matrix has none before it is factorized itself.
+    /// False for a copied sparse matrix that is not factorized itself.
     [[nodiscard]] bool has_factors() const { return not is_sparse_ or (factors_.made and factors_.made->are_those_of_the_numbers); }
     [[nodiscard]] vector solution(vector const& r) const {
         vector const weighed = weight_.cwiseProduct(r);
@@ -107,7 +106,7 @@ private:
         made->of_pattern.factorize(weighed);
         made->are_those_of_the_numbers = true;
         if (made->of_pattern.info() != Eigen::Success) return false;
-        // Its pivots are not to be seen; the inverse is, and is too large where one of them has no digit left.
+        // Its pivots are not accessible; a pivot without correct digits makes the inverse too large.
         vector x(d_);
         for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
         x = made->of_pattern.solve(x);
@@ -120,7 +119,7 @@ private:
     Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> dense_;
     Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;
-    std::shared_ptr<int const> pattern_; ///< equal where the patterns are
+    std::shared_ptr<int const> pattern_; ///< identifies the pattern
     sparse_factors<S> factors_;
 };
 

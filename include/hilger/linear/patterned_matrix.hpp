@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A square matrix of which it is known before any number is what of it is not zero. That decides how it is solved with: by its inverse
-// where it is diagonal, by elimination with partial pivots where it is small or has a narrow band; otherwise by Eigen.
+// A square matrix with a sparsity pattern that is known before its numbers. The pattern selects the solver: the inverse of a diagonal,
+// elimination with partial pivoting for a small size or a narrow band, otherwise Eigen.
 #pragma once
 
 #include <utility>
@@ -11,15 +11,15 @@
 
 namespace hilger::detail {
 
-/// `Most`: what its size does not exceed, where that is known.
+/// `Most`: upper bound of the size, if known.
 template <class S, int Most = Eigen::Dynamic>
 class patterned_matrix {
     enum class solver { diagonal, elimination, large };
-    static constexpr int small = 16; // up to here a library's blocks are not worth their setting up
+    static constexpr int small = 16; // up to here Eigen's blocks are not worth their setup
     static constexpr bool may_be_large = Most == Eigen::Dynamic or Most > small;
 
 public:
-    /// Entries that may be different from zero, and the diagonal.
+    /// Sets the pattern: `entries` and the diagonal.
     void prepare(int d, std::vector<std::pair<int, int>> const& entries) {
         d_ = d;
         int below = 0, above = 0;
@@ -41,7 +41,7 @@ public:
         }
     }
     [[nodiscard]] int size() const { return d_; }
-    /// Where an entry is kept.
+    /// Index of entry (j, k).
     [[nodiscard]] int place(int j, int k) const {
         if constexpr (may_be_large)
             if (how_ == solver::large) return large_.place(j, k);
@@ -52,7 +52,7 @@ public:
         for (S *x = data(), *end = x + length(); x != end; ++x) *x = S(0);
     }
     S& operator[](int place) { return data()[place]; }
-    /// The largest entry.
+    /// The largest magnitude of an entry.
     [[nodiscard]] S largest() {
         S most(0);
         for (S *x = data(), *end = x + length(); x != end; ++x)
@@ -60,19 +60,19 @@ public:
         return most;
     }
 
-    /// False where it is singular to rounding.
+    /// @returns false if the matrix is singular to rounding
     bool factorize() {
         if constexpr (may_be_large)
             if (how_ == solver::large) return factorized_ = large_.factorize();
         return factorized_ = how_ == solver::diagonal ? inverted() : few_.factorize();
     }
-    /// Since the entries were set.
+    /// Whether the factors are those of the current entries.
     [[nodiscard]] bool is_factorized() const {
         if constexpr (may_be_large)
             if (how_ == solver::large) return factorized_ and large_.has_factors();
         return factorized_;
     }
-    /// x in K x = r, with the factors.
+    /// Solves K x = r with the factors, with x in place of r.
     template <class X>
     void solve(X& x) const {
         if constexpr (may_be_large)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// When a matrix counts as singular: where its pivots have no digit left.
+// A matrix counts as singular if its pivots have no digit left.
 #pragma once
 
 #include "hilger/inlining.hpp"
@@ -7,7 +7,7 @@
 
 namespace hilger::detail {
 
-/// Whether elimination has left a digit of an entry of the diagonal. A row that is small as a whole is not singular for that.
+/// Whether elimination has left a digit of a diagonal entry. A row that is small as a whole is not singular.
 template <class S>
 HILGER_ALWAYS_INLINE inline bool is_pivot(S const& pivot, S const& entry, index_type d) {
     using std::abs;
@@ -20,7 +20,7 @@ HILGER_ALWAYS_INLINE inline bool is_divisor(S const& k) {
     return not(k == S(0)) and is_finite(k);
 }
 
-/// A pivot at rounding level of the largest one means that no digit of a solution is right.
+/// Whether no pivot is at the rounding level of the largest: else no digit of a solution is right.
 template <class LU>
 bool is_regular(LU const& lu) {
     using S = typename LU::Scalar;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Large systems whose structure is known: L(q, v) = v.Mv / 2 - U(q) with a constant mass M and a potential that is a sum of small terms.
-// The sum says which second derivatives there are, so that a step of d = 1000 costs what its terms cost and no d x d matrix is filled.
+// Large systems of known structure: L(q, v) = v.Mv / 2 - U(q) with a constant mass M and a potential that is a sum of small terms. The sum
+// determines the nonzero second derivatives: a step of d = 1000 costs as much as its terms, and no d x d matrix is filled.
 //   mechanical{mass, chain{energy}}             neighbours in a row between two walls: a tridiagonal Hessian
 //   mechanical{mass, pairs<3>{list, energy}}    bodies in space, two at a time
 //   mechanical{mass, any generic U(q)}          a dense Hessian, by jets
@@ -24,6 +24,7 @@ struct chain {
 
     explicit constexpr chain(Energy e) : energy(std::move(e)) {}
 
+    /// U(q) of a vector q, in any number type.
     template <class X>
     auto operator()(X const& q) const {
         index_type const d = q.size();
@@ -31,9 +32,10 @@ struct chain {
         for (index_type k = 1; k < d; ++k) sum = sum + energy(k, plain_t<decltype(q(0))>(q(k) - q(k - 1)));
         return plain_t<decltype(sum)>(sum + energy(d, plain_t<decltype(q(0))>(-q(d - 1))));
     }
+    /// Every dimension is admissible.
     void check(index_type) const {}
 
-    /// g = dU/dq; `tension` is room for d + 1 numbers.
+    /// g = dU/dq; `tension` is workspace for d + 1 numbers.
     template <class V, class Room>
     void gradient(V const& q, V& g, Room& tension) const {
         if constexpr (std::is_floating_point_v<scalar_of<V>>)
@@ -42,7 +44,7 @@ struct chain {
             tensions(q, tension);
         for (index_type k = 0; k < q.size(); ++k) g(k) = tension(k) - tension(k + 1);
     }
-    /// put(j, k, x) for every entry j >= k of the Hessian, entries of one place adding up.
+    /// Calls put(j, k, x) for every entry j >= k of the Hessian; entries of one place add up.
     template <class V, class Put>
     void hessian(V const& q, Put const& put) const {
         using S = scalar_of<V>;
@@ -58,7 +60,7 @@ struct chain {
     }
 
 private:
-    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    // Flattened for built-in floating-point types, for the reasons of flat_jets_of.
     template <class V, class Room>
     HILGER_FLATTEN void flat_tensions(V const& q, Room& tension) const {
         tensions(q, tension);
@@ -79,7 +81,7 @@ private:
 };
 
 namespace detail {
-/// Any U(q).
+/// A generic U(q), with a dense Hessian by jets.
 template <class U>
 struct dense_potential {
     [[no_unique_address]] U function;
@@ -99,10 +101,10 @@ struct dense_potential {
             for (index_type k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
     }
 };
-/// x becomes A^-1 x; false where A is not positive definite.
+/// Replaces x by A^-1 x. @returns false if A is not positive definite
 template <class S>
 bool solve_positive_definite(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& A, Eigen::Matrix<S, Eigen::Dynamic, 1>& x) {
-    Eigen::LDLT<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const factors(A); // no roots: of rationals too
+    Eigen::LDLT<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const factors(A); // no square roots: for rationals too
     if (factors.info() != Eigen::Success or not(factors.vectorD().array() > S(0)).all()) return false;
     x = factors.solve(x);
     return true;
@@ -113,12 +115,13 @@ concept structured_potential = requires(U const& u) {
 };
 } // namespace detail
 
-/// L(q, v) = v.Mv / 2 - U(q). Of a matrix M its symmetric part counts, as in any Lagrangian.
+/// L(q, v) = v.Mv / 2 - U(q) of vectors q and v. Only the symmetric part of a matrix M enters.
 template <class Mass, class Potential>
 class mechanical {
     using wrapped = std::conditional_t<detail::structured_potential<Potential>, Potential, detail::dense_potential<Potential>>;
 
 public:
+    /// @throws error::not_finite; error::mismatch if a matrix is not square; error::singular if a number or component is not positive
     mechanical(Mass m, Potential u) : mass_(std::move(m)), potential_{std::move(u)} {
         if (not is_finite(mass_)) error::raise<error::not_finite>("a mass is finite, and one of these is NaN or infinite");
         bool positive = true;
@@ -137,7 +140,7 @@ public:
     }
     static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
 
-    /// In any number type, as every Lagrangian.
+    /// L(q, v) in any number type. @throws error::mismatch if M has another dimension
     template <class X, class Y>
     auto operator()(X const& q, Y const& v) const {
         static_assert(
@@ -153,7 +156,7 @@ public:
         else
             return v.dot(v) * mass_ / 2 - potential_(q);
     }
-    /// The Legendre map p = M v and its inverse. @throws error::mismatch when M has another dimension, error::singular
+    /// The Legendre map p = M v. @throws error::mismatch if M has another dimension
     template <class V>
     [[nodiscard]] V momentum(V const& q, V const& v) const {
         require_size(q.size());
@@ -161,7 +164,7 @@ public:
         put_momentum(v, p);
         return p;
     }
-    /// p = M v, into p, which is as long as v.
+    /// p = M v, into p, which has the size of v.
     template <class V, class P>
     void put_momentum(V const& v, P&& p) const {
         using S = scalar_of<V>;
@@ -172,6 +175,7 @@ public:
         else
             p = v * S(mass_);
     }
+    /// The inverse of the Legendre map. @throws error::mismatch; error::singular if a mass matrix is not positive definite
     template <class V>
     [[nodiscard]] V velocity(V const& q, V const& p) const {
         require_size(q.size());
@@ -186,8 +190,9 @@ public:
         else
             return p / scalar_of<V>(mass_);
     }
+    /// M, symmetric if it is a matrix.
     [[nodiscard]] Mass const& mass() const { return mass_; }
-    /// put(j, k, x) for the entries j >= k of the mass of d components.
+    /// Calls put(j, k, x) for the entries j >= k of the mass matrix of d components.
     template <class S, class Put>
     void put_mass(index_type d, Put const& put) const {
         for (index_type j = 0; j < d; ++j)
@@ -198,6 +203,7 @@ public:
             else
                 put(j, j, S(mass_));
     }
+    /// U, with its derivatives by jets if it is generic.
     [[nodiscard]] wrapped const& potential() const { return potential_; }
 
 private:
@@ -211,6 +217,7 @@ private:
     wrapped potential_;
 };
 
+/// Whether F is a mechanical system.
 template <class F>
 inline constexpr bool is_mechanical = false;
 template <class M, class U>

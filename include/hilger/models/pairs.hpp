@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A potential of bodies that act on each other two at a time.
+// A potential of bodies that interact in pairs.
 //   pairs<3>(all_pairs(n), energy)                        every two of n bodies in space
 //   pairs<1>({{0, 1}, {1, 2}, {2, -1}}, energy)           those of a list, on a line; body -1 is a wall at the origin
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace hilger {
 
-/// Every two of n bodies: (1, 0), (2, 0), (2, 1), (3, 0), ...
+/// The range of all pairs of n bodies: (1, 0), (2, 0), (2, 1), (3, 0), ...
 class every_two {
 public:
     class iterator {
@@ -49,7 +49,7 @@ public:
 private:
     index_type bodies_;
 };
-/// @throws error::invalid_parameter for a negative number
+/// All pairs of so many bodies. @throws error::invalid_parameter for a negative number
 constexpr every_two all_pairs(index_type bodies) {
     if (bodies < 0) error::raise<error::invalid_parameter>("a number of bodies is not negative, and this one is ", bodies);
     return every_two(bodies);
@@ -62,6 +62,7 @@ struct pair_potential {
     List list; ///< a range of pairs
     [[no_unique_address]] Energy energy;
 
+    /// U(q) of a vector q, in any number type. @throws as check
     template <class X>
     auto operator()(X const& q) const {
         using number = plain_t<decltype(q(0))>;
@@ -72,7 +73,7 @@ struct pair_potential {
         for (auto const& [a, b] : list) sum = result(sum + energy(k++, between<number>(q, a, b)));
         return sum;
     }
-    /// @throws error::outside_domain when a pair names a body that the state does not have; error::mismatch when a component is of none
+    /// @throws error::mismatch if d is no multiple of Dimension; error::outside_domain if a pair names a body that the state does not have
     void check(index_type d) const {
         if (d % Dimension != 0)
             error::raise<error::mismatch>("bodies of ", Dimension, " components each make states of a multiple of ", Dimension,
@@ -82,6 +83,7 @@ struct pair_potential {
                 error::raise<error::outside_domain>("a pair takes two different bodies from -1 (the origin) to ", d / Dimension - 1,
                                                     ", and one is (", a, ", ", b, ")");
     }
+    /// g = dU/dq.
     template <class V, class Room>
     void gradient(V const& q, V& g, Room&) const {
         if constexpr (std::is_floating_point_v<scalar_of<V>>)
@@ -89,6 +91,7 @@ struct pair_potential {
         else
             add_up(q, g);
     }
+    /// Calls put(j, k, x) for every entry j >= k of the Hessian; entries of one place add up.
     template <class V, class Put>
     void hessian(V const& q, Put const& put) const {
         using S = scalar_of<V>;
@@ -110,7 +113,7 @@ struct pair_potential {
 private:
     static constexpr bool has_walls = not std::same_as<List, every_two>;
     using components = std::make_integer_sequence<int, Dimension>;
-    // In the sum over many pairs g++ 12 makes more of Eigen's sums over components than of ours, which clang++ needs.
+    // In the sum over many pairs g++ 12 optimises Eigen's sums over components better than ours; clang++ needs ours.
 #ifdef __clang__
     template <class J>
     using jets = detail::jet_vector<J, Dimension>;
@@ -121,7 +124,7 @@ private:
     template <class S>
     using vector = Eigen::Matrix<S, Dimension, 1>;
 
-    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    // Flattened for built-in floating-point types, for the reasons of flat_jets_of.
     template <class V>
     HILGER_FLATTEN void flat_gradient(V const& q, V& g) const {
         add_up(q, g);
@@ -137,7 +140,7 @@ private:
             if (not has_walls or b >= 0) part(g, b) -= f;
         }
     }
-    /// The components of one body.
+    /// The components of a body.
     template <class X>
     HILGER_ALWAYS_INLINE static auto part(X& q, index_type body) {
         return q.template segment<Dimension>(Dimension * body);
@@ -191,6 +194,7 @@ private:
         return detail::as_jet<J>(energy(k, x));
     }
 };
+/// The pair_potential of a range of pairs, or of a list of them.
 template <int Dimension, class List, class Energy>
 auto pairs(List list, Energy energy) {
     return pair_potential<Dimension, List, Energy>{std::move(list), std::move(energy)};

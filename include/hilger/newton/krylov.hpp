@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// GMRES (Saad, Schultz 1986) for large linear systems known by what they do to a vector: values of type V, one per point.
+// GMRES (Saad, Schultz 1986) for large linear systems given by a matrix-vector product: values of type V, one per point.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace hilger::detail {
 
-/// sum_i f(i) for first <= i < last, halves first: the rounding grows like log n.
+/// The sum of f(i), first <= i < last, pairwise: its rounding grows like log n.
 template <class Term>
 auto pairwise_sum(std::size_t first, std::size_t last, Term const& term) -> plain_t<decltype(term(first))> {
     if (last - first > 16) {
@@ -27,14 +27,14 @@ template <class V>
 scalar_of<V> inner_product(std::vector<V> const& x, std::vector<V> const& y) {
     return pairwise_sum(0, x.size(), [&](std::size_t i) { return scalar_of<V>(dot_product(x[i], y[i])); });
 }
-/// Of values up to the ends of the scalar's range: they are squared in a unit, a power of two, that is near the largest.
+/// For values up to the ends of the scalar's range: they are scaled by a power of two near the largest before they are squared.
 template <class V>
 scalar_of<V> euclidean_norm(std::vector<V> const& x) {
     using S = scalar_of<V>;
     S largest(0);
     for (auto const& value : x) largest = std::max(largest, S(magnitude(value)));
     if (largest == S(0) or not is_finite(largest)) return largest;
-    if constexpr (not std::numeric_limits<S>::is_exact) { // else there are no roots, and the largest is a norm too
+    if constexpr (not std::numeric_limits<S>::is_exact) { // exact scalars have no roots, and the largest is a norm too
         using std::frexp, std::ldexp, std::sqrt;
         int exponent = 0;
         (void)frexp(largest, &exponent);
@@ -59,7 +59,7 @@ struct krylov_solution {
     scalar_of<V> residual; ///< relative to the right-hand side
 };
 
-/// A x = b up to |b - A x| <= tolerance |b|, or after `most` applications of A, each of which keeps a vector. b is not zero.
+/// Solves A x = b to |b - A x| <= tolerance |b|, or with `most` applications of A, each of which stores a vector. b is not zero.
 template <class V, class Apply>
 krylov_solution<V> gmres(Apply const& A, std::vector<V> const& b, scalar_of<V> const& tolerance, int most) {
     using S = scalar_of<V>;
@@ -85,7 +85,7 @@ krylov_solution<V> gmres(Apply const& A, std::vector<V> const& b, scalar_of<V> c
         }
         S const below = c(n + 1) = euclidean_norm(next);
         for (int i = 0; i < n; ++i) c.applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
-        if (not(S(0) < S(magnitude(c(n)) + below))) break; // A maps the basis into less than itself: it is singular there
+        if (not(S(0) < S(magnitude(c(n)) + below))) break; // A is singular on the basis
         rotations.emplace_back().makeGivens(c(n), below);
         c.applyOnTheLeft(n, n + 1, rotations.back().adjoint());
         target.applyOnTheLeft(n, n + 1, rotations.back().adjoint());

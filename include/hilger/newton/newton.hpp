@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-// Newton's method for r(x) = 0, with one stop, and its continuation. A correction is d = -r'(x)^-1 r(x), and is whole where it contracts,
-// else shortened.
-//   Contraction: with the derivative at x, the residual at x + s d asks for another correction, which should be (1 - s) d; it is followed
-// where it differs by less than a quarter of d (Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 3.1.4 and 3.3). That does
-// not depend on the units of the rows, and keeps to the path that leads to the root nearby.
-//   Stop: where that other correction, of a whole one, is a few roundings of x in each component, which is what is left. Where corrections
-// no longer contract, the residual has to be rounding.
+// Newton's method for r(x) = 0, with one stopping rule, and its continuation. A correction d = -r'(x)^-1 r(x) is shortened unless it
+// contracts.
+//   Contraction: the derivative at x and the residual at x + s d give a simplified correction, ideally (1 - s) d; s is accepted if they
+// differ by less than a quarter of d (Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 3.1.4 and 3.3). This test does not
+// depend on the units of the rows, and keeps to the path that leads to the root nearby.
+//   Stop: the simplified correction after a whole one, which is the error that is left, is a few roundings of x in each component. If
+// corrections do not contract, the residual has to be rounding.
 //   Branches (differentiation/branches.hpp): across them a small correction proves nothing, and the residual itself has to fall (Newton's
-// method for semismooth equations, Qi and Sun 1993). Full corrections come first; they can go round between branches. Where r jumps over
-// zero no correction, however short, makes it smaller, and there is no solution.
-//   Continuation: an equation that depends on a share, such as of the length of a step or of a time, is solved for a small share, and its
-// root is followed to the whole (Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, chapter 2). Of several roots it
-// leads to the one that all lesser shares lead to.
+// method for semismooth equations, Qi and Sun 1993). Full corrections come first; they can cycle between branches. If r jumps over zero, no
+// correction reduces it, and there is no solution.
+//   Continuation: an equation that depends on a share, as of the length of a step or of a time, is solved for a small share, and its root
+// is followed to the whole (Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, chapter 2). Of several roots it finds
+// the one connected to those of all lesser shares.
 #pragma once
 
 #include <algorithm>
@@ -24,20 +24,20 @@
 
 namespace hilger::detail {
 
-/// An equation as Newton's method asks for it: erased, so that the iteration is compiled once for all equations in the same vectors.
+/// The interface of an equation to Newton's method, type-erased: the iteration is compiled once for all equations in the same vectors.
 template <class X>
 struct newton_equation {
-    function_view<scalar_of<X>(X const& x, X& r)> evaluate; ///< r(x); returns the size of the terms of which r is the difference
-    function_view<bool()> linearize;                        ///< the derivative where r was evaluated last; false where it is singular
-    function_view<void(X const& r, X& d)> correct;          ///< d = -J^-1 r for the derivative J that was made last
+    function_view<scalar_of<X>(X const& x, X& r)> evaluate; ///< r(x); returns the magnitude of the terms of r
+    function_view<bool()> linearize;                        ///< the derivative at the last argument of evaluate; false if it is singular
+    function_view<void(X const& r, X& d)> correct;          ///< d = -J^-1 r for the last derivative J
     bool has_one_unit = false;                              ///< components are measured by the largest, not each by itself
 };
 
-/// What a share s of a correction d has to leave: anything; less than d; (1 - s) d, to a quarter of d, which keeps to the path that leads
-/// to the root nearby; or that half-way too, so that it leaps over nothing. In the first two cases the root is known to half of the digits.
+/// Requirement on the correction that is left by a share s of a correction d: none; less than d; (1 - s) d to a quarter of d, which keeps
+/// to the path that leads to the root nearby; the same half-way too, which leaps over nothing. The first two give half of the digits.
 enum class corrections { any, smaller, on_the_path, followed };
 
-/// One search for a root from x. At the end x is where r was evaluated last, and `residual` is r there.
+/// One search for a root from x. At its end x is the last argument of r, and `residual` is r(x).
 template <class X>
 class newton_search {
     using S = scalar_of<X>;
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// A size that is not a number says nothing: r then has to be zero.
+    /// A magnitude that is not finite counts as 0: r then has to be zero.
     point at(X const& y, X& r) const {
         branch_watch const watch;
         S const size = equation_.evaluate(y, r);
@@ -88,7 +88,7 @@ private:
         if (meets_nan_) return newton_outcome::not_finite;
         return here_.path.made > 0 ? newton_outcome::lost_between : newton_outcome::lost;
     }
-    /// x a correction further, shortened where it has to be. @returns how the search ends, if it does
+    /// Advances x by a correction, shortened if necessary. @returns how the search ends, if it does
     std::optional<newton_outcome> advance(bool any_across) {
         branch_path whole_path;
         bool is_nan = meets_nan_ = false;
@@ -121,17 +121,17 @@ private:
         here_ = there;
         return newton_outcome::found;
     }
-    /// Whether nothing can be leapt over.
+    /// Whether d is too small to leap over a root.
     [[nodiscard]] bool is_small(X const& d) const { return size_of(d) <= square_root_of_epsilon<S>() / S(16); }
     [[nodiscard]] bool is_last() const { return how_ <= corrections::smaller ? is_small(d_) : size_of(left_) <= S(4) * epsilon<S>(); }
-    /// Whether a share of d leaves what it should.
+    /// Whether a share of d satisfies the requirement.
     bool contracts_by(S const& share) {
         equation_.correct(rest_, left_);
         if (how_ == corrections::any) return true;
         if (how_ == corrections::smaller) return size_of(left_) <= (S(1) - share / S(4)) * size_of(d_);
         return size_of(X(left_ - d_ * S(S(1) - share))) <= size_of(d_) / S(4);
     }
-    /// The same of half of the share.
+    /// The same for half of the share.
     bool contracts_half_way() {
         X const y = y_, rest = rest_;
         y_ = x_ + d_ * S(share_ / S(2));
@@ -141,7 +141,7 @@ private:
         rest_ = rest;
         return contracts;
     }
-    /// The largest component, each in units of what it is; one that stands still is in units of the rounding of the others.
+    /// The largest component, each relative to that of the iterate, but at least to the rounding of its largest one.
     [[nodiscard]] S size_of(X const& d) const {
         S const size_of_y = magnitude(y_), largest = size_of_y == S(0) ? S(magnitude(d_)) : size_of_y;
         if (equation_.has_one_unit) return magnitude(d) / largest;
@@ -158,25 +158,23 @@ private:
     X &x_, &r_;
     X best_, d_, left_, y_, rest_;
     S share_{1};
-    bool meets_nan_ = false; ///< the last correction had to be shortened for numbers that are not finite
+    bool meets_nan_ = false; ///< the last correction was shortened because of numbers that are not finite
     corrections how_;
     point here_{};
 };
-/// The root from x on. @returns how the search ends; x is where r was evaluated last
+/// Searches for a root from x on. @returns how the search ends; x is then the last argument of r
 template <class X>
 newton_outcome newton(newton_equation<X> const& equation, X& x, X& residual, corrections how) {
     return newton_search<X>(equation, x, residual, how).run();
 }
 
-/// The shares of a continuation: the first one, of 0 the start is the root, the largest increase, and the smallest one that it is given up
-/// with.
+/// Shares of a continuation: the first one (at 0 the start is the root), the largest increase, and the smallest one before it gives up.
 template <class S>
 struct continuation_shares {
     S first, most, least;
 };
-/// Follows a root from a share of nearly nothing, near `start`, to the whole: `set_share` changes the equation. x, `residual` and the
-/// derivatives of the equation are those of the whole where that arrives, and x and `residual` are as they were where it does not; the
-/// equation is then that of some share.
+/// Follows a root from a small share, near `start`, to the whole; `set_share` changes the equation. @returns whether it arrives: x,
+/// `residual` and the derivatives are then those of the whole; else x and `residual` are unchanged, and the equation is that of some share
 template <class X>
 bool continued(newton_equation<X> const& equation, X& x, X const& start, X& residual, continuation_shares<scalar_of<X>> const& shares,
                corrections how, function_view<void(scalar_of<X> const&)> const& set_share) {
@@ -209,9 +207,9 @@ bool continued(newton_equation<X> const& equation, X& x, X const& start, X& resi
     residual = rest;
     return true;
 }
-/// The root of the equation of a step by continuation in its share from `last`, the velocity of the step before: the one that all shorter
-/// steps lead to, or none. Across branches, and in exact scalars, from x, and by continuation only where there is none. x is of the size of
-/// a velocity for all shares.
+/// The root of the equation of a step. Without branches: by continuation in its share from `last`, the velocity of the previous step, which
+/// finds the root connected to those of all shorter steps, or none; exact scalars search from `last`. With branches: from x, and by
+/// continuation if there is none. For all shares x has the magnitude of a velocity.
 template <class X>
 newton_outcome root_of_step(bool has_branches, newton_equation<X> const& equation, X& x, X const& last, X& residual,
                             function_view<void(scalar_of<X> const&)> const& set_share) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the last steps of one length were solved for, their increments or velocities, and the first guess that the polynomial through them
-// makes for the next one.
+// The solutions of the last steps of one length, increments or velocities, and their extrapolation by a polynomial to the next step.
 #pragma once
 
 #include <array>
@@ -16,13 +15,13 @@ template <class Unknown, class S, int Most>
 class past_steps {
 public:
     explicit past_steps(Unknown const& like) { past_.fill(like); }
-    /// Of the step before the last `k`.
+    /// The solution k steps before the last.
     [[nodiscard]] Unknown const& operator[](int k) const { return past_[place((newest_ + k) % Most)]; }
     void keep(Unknown const& solution) {
         newest_ = (newest_ + Most - 1) % Most;
         past_[place(newest_)] = solution;
     }
-    /// From the last `known` of them, at least one.
+    /// Extrapolates the last `known` solutions, at least one.
     void guess(Unknown& next, long long known) const {
         auto const& past = *this;
         if (known >= Most)
@@ -32,7 +31,7 @@ public:
         else
             next = past[0];
     }
-    /// For checkpoints; `label` is what a component is called.
+    /// For checkpoints; `label` names a component.
     template <class Visit>
     void visit(char const* label, Visit& each) {
         each("newest", newest_);
@@ -41,7 +40,7 @@ public:
 
 private:
     static constexpr std::size_t place(int j) { return static_cast<std::size_t>(j); }
-    /// Two vectors at a time, from the oldest: the sum as one expression is a type of its own for each of its parts.
+    /// Two vectors at a time, from the oldest: as one expression each partial sum would be a type of its own.
     template <int... I>
     void extrapolate(Unknown& next, std::integer_sequence<int, I...>) const {
         auto const add_up = [this](Unknown& sum) HILGER_ALWAYS_INLINE {

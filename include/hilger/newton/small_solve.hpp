@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// K x = r for at most four unknowns, in scalars that the optimiser can put into registers: what is known to be diagonal is divided, two
-// equations are solved by their determinant where it is a normal number, and all others by elimination. And when Newton's iteration for
-// them is done, each of them in its own size.
+// K x = r for at most four unknowns, in scalars that the optimiser can keep in registers: matrices known to be diagonal by division, two
+// equations by their determinant if it is a normal number, all others by elimination. Also the stopping rules of Newton's iteration.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +22,7 @@ template <std::size_t M, class S, std::size_t... I>
 HILGER_ALWAYS_INLINE inline bool is_known_diagonal(std::array<S, M * M> const& K, std::index_sequence<I...>) {
     return ((I / M == I % M or is_known_zero(K[I])) and ...);
 }
-/// By elimination; false where K is singular to rounding.
+/// Solves by elimination. @returns false if K is singular to rounding
 template <class S, std::size_t M, std::size_t MM>
 bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
     elimination<S, static_cast<int>(M)> full(static_cast<int>(M));
@@ -33,8 +32,8 @@ bool eliminate(std::array<S, MM> const& K, std::array<S, M>& r) {
     full.solve(unknown);
     return true;
 }
-/// Two equations whose determinant is no normal number, as with masses of 1e+-160. By value: what a loop hands over by address is in
-/// memory in all of its rounds.
+/// Two equations whose determinant is no normal number, as with masses of 1e+-160. By value: arguments passed by address would stay in
+/// memory throughout the caller's loop.
 template <class S>
 struct pair_solution {
     S x, y;
@@ -46,7 +45,7 @@ template <class S>
     bool const regular = eliminate(std::array<S, 4>{a, b, c, d}, r);
     return {r[0], r[1], regular};
 }
-/// Below it the reciprocal of a determinant may overflow, or the determinant has lost digits itself.
+/// Below this the reciprocal of a determinant may overflow, or the determinant has lost digits.
 template <class S>
 S smallest_determinant() {
     if constexpr (std::numeric_limits<S>::is_exact)
@@ -55,7 +54,7 @@ S smallest_determinant() {
         return S(4) * (std::numeric_limits<S>::min)();
 }
 
-/// x in K x = r for a small row-major matrix; false where K is singular to rounding, or not finite.
+/// Solves K x = r for a small row-major matrix, with x in r. @returns false if K is singular to rounding, or not finite
 template <class S, std::size_t M, std::size_t MM>
 HILGER_ALWAYS_INLINE inline bool small_solve(std::array<S, MM> const& K, std::array<S, M>& r) {
     using std::abs;
@@ -99,7 +98,7 @@ HILGER_ALWAYS_INLINE inline S largest(std::array<S, N> const& x) {
     return m;
 }
 
-/// Whether all numbers are of a size: none is below a thousandth of the largest, but for zeros.
+/// Whether no number but zeros is below 1/1024 of the largest.
 template <class S, std::size_t N>
 HILGER_ALWAYS_INLINE inline bool are_alike(std::array<S, N> const& x) {
     using std::abs;
@@ -114,13 +113,12 @@ template <class S>
 HILGER_ALWAYS_INLINE inline S overflow(S const& x) {
     return x - x;
 }
-/// What Newton may leave, in units of epsilon. With compensated sums it must not be seen beside what they keep.
+/// Admissible remainder of Newton's method, in units of epsilon. Compensated sums must not show it.
 template <class S, bool Compensated>
 HILGER_ALWAYS_INLINE inline S rest_of_newton() {
     return Compensated ? S(1) / S(1024) : S(1) / S(2);
 }
-/// Convergence is quadratic: after this correction the error is of the size of epsilon, in each component where they are of different
-/// sizes.
+/// Whether the error after this correction is of order epsilon, as convergence is quadratic: in each component if their sizes differ.
 template <class S, std::size_t N>
 HILGER_ALWAYS_INLINE inline bool at_the_floor(std::array<S, N> const& d, std::array<S, N> const& v, S const& rest) {
     using std::abs;
@@ -131,9 +129,9 @@ HILGER_ALWAYS_INLINE inline bool at_the_floor(std::array<S, N> const& d, std::ar
     for (std::size_t k = 0; k < N; ++k) each = each and abs(d[k]) <= bound * abs(v[k]);
     return each;
 }
-/// The same where v enters quadratically and the error is in dL/dq alone: c d is the correction of the position, `change` what it
-/// does to g to first order. What it does to second order is, relative to these, of the size of c d / A: as a quotient, for the
-/// squares of positions leave the range of the scalar long before positions do.
+/// The same if v enters quadratically and the error is in dL/dq alone: c d is the correction of the position, `change` its effect on g to
+/// first order. Relative to these its second-order effect is of the size of c d / A: a quotient, for the squares of positions leave the
+/// range of the scalar long before positions do.
 template <class S, std::size_t N>
 HILGER_ALWAYS_INLINE inline bool is_negligible(S const& c, std::array<S, N> const& A, std::array<S, N> const& v, std::array<S, N> const& d,
                                                S const& w, std::array<S, N> const& g, std::array<S, N> const& change,
@@ -144,7 +142,7 @@ HILGER_ALWAYS_INLINE inline bool is_negligible(S const& c, std::array<S, N> cons
     if (N == 1 or not together or (are_alike(p) and are_alike(A))) return together;
     S relative(0);
     for (std::size_t k = 0; k < N; ++k)
-        if (S const x = c * abs(d[k]) / (abs(A[k]) + c * abs(v[k])); relative < x) relative = x; // what stands still at 0 has none
+        if (S const x = c * abs(d[k]) / (abs(A[k]) + c * abs(v[k])); relative < x) relative = x; // 0 for a component at rest at 0
     bool each = true;
     for (std::size_t k = 0; k < N; ++k)
         each = each and w * relative * (abs(g[k]) * relative + abs(change[k])) <= bound * (abs(p[k]) + w * abs(g[k]));

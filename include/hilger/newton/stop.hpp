@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// When a Newton iteration for a step is done, and what is said when it is not. Convergence is quadratic: a correction of relative size
+// Stopping rules of the Newton iteration for a step, and the errors when it fails. Convergence is quadratic: a correction of relative size
 // sqrt(epsilon) leaves an error of size epsilon, so the last correction is applied and not evaluated again.
 #pragma once
 
@@ -16,10 +16,10 @@
 
 namespace hilger {
 
-/// A Newton iteration that failed: how far it came.
+/// A Newton iteration that failed: its last iterate and the residual there, and the error `Cause`.
 template <class V, class Cause = error::no_convergence>
 class newton_failure : public Cause {
-    // Exceptions are aligned to 16 bytes at least, and registers of AVX want 32: the values lie elsewhere.
+    // Exceptions are aligned to 16 bytes at least, and AVX registers want 32: the values are allocated apart.
     std::shared_ptr<std::pair<V, V> const> kept_;
 
 public:
@@ -32,14 +32,13 @@ public:
 
 namespace detail {
 
-/// An exact scalar reaches the root of a linear equation at once; of another one its digits would double each time.
+/// An exact scalar solves a linear equation at once; for others its digits would double each time.
 template <class S>
 inline constexpr int most_iterations = std::numeric_limits<S>::is_exact ? 4 : 30;
 
-/// Whether the root that Newton's method came to is the one near what the step before was solved for: after more than two rounds, if it is
-/// no further from that than twice what one of the last two steps has changed; of a first step, if there were less than five rounds. Any
-/// other is looked for again from the last velocity (newton/newton.hpp), which may lead to the same one: an extrapolated guess may lie in
-/// the reach of a root far away.
+/// Whether Newton's method found the root near that of the previous step: after more than two rounds, if it differs by at most twice one of
+/// the last two changes; for a first step, if there were less than five rounds. Any other root is searched for again from the last velocity
+/// (newton/newton.hpp), maybe with the same result: an extrapolated guess may be attracted by a root far away.
 template <class S>
 HILGER_ALWAYS_INLINE inline bool is_near(int iteration, long long known, S const& change, S const& last_change, S const& change_before) {
     if (iteration < 2) return true;
@@ -66,22 +65,21 @@ HILGER_ALWAYS_INLINE inline S square_root_of_epsilon() {
 }
 
 enum class progress { going, done, lost };
-/// When an iteration that contracts is done: where what is left is below rounding, or where only rounding errors are left, which do not
-/// shrink (Hairer, McLachlan, Razakarivony 2008). What is left after a correction is the rate times it, and the rate is the ratio of two
-/// corrections.
+/// Stopping rule of a contracting iteration: the remainder is below rounding, or corrections are rounding errors, which do not shrink
+/// (Hairer, McLachlan, Razakarivony 2008). The remainder after a correction is the rate times it; the rate is the ratio of two corrections.
 template <class S>
 class contraction {
 public:
-    /// `rounding` is the size of one rounding error of the iterate, and what is left is to be `small` times that.
+    /// `rounding` is one rounding error of the iterate; the remainder may be `small` times that.
     contraction(S rounding, S small) : rounding_(std::move(rounding)), small_(std::move(small)) {}
 
-    /// After a correction of this size. Lost is an iteration that gains less than half of a digit (binary) a round, once it has settled.
+    /// After a correction of this size. Lost: once settled, the iteration gains less than one binary digit a round.
     progress after(S const& size) {
         ++rounds_;
         if (not is_finite(size)) return progress::lost;
         if (size <= rounding_ * small_) return progress::done;
         if (rounds_ > 1) {
-            if (size * (size / previous_) <= rounding_ * small_) return progress::done; // a quotient: squares of small sizes are zero
+            if (size * (size / previous_) <= rounding_ * small_) return progress::done; // a quotient: squares of small sizes underflow
             if (not(S(2) * size < previous_)) {
                 if (is_rounding(size)) return progress::done;
                 if (rounds_ > 3) return progress::lost;
@@ -91,7 +89,7 @@ public:
         return progress::going;
     }
 
-    /// Whether a correction of this size is one of the rounding errors that are left at the end.
+    /// Whether a correction of this size is a final rounding error.
     [[nodiscard]] bool is_rounding(S const& size) const { return size <= S(64) * rounding_; }
 
 private:
@@ -99,8 +97,7 @@ private:
     int rounds_ = 0;
 };
 
-/// How large each component of a correction may be, in units of what decides about it: the component itself, or where it goes through zero,
-/// what the residual is the sum of. Components may be of very different sizes.
+/// Weighs each component of a correction by that of the solution or, near its zero, by the terms of the residual: their sizes may differ.
 template <class Unknown, class S, class Vector>
 class weighed_corrections {
     using u = shape<Unknown>;
@@ -108,7 +105,7 @@ class weighed_corrections {
 public:
     explicit weighed_corrections(Vector const& zero) : weight_(zero), per_weight_(zero) {}
 
-    /// Where `moved` is about the solution: put_sizes(x) makes x the size of what the residual is the sum of, and `factorized` solves.
+    /// `moved` is near the solution; put_sizes(x) sets x to the magnitude of the residual's terms; `factorized` solves.
     template <class PutSizes, class Matrix>
     void weigh(Unknown const& moved, PutSizes const& put_sizes, Matrix& factorized) {
         per_weight_.setZero();
@@ -120,7 +117,7 @@ public:
             weight_(c) = size < other ? other : size;
             if (most < weight_(c)) most = weight_(c);
         }
-        // what stands still has no size, and may move by the rounding of the others
+        // components at rest have no size, and may move by the rounding of the others
         S const least = epsilon<S>() * most;
         for (int c = 0; c < count(); ++c)
             if (S const w = weight_(c) < least ? least : S(weight_(c)); S(0) < w) per_weight_(c) = S(1) / w;
@@ -128,11 +125,11 @@ public:
     [[nodiscard]] S size_of(Vector const& correction) const {
         return count() == 0 ? S(0) : S(correction.cwiseProduct(per_weight_).cwiseAbs().maxCoeff());
     }
-    /// Whether Newton's next correction would be rounding: convergence is quadratic where this one is small beside what it corrects.
+    /// Whether Newton's next correction would be rounding: each component of this one is small enough for quadratic convergence.
     [[nodiscard]] bool is_last(Vector const& correction, Unknown const& moved, S const& small) const {
         for (int c = 0; c < count(); ++c) {
             S const size = magnitude(S(correction(c)));
-            if (size <= (std::numeric_limits<S>::min)()) continue; // numbers below it have lost their digits; of exact ones it is 0
+            if (size <= (std::numeric_limits<S>::min)()) continue; // smaller numbers have lost their digits; 0 for exact scalars
             if (not(size <= small * magnitude(u::component(moved, c))) and not(size <= S(8) * epsilon<S>() * weight_(c))) return false;
         }
         return true;
@@ -143,8 +140,8 @@ private:
     Vector weight_, per_weight_;
 };
 
-/// For how many steps a cheaper way is not tried again after it has failed: for one step, and after each further failure for twice as many.
-/// A motion that is stiff throughout pays for few trials, and one that is stiff for a while, as in an encounter, gets its cheap steps back.
+/// Counts the steps before a cheaper method is tried again: one after a failure, twice as many after each further one. A motion that is
+/// stiff throughout pays for few trials, and one that is stiff for a while, as in an encounter, gets its cheap steps back.
 class back_off {
 public:
     [[nodiscard]] bool allows() const { return left_ == 0; }
@@ -153,7 +150,7 @@ public:
         left_ = next_;
         next_ = std::min(2 * next_, 1024);
     }
-    /// A step without the cheaper way.
+    /// A step without the cheaper method.
     void passes() { --left_; }
     /// For checkpoints.
     template <class Visit>
@@ -166,7 +163,7 @@ private:
     int left_ = 0, next_ = 1; ///< steps
 };
 
-/// Why the derivative of an equation is regular, what helps where its root is not found, and what where there are no numbers on the way.
+/// When the derivative of an equation is regular, advice for a root that is not found, and for numbers that are not finite.
 struct solvability {
     char const *regular, *advice;
     char const* around = "";
@@ -183,10 +180,10 @@ inline constexpr solvability by_the_ends{
     error::raise<error::singular>(what, " has a singular derivative here: ", by.regular);
 }
 
-/// How a search for a root ends: lost_between the branches of L, or between two on which there is no root.
+/// Outcome of a root search. between: r jumps over zero between two branches of L; lost_between: lost with branches around.
 enum class newton_outcome { found, singular, not_finite, between, lost, lost_between };
 
-/// Says why there is no root. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>; error::singular,
+/// Reports a failed search. @throws newton_failure<V> or, at a jump, newton_failure<V, error::no_branch>; error::singular,
 /// error::not_finite
 template <class V>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_newton_failure(std::string const& what, newton_outcome how, V const& iterate,
@@ -207,7 +204,7 @@ template <class V>
     throw newton_failure<V>(what + " did not converge" + where + advice, iterate, residual);
 }
 
-/// Where somebody asked for it, what is looked for is given up.
+/// @throws error::no_convergence when a stop is requested
 inline void stop_on_request(std::stop_token const& stop, char const* what) {
     if (stop.stop_requested()) error::raise<error::no_convergence>(what, " was given up on request");
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Newton's method for the small systems of a Legendre map, and for rows of an equation: the residual and its matrix at an iterate, as one
-// callable.
+// Newton's method for the small systems of a Legendre map, and for rows of an equation: one callable returns the residual and its matrix.
 #pragma once
 
 #include <initializer_list>
@@ -11,7 +10,7 @@
 
 namespace hilger {
 
-/// The residual of a system and its derivative at one iterate: a matrix, or one whose pattern is known.
+/// The residual of a system and its derivative at one iterate: a full matrix, or one of a known pattern.
 template <class V, class Jacobian = block_of<V>>
 struct newton_system {
     V residual;
@@ -19,7 +18,7 @@ struct newton_system {
 };
 
 namespace detail {
-/// The factors of a derivative, of whatever kind.
+/// The factors of a derivative: a number, a full or a patterned matrix.
 template <class V, class Jacobian>
 class factors_of {
     using S = scalar_of<V>;
@@ -27,7 +26,7 @@ class factors_of {
     using kept = std::conditional_t<shape<V>::is_scalar or is_patterned, Jacobian, elimination<S, shape<V>::size>>;
 
 public:
-    /// False where J is singular to rounding. A slope without bound has one root, at which r is zero.
+    /// @returns false if J is singular to rounding. An infinite slope of a scalar is accepted at a root.
     bool factorize(Jacobian&& J, V const& r) {
         if constexpr (shape<V>::is_scalar) {
             kept_ = J;
@@ -67,18 +66,18 @@ V ones_like(V x) {
     else
         return V(1);
 }
-/// Iterate -> newton_system. Erased, so that one iteration is compiled for all systems of the same vectors and matrices.
+/// Iterate -> newton_system, type-erased: one iteration is compiled for all systems of the same vectors and matrices.
 template <class V, class Jacobian>
 using newton_function = function_view<newton_system<V, Jacobian>(V const&)>;
 
-/// A system as an equation of newton/newton.hpp; the residual is something less `given`, and rounds like it.
+/// A system as a newton_equation; the residual is a quantity less `given`, and rounds like it.
 template <class V, class Jacobian>
 class equation_of_system {
     using S = scalar_of<V>;
 
 public:
     equation_of_system(newton_function<V, Jacobian> const& system, V const& given) : system_(system), given_(given) {}
-    /// use(equation), while this lives.
+    /// Returns use(equation), which may refer to this object.
     template <class Use>
     auto with(Use const& use) {
         auto const evaluate = [this](V const& y, V& r) {
@@ -102,7 +101,7 @@ private:
     Jacobian J_{};
     factors_of<V, Jacobian> factors_{};
 };
-/// The first root that Newton's method leads to from one of the guesses. @throws what happens from the first of them, where there is none
+/// The first root found from one of the guesses. @throws the error of the first guess if there is none
 template <class V, class Jacobian>
 V newton_from(std::initializer_list<V> guesses, newton_function<V, Jacobian> const& system, V const& given, char const* what,
               solvability const& by) {
@@ -126,17 +125,17 @@ V newton_from(std::initializer_list<V> guesses, newton_function<V, Jacobian> con
 }
 } // namespace detail
 
-/// The root of `system` (iterate -> newton_system) near `guess`; the residual is something less `given`, and rounds like it; `what` names
-/// the equation in messages, and `by` says when its derivative is regular. In an exact scalar the root must be reached exactly, which
-/// linear equations do in one iteration. Inside of a callable none of the branches of a system count.
-/// @throws newton_failure, with error::no_branch where a system with branches has no solution; error::singular, error::not_finite
+/// The root of `system` (iterate -> newton_system) near `guess`. The residual is a quantity less `given`, and rounds like it; `what` names
+/// the equation in messages, and `by` says when its derivative is regular. An exact scalar must reach the root exactly, which linear
+/// equations do in one iteration. The branches of the system are not recorded for an enclosing search.
+/// @throws newton_failure, with error::no_branch if a system with branches has no solution; error::singular, error::not_finite
 template <class V, class System>
 V newton(System const& system, V const& guess, V const& given, char const* what, detail::solvability const& by = detail::by_the_velocity) {
     using jacobian = decltype(system(guess).jacobian);
     return detail::newton_from<V, jacobian>({guess}, system, given, what, by);
 }
-/// The same and, where there is no root from `near`, from 0; and where the derivative at 0 is singular or none, as there is no mass at rest
-/// with L = v^4 and L = v log v, from what is `given`, or from ones.
+/// The same and, if there is no root from `near`, from 0, from `given` and from ones: the derivative at 0 may be singular or undefined, as
+/// for L = v^4 and L = v log v.
 template <class V, class System>
 V newton_near(System const& system, V const& near, V const& given, char const* what) {
     using jacobian = decltype(system(near).jacobian);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// One step of an embedding in numbers: its tableau, the control values U_0 = q_i, U_1, ..., U_n of which the last is q_{i+1}, and at each
-// node the position A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. Unknown are U_1, ..., U_n;
-// those of one component stand together, so that couplings of neighbours stay a band. And in magnitudes, how large what their equation
-// (step/equation.hpp) adds up is, and what rounding does to it.
+// One step of an embedding in numbers: its tableau, the control values U_0 = q_i, U_1, ..., U_n = q_{i+1}, and at each node the position
+// A_k = sum_m a_km U_m, the velocity B_k = sum_m b_km U_m and the derivatives of L there. The unknowns are U_1, ..., U_n, ordered by
+// components: couplings of neighbours form a band. Also the magnitudes of the terms of the equation (step/equation.hpp).
 #pragma once
 
 #include <algorithm>
@@ -33,7 +32,7 @@ public:
     step_controls(V const& like, Extra extra_force)
         : extra(std::move(extra_force)), moved(shape<unknown>::zero(s::dimension(like) * U)), d_(s::dimension(like)), A_(zero_like(like)),
           B_(A_) {}
-    /// Steps of length h. @returns whether the nodes are others
+    /// Sets steps of length h. @returns whether the number of nodes changed
     bool prepare(tableau<S> const& t, S const& h) {
         bool const others = nodes_.size() != static_cast<std::size_t>(t.nodes);
         if (others) {
@@ -75,7 +74,7 @@ public:
         for (int c = 0; c < dimension(); ++c) s::component(x, c) = moved(place_of(m, c));
         return x;
     }
-    /// As if the velocity were v.
+    /// Displacements of uniform motion with velocity v.
     void move_with(V const& v) {
         if constexpr (U == 1)
             moved = v * h_;
@@ -84,7 +83,7 @@ public:
                 for (int m = 1; m <= U; ++m) moved(place_of(m, c)) = s::component(v, c) * h_ * S(m) / S(U);
     }
 
-    /// The size of what the forces do in the step.
+    /// Magnitude of the impulse of the forces over the step.
     [[nodiscard]] S impulses() const {
         S sum(0);
         for (int k = 0; k < t_.nodes; ++k) {
@@ -95,7 +94,7 @@ public:
         if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
         return sum;
     }
-    /// The size of what the residual is a sum of.
+    /// Magnitude of the terms of the residual.
     [[nodiscard]] S forces() const {
         S sum = impulses();
         for (int k = 0; k < t_.nodes; ++k) {
@@ -105,7 +104,7 @@ public:
         }
         return sum;
     }
-    /// What each component of the residual is a sum of, in magnitudes. Where p_i is in it, it is of the size of what dL/dv adds.
+    /// Sum of the magnitudes of the terms in each component of the residual. In row 0, |p_i| stands for the terms in dL/dv.
     void put_sizes(state<S, V> const& x, vector& sizes) const {
         for (int j = 0; j < U; ++j) {
             auto&& size = row_of(sizes, j);
@@ -121,8 +120,8 @@ public:
                 for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
         }
     }
-    /// How much of its weight dL/dq has in the equation at most, beside that in the momentum after the step: what a correction changes
-    /// there is as much larger as this is smaller.
+    /// Largest weight of dL/dq in the equation over that in the momentum after the step, at most 1: the momentum changes by its inverse
+    /// more.
     [[nodiscard]] S share_of_force() const {
         S in_equation(0), in_momentum(0);
         for (int k = 0; k < t_.nodes; ++k) {
@@ -131,7 +130,7 @@ public:
         }
         return in_equation < in_momentum ? S(in_equation / in_momentum) : S(1);
     }
-    /// What rounding of a position does to the residual, at most.
+    /// Largest weighted entry of the second derivative by q: bounds the change of the residual by the rounding of a position.
     [[nodiscard]] S bends() const {
         S most(0);
         for (int k = 0; k < t_.nodes; ++k)
@@ -142,7 +141,7 @@ public:
 
     [[no_unique_address]] Extra extra;
     unknown moved;       ///< U_m - q_i
-    bool adds_up = true; ///< constants have themselves as position and no velocity
+    bool adds_up = true; ///< the embedding reproduces constants: position 1, velocity 0
 
 protected:
     static constexpr std::size_t at(int j) { return static_cast<std::size_t>(j); }
@@ -156,7 +155,7 @@ protected:
     [[nodiscard]] S velocity(state<S, V> const& x, int k, int c) const {
         if constexpr (U > 1)
             if (t_.integrates_slopes) {
-                // What bends the motion, apart from its mean velocity: or the rounding of b would be a clock that goes wrong.
+                // b acts on the deviation from uniform motion only: otherwise its rounding would be a clock error.
                 S const& all = component_of_moved(last, c);
                 S sum = all / h_;
                 for (int m = 1; m < U; ++m) sum = sum + t_.b(k, m) * (component_of_moved(m, c) - all * S(m) / S(U));
@@ -179,7 +178,7 @@ protected:
             s::component(B_, c) = velocity(x, k, c);
         }
     }
-    /// The derivatives at node k. @returns whether their places changed
+    /// Evaluates the derivatives at node k. @returns whether their places changed
     bool compute(given_problem<V> const& problem, state<S, V> const& x, int k, wanted which) {
         given_problem<V> const& what = t_.part.empty() ? problem : problem.part(t_.part_of(k));
         if constexpr (is_traced_state<V>)
@@ -200,7 +199,7 @@ protected:
         return nodes_[at(k)].evaluate(what, t_.time(k, x.t, h_), A_, B_, which);
     }
 
-    /// The row j of all components.
+    /// Row j of all components.
     struct strided {
         vector& x;
         int j;
@@ -212,12 +211,12 @@ protected:
         else
             return strided{x, j};
     }
-    /// What block `b` of node k is multiplied by in row j of the matrix, in the column of U_m.
+    /// Factor of block `b` of node k in row j of the matrix, in the column of U_m.
     [[nodiscard]] S factor(int k, int b, int j, int m) const {
         S const w = t_.w(k) * (b == block_qq or b == block_qv ? t_.a(k, j) : t_.b(k, j));
         return w * (b == block_qq or b == block_vq ? t_.a(k, m) : t_.b(k, m));
     }
-    /// How much of the impulse of the extra force row j has.
+    /// Share of the impulse of the extra force in row j.
     [[nodiscard]] S share(int j) const {
         if (U == 1) return h_ / S(2);
         S sum(0);

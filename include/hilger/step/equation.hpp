@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The equation of one step of an embedding, given by its tableau, in any dimension. With the control values U_0 = q_i, U_1, ..., U_n = y of
-// the step, of which U_1, ..., U_{n-1} are inside of it where an embedding has any, L_h is stationary in these and p_i = -d_0 L_h:
+// The equation of one step of an embedding, given by its tableau, in any dimension. With the control values U_0 = q_i, U_1, ..., U_n =
+// q_{i+1}, L_h is stationary in U_1, ..., U_{n-1}, the values inside the step, and p_i = -d_0 L_h:
 //   r_j(U) = [j = 0] p_i + sum_k w_k (a_kj dL/dq + b_kj dL/dv)(A_k, B_k) = 0,  j < n,   A_k = sum_m a_km U_m,   B_k = sum_m b_km U_m,
-// with its derivative by U_1, ..., U_n in the pattern that the formula of L leaves; and the momentum after the step,
+// with its derivative by U_1, ..., U_n in the sparsity pattern of the formula of L, and the momentum after the step,
 //   p_{i+1} = d_n L_h = sum_k w_k (a_kn dL/dq + b_kn dL/dv).
-// Rows and unknowns of one component stand together, so that couplings of neighbours stay a band.
+// Rows and unknowns of one component are adjacent, so that couplings of neighbours form a band.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace hilger::detail {
 
-/// What of the gradients that were computed last does not know of the last correction.
+/// Terms of the last gradients that the last correction still has to update.
 enum class corrected { in_nothing, in_constants, in_all };
 
 template <class S, class V, class Extra = no_step_force, int Controls = 2>
@@ -42,12 +42,13 @@ public:
     }
 
     vector residual;           ///< r(U)
-    of_state increment, whole; ///< what the momentum gains; what it becomes
+    of_state increment, whole; ///< p_{i+1} - p_i; p_{i+1}
     matrix full_matrix;        ///< r'(U)
-    matrix constant_part;      ///< what of it never changes
+    matrix constant_part;      ///< its entries that never change
     bool is_prepared = false, is_constant = false, has_constant_mass = false;
 
-    /// The gradients at y, and the second derivatives; and which matrices there are, where the formulas are new. @returns whether they are
+    /// Evaluates the gradients, and the second derivatives as `which` asks, at the current displacements. @returns whether the matrices are
+    /// new
     bool evaluate(given_problem<V> const& problem, state<S, V> const& x, wanted which) {
         bool is_new = not is_prepared;
         for (int k = 0; k < t_.nodes; ++k) {
@@ -66,7 +67,7 @@ public:
             for (int j = 0; j < U; ++j) {
                 S const wa = t_.w(k) * t_.a(k, j), wb = t_.w(k) * t_.b(k, j);
                 auto&& row = row_of(residual, j);
-                if (by_change) { // sum_k w_k b_kj = -[j = 0]: what does not change leaves nothing, however b is rounded
+                if (by_change) { // sum_k w_k b_kj = -[j = 0]: a constant dL/dv = p_i cancels, however b is rounded
                     for (int c = 0; c < dimension(); ++c)
                         row(c) = row(c) + wa * nodes_[at(k)].by_q(c) + wb * (nodes_[at(k)].by_v(c) - s::component(x.p, c));
                     continue;
@@ -83,15 +84,15 @@ public:
                     r = r + share(j) * extra.at(end(c), c);
                 }
     }
-    /// The constant part, factorized; false where it is singular.
+    /// Factorizes the constant part. @returns false if it is singular
     bool factorize_constant_part() {
         if (constant_part.is_factorized() and factors_are_of_ == h_) return true;
         put_constant_matrix();
         factors_are_of_ = h_;
         return constant_part.factorize();
     }
-    /// The derivative of the residual. In a search a force without a slope, as that of |q|^1.5 at 0, is taken for constant there: such a
-    /// correction leads on.
+    /// Assembles the derivative of the residual. `of_slopes_alone`, for searches, omits non-finite slopes of forces, as that of |q|^1.5 at
+    /// 0: such a correction still leads on.
     void put_matrix(bool of_slopes_alone = false) {
         full_matrix.set_zero();
         for_each_block([&](int k, int b, int j, int m, S const& c, auto const& entries) {
@@ -105,18 +106,17 @@ public:
         });
         put_resistance(full_matrix);
     }
-    /// Whether no component of the residual is more than the rounding of what it is a sum of.
+    /// Whether every component of the residual is within the rounding of its terms.
     [[nodiscard]] bool is_rounding(state<S, V> const& x) {
         put_sizes(x, sizes_);
         for (int c = 0; c < unknowns(); ++c)
             if (not(magnitude(S(residual(c))) <= S(8) * epsilon<S>() * sizes_(c))) return false;
         return true;
     }
-    /// What the momenta gain, into increment, and what they become, into whole where they are not found in that way. The last correction is
-    /// applied to the gradients to first order, or they are evaluated again where that is not enough; or where it is of the size of their
-    /// rounding but for what of the second derivatives never changes, by these. As sum_m a_km = 1 and sum_m b_km = 0 the equations add up
-    /// to p_{i+1} = p_i + sum_k w_k dL/dq, which rounds better than the definition; embeddings that do not reproduce constants use the
-    /// latter.
+    /// Computes the change of the momentum, into increment, and its new value, into whole, for embeddings that do not reproduce constants.
+    /// The last correction enters the gradients to first order (`how`: by all second derivatives or the constant ones); gradients that are
+    /// not affine beside a constant matrix are evaluated again. With sum_m a_km = 1 and sum_m b_km = 0, p_{i+1} = p_i + sum_k w_k dL/dq,
+    /// which rounds better than the definition.
     void gather(given_problem<V> const& problem, state<S, V> const& x, vector const& correction, corrected how) {
         if constexpr (not has_step_force<Extra>)
             if (U == 1 and t_.nodes == 1 and adds_up) {
@@ -172,7 +172,7 @@ public:
 
 private:
     static constexpr std::size_t pair_of(int j, int m) { return at(j * U + m - 1); }
-    /// each(node, block, row, control, factor, entries) for all blocks that the matrix has.
+    /// Calls each(node, block, row, control, factor, entries) for all blocks of the matrix.
     template <class Each>
     void for_each_block(Each const& each) const {
         for (int k = 0; k < t_.nodes; ++k)
@@ -188,7 +188,7 @@ private:
             if (not(t_.w(k) * t_.a(k, j) == S(0))) return true;
         return false;
     }
-    /// Whether the gradients at node k are affine in the unknowns: then a correction to first order is the whole of it.
+    /// Whether the gradients at node k are affine in the unknowns, so that a first-order correction is exact.
     [[nodiscard]] bool is_affine(int k) const {
         auto const& places = nodes_[at(k)].places();
         auto const block = [&](block_number b) { return places.constant[at(b)] or places.entries[at(b)].empty(); };
@@ -198,8 +198,7 @@ private:
                 return false;
         return true;
     }
-    /// For the formulas that there are now: the matrix of the equation, and what of it never changes, which is all of it, or the masses at
-    /// least, or is not used.
+    /// Builds the patterns of the matrix and of its constant part: the latter is all of it, at least the masses, or unused.
     void prepare_matrices() {
         std::vector<std::pair<int, int>> entries, constant;
         is_constant = has_constant_mass = true;
@@ -247,10 +246,10 @@ private:
                     entry = entry - share(j) * s::component(extra.slope, c);
                 }
     }
-    S factors_are_of_{0};                                                         ///< the step of the factors of the constant part
-    std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of the entries of each node's blocks in the matrix
-    std::vector<bool> again_;                                                     ///< where gradients are not affine in y
-    vector sizes_;                                                                ///< room
+    S factors_are_of_{0};                                                         ///< step length of the factors of the constant part
+    std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of each node's block entries in the matrix
+    std::vector<bool> again_;                                                     ///< nodes whose gradients are not affine in the unknowns
+    vector sizes_;                                                                ///< workspace
 };
 
 } // namespace hilger::detail

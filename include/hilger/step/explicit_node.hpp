@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step whose equation has nothing to iterate: one node at an end of the step, an L = v.Mv/2 + a.v - U(q) whose formula says so, and
-// perhaps a force f(q, v) beside it. With w and b of the tableau, w b = 1, and F = dL/dq + f,
+// The step whose equation needs no iteration: one node at an end of the step, a formula L = v.Mv/2 + a.v - U(q), and possibly a force f(q,
+// v). With w and b of the tableau, w b = 1, and F = dL/dq + f,
 //   at q_i, for f affine in v:  (M - w df/dv) v = p_i - a + w F(q_i, 0),   q_{i+1} = q_i + w v,   p_{i+1} = p_i + w F(q_i, v);
 //   at q_{i+1}:                 M v = p_i - a,                             q_{i+1} = q_i + w v,   p_{i+1} = p_i + w F(q_{i+1}, v),
-// which is what p_i = -d_1 L_h and p_{i+1} = d_2 L_h are then (step/equation.hpp).
+// which are p_i = -d_1 L_h and p_{i+1} = d_2 L_h in this case (step/equation.hpp).
 #pragma once
 
 #include "hilger/linear/patterned_matrix.hpp"
@@ -30,7 +30,7 @@ public:
         w_ = t.w(0);
         resisted_ = {};
     }
-    /// moved = q_{i+1} - q_i and gained = p_{i+1} - p_i, from x. False where the equation is to be solved, and nothing is done.
+    /// Sets moved = q_{i+1} - q_i and gained = p_{i+1} - p_i from x. @returns false, with neither valid, if the equation has to be solved
     template <class Gained>
     bool steps(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (place_ == place::inside) return false;
@@ -42,7 +42,7 @@ public:
         }
         if (parts_.reads_velocity()) return steps_with_friction(what, x, moved, gained);
         if (shape<V>::size != Eigen::Dynamic and parts_.is_diagonal()) {
-            // Short vectors in one loop: reading as vectors what was just written one by one takes longer.
+            // Short vectors in one loop: a vector load right after scalar stores would stall.
             parts_.force(what, x.q, [&](int c, S const& f) {
                 S const more = w_ * f;
                 gained(c) = more;
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// From q_i, where the force changes with the velocity.
+    /// From q_i, with a force that depends on the velocity.
     template <class Gained>
     bool steps_with_friction(given_problem<V> const& what, state<S, V> const& x, V& moved, Gained& gained) {
         if (not parts_.has_constant_friction()) return false;
@@ -72,7 +72,7 @@ private:
     place place_ = place::inside;
     S w_{0};
     patterned_matrix<S, shape<V>::size> resisted_; ///< M - w df/dv
-    V v_;                                          ///< room
+    V v_;                                          ///< workspace
 };
 
 } // namespace hilger::detail

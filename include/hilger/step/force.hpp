@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// A force that is the same at all times of a step and affine in how far the step goes,
+// A force that is constant in time over a step and affine in the displacement,
 //   F = constant - slope (q_{i+1} - q_i),   component by component:
-// what a memory that is read as a mean over the step leaves for the step's equation. Its virtual work is that of the mean position:
+// the part of a memory, read as a mean over the step, that enters the equation of the step. Its virtual work is that of the mean position:
 //   no control values inside the step    p_i + h F / 2 = -d_1 L_h,   p_{i+1} = d_2 L_h + h F / 2,   whatever the embedding
-//   control values inside                F stands beside dL/dq at every node
-// In both cases it changes the momentum by h F. For mid-point the two say the same.
+//   control values inside                F is added to dL/dq at every node
+// Both change the momentum by h F. They coincide for mid-point.
 #pragma once
 
 #include "hilger/shape.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of any embedding in any dimension: its equation (step/equation.hpp) solved for U_m - q_i - of control values themselves, which
-// differ little from q_i in a short step, velocities would have the rounding divided by h.
+// The step of any embedding in any dimension: its equation (step/equation.hpp) solved for U_m - q_i. These differences are small in a short
+// step; velocities computed from the U_m would carry their rounding divided by h.
 //
-// What the formula of L is made of decides how. Where no entry of the equation's matrix ever changes, it is factorized once, one correction
-// solves the equation, and what does not enter it is evaluated at its solution only: explicit schemes are that case. Where the masses are
-// constant they are solved with alone, as long as that converges fast. What is left is Newton's method.
+// The formula of L selects the solver. A constant matrix is factorized once, one correction solves the equation, and terms outside of it
+// are evaluated at its solution only: explicit schemes are that case. Constant masses alone serve as the matrix while that converges fast.
+// Otherwise Newton's method.
 #pragma once
 
 #include <limits>
@@ -73,8 +73,8 @@ public:
         if (not e_.adds_up)
             for (int c = 0; c < dimension(); ++c) s::component(x.p, c) = e_.whole(c);
     }
-    /// The equation solved: q_{i+1} - q_i is moved(), and p_{i+1} - p_i is gained() unless constants move (embeddings that do not reproduce
-    /// them). The state is as it was; advance makes the step.
+    /// Solves the equation: moved() is q_{i+1} - q_i, and gained() is p_{i+1} - p_i for embeddings that reproduce constants. Leaves the
+    /// state unchanged; advance makes the step.
     void solve(given_problem<V> const& problem, state<S, V> const& x) {
         if constexpr (looks_for_explicit)
             if (explicit_.steps(problem, x, e_.moved, e_.increment)) {
@@ -90,7 +90,7 @@ public:
             watch.forget(); // it is no part of the step
         }
         first_guess(steps_);
-        // What a step that fails was led to is no guess for another one, and increments that may be anything were not kept.
+        // The result of a failed step is no guess for another one; increments with a constant matrix are not kept.
         long long const steps = std::exchange(steps_, 0), made = e_.is_constant ? 0 : steps;
         if (not whole_corrections(problem, x, watch, made)) search(problem, x, watch.saw_any(), made);
         e_.gather(problem, x, correction_, corrected_);
@@ -101,12 +101,12 @@ public:
     [[nodiscard]] auto const& gained() const { return e_.increment; }
     /// U_m - q_i of the last step, 0 < m < n.
     [[nodiscard]] V inside(int m) const { return e_.moved_to(m); }
-    /// For steps by Newton's method alone.
+    /// Steps by Newton's method alone.
     void do_not_iterate() {
         iterates_ = false;
         stiff_ = true;
     }
-    /// What is known of steps before the next one is forgotten, but for a velocity to guess with.
+    /// Forgets earlier steps, except for v as a guess.
     void restart(V const& v) {
         steps_ = 0;
         guess(v);
@@ -116,14 +116,14 @@ public:
 
 private:
     [[nodiscard]] int dimension() const { return e_.dimension(); }
-    /// By the polynomial through the last `known` increments, of this step's length.
+    /// Extrapolates the last `known` increments, all of this step length.
     void first_guess(long long known) {
         if (known == 0)
             e_.move_with(velocity_);
-        else if (not e_.is_constant) // else any will do
+        else if (not e_.is_constant) // otherwise any guess serves
             past_.guess(e_.moved, known);
     }
-    /// False where they do not do, and where L was seen to have branches: then a search has to be made.
+    /// @returns false if full corrections do not converge, or L has branches: then a search follows
     bool whole_corrections(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         if (e_.is_constant or (not stiff_ and e_.has_constant_mass)) {
             if (iterate(problem, x, watch)) return true;
@@ -133,8 +133,8 @@ private:
         }
         return whole_newton(problem, x, watch, made);
     }
-    /// With what of the matrix never changes: one correction where that is all of it, else a gradient and a correction a round, each
-    /// smaller by a factor of the size h^2 |M^-1 U''|. False where that is not much less than one.
+    /// Iterates with the constant part of the matrix: one correction if that is the whole matrix, else a gradient and a correction a round,
+    /// with a rate of order h^2 |M^-1 U''|. @returns false if the rate is not well below one
     bool iterate(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch) {
         S previous(-1);
         for (int round = 0; round < most_iterations<S>; ++round) {
@@ -151,16 +151,16 @@ private:
             }
             correct(e_.constant_part);
             if (e_.is_constant) {
-                // The factors are rounded, and what that leaves of a correction leans to the same side in every step.
+                // The rounding of the factors leaves a biased part of the correction in every step.
                 if (Compensated and round == 0) continue;
                 return true;
             }
             if (round == 0) weigh(x, e_.constant_part);
             S const size = weighed_.size_of(correction_), floor = epsilon<S>();
-            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            // The remainder is the rate times this correction; the rate is the ratio of two corrections.
             if (size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
                 (previous > S(0) and size * (size / previous) <= small() * e_.share_of_force()) or is_rounding_of(x, size, previous)) {
-                corrected_ = corrected::in_constants; // the rate knows nothing of them
+                corrected_ = corrected::in_constants; // the rate does not cover these
                 return true;
             }
             if (previous > S(0) and not(S(4) * size < previous) and S(1024) * floor < size) return false;
@@ -168,7 +168,7 @@ private:
         }
         return false;
     }
-    /// What is left of the equation where no correction follows, at most.
+    /// Largest admissible remainder of the equation when no correction follows.
     static S small() { return epsilon<S>() * S(Compensated ? 1 : 128) / S(256); }
     bool whole_newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
@@ -209,12 +209,11 @@ private:
         weighed_.weigh(
             e_.moved, [&](vector& sizes) { e_.put_sizes(x, sizes); }, factorized);
     }
-    /// Whether corrections do not shrink any more, and are what the rounding of a position does to the force.
+    /// Whether corrections have stopped shrinking at the rounding of a position.
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
         return previous > S(0) and not(size < previous) and magnitude(correction_) <= S(16) * epsilon<S>() * magnitude(x.q);
     }
-    /// Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside a residual
-    /// that is larger than what it should be zero of.
+    /// If masses grow without bound, as near the speed of light, corrections are small: they prove nothing beside a large residual.
     [[nodiscard]] bool is_elsewhere(state<S, V> const& x) const {
         return not e_.has_constant_mass and not std::numeric_limits<S>::is_exact and
                magnitude(x.p) + e_.impulses() < S(e_.residual.cwiseAbs().maxCoeff());
@@ -235,7 +234,7 @@ private:
         for (int c = 0; c < dimension(); ++c) s::component(rest, c) = component_of(residual, c * (Controls - 1));
         throw_newton_failure(name, how, V(x.q + e_.end()), rest);
     }
-    /// For an L with branches, or where whole corrections do not contract: e_.moved and the derivatives there.
+    /// For an L with branches, or if full corrections do not contract: sets e_.moved and the derivatives there.
     [[gnu::noinline, gnu::cold]] void search(given_problem<V> const& problem, state<S, V> const& x, bool has_branches, long long made) {
         shortened_step<equation> step(e_);
         std::optional<matrix> K;
@@ -251,7 +250,7 @@ private:
         auto const linearize = [&] {
             e_.put_matrix(true);
             largest = e_.full_matrix.largest();
-            K.emplace(e_.full_matrix); // that of other branches may have another pattern
+            K.emplace(e_.full_matrix); // other branches may have another pattern
             return K->factorize();
         };
         auto const correct = [&](unknown const& r, unknown& d) {
@@ -274,11 +273,11 @@ private:
     }
 
     equation e_;
-    long long steps_ = 0; ///< of this length
+    long long steps_ = 0; ///< with this step length
     int guessed_ = 0;
     bool iterates_ = true, stiff_ = false;
     corrected corrected_ = corrected::in_nothing;
-    V velocity_; ///< to start from where there are no steps of this length
+    V velocity_; ///< guess without steps of this length
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of an embedding with one node for L = v.Mv / 2 - U(q) of any size (models/mechanical.hpp) by forces alone: the velocity v at the
-// node solves M v = p - a_0 h U'(q + a_1 h v). Where the node is at an end of the step, one force determines it. Elsewhere it is iterated:
-// each round costs one gradient and gains a factor h^2 |M^-1 U''| / 4. Where that is too little, the equation of the step is solved
-// (step/many_nodes.hpp), in the pattern that U has.
+// The step of a one-node embedding for L = v.Mv / 2 - U(q) of any size (models/mechanical.hpp) by forces alone: the velocity v at the node
+// solves M v = p - a_0 h U'(q + a_1 h v). If the node is an end of the step, one force determines it. Otherwise it is iterated: each round
+// costs one gradient and gains a factor h^2 |M^-1 U''| / 4. If that is too slow, the equation of the step is solved (step/many_nodes.hpp).
 #pragma once
 
 #include <optional>
@@ -16,13 +15,13 @@
 
 namespace hilger::detail {
 
-/// What one trajectory remembers from step to step.
+/// State that one trajectory keeps from step to step.
 template <class L, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
 class mechanical_step {
     using s = shape<V>;
     using problem_type = problem<L, no_force>;
     static constexpr bool resisted = has_step_force<Extra>, at_an_end = Facts.at_start or Facts.at_end;
-    /// The mass, and to its diagonal what a force that grows with the step adds to it.
+    /// The mass, with the slope of the extra force added to its diagonal.
     static decltype(auto) inertia(L const& l, tableau<S> const& t, S const& h, Extra const& extra) {
         if constexpr (resisted) {
             V const more = extra.slope * S(h / S(2) * t.w(0));
@@ -105,7 +104,7 @@ private:
     equation_type& equation(V const& like) {
         if (not equation_) {
             equation_.emplace(table_, h_, like, extra_);
-            equation_->do_not_iterate(); // that is what has failed here
+            equation_->do_not_iterate(); // the iteration has just failed
         }
         return *equation_;
     }
@@ -125,7 +124,7 @@ private:
             if (known_ < history) ++known_;
         }
     }
-    /// The momentum at the start, with what of the extra force does not depend on v.
+    /// The momentum at the start plus the velocity-independent part of the extra force.
     [[nodiscard]] V const& start(state<S, V> const& x) const {
         if constexpr (resisted)
             return start_;
@@ -159,7 +158,7 @@ private:
         }
         return done;
     }
-    /// False where it converges too slowly to be worth it.
+    /// @returns false if it converges too slowly
     template <class U>
     bool iterate(U const& potential, state<S, V> const& x) {
         S previous(-1);
@@ -169,18 +168,18 @@ private:
             next_ = x.q + c_ * v_;
             branch_watch const watch;
             force(potential, next_);
-            // What the iteration has concluded from a force holds of another one on the same branch.
+            // A conclusion from one force holds for another one on the same branch only.
             bool const same = round > 0 and watch.path() == before;
             if (is_last and same) return true;
             before = watch.path();
             mass_.solve(start(x) - f_ * g_, next_);
             S const size = (next_ - v_).cwiseAbs().maxCoeff(), floor = epsilon<S>() * next_.cwiseAbs().maxCoeff();
             std::swap(next_, v_);
-            // What is left is the rate times this correction, and the rate is the ratio of two corrections.
+            // The remainder is the rate times this correction; the rate is the ratio of two corrections.
             is_last = size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
                       (previous > S(0) and (size * (size / previous) <= floor * small() or is_rounding_of(x, size, previous)));
             if (is_last and before.made == 0) return true;
-            // among rounding errors, which do not shrink, this says nothing
+            // the rate means nothing among rounding errors
             if (not is_last and previous > S(0) and not(S(4) * size < previous) and S(1024) * floor < size and
                 S(1024) * epsilon<S>() * magnitude(x.q) < magnitude(w_) * size)
                 return false;
@@ -188,7 +187,7 @@ private:
         }
         return false;
     }
-    /// Whether corrections do not shrink any more, and are what the rounding of a position does to the force.
+    /// Whether corrections have stopped shrinking at the rounding of a position.
     [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
         return not(size < previous) and magnitude(w_) * size <= S(16) * epsilon<S>() * magnitude(x.q);
     }
@@ -200,12 +199,12 @@ private:
     S h_, w_, c_, f_;
     mass_solver<Mass, V> mass_;
     back_off iteration_;
-    bool by_equation_ = false; ///< the last step
-    V v_, g_, next_;           ///< the velocity at the node, U' there, and room
+    bool by_equation_ = false; ///< in the last step
+    V v_, g_, next_;           ///< the velocity at the node, U' there, workspace
     Eigen::Matrix<S, Eigen::Dynamic, 1> room_;
     past_steps<V, S, history> past_;
     int known_ = 0;
-    std::optional<equation_type> equation_; ///< once it was needed
+    std::optional<equation_type> equation_; ///< made when first needed
     [[no_unique_address]] state_sums<Compensated, S, V> sums_;
 };
 

@@ -18,8 +18,7 @@
 
 namespace hilger::detail {
 
-/// Of any Lagrangian: its jets say whether it has these parts. What they say of one branch does not hold on others, so that a Lagrangian
-/// with branches has none.
+/// For any Lagrangian: its jets tell whether it has these parts. They tell so for one branch only: a Lagrangian with branches has none.
 template <class Problem, class S, class V>
 class separable {
     using s = shape<V>;
@@ -37,7 +36,7 @@ public:
     }
     /// M^-1 f, for f other than v.
     HILGER_ALWAYS_INLINE void solve(V const& f, V& v) const { times_inverse(f, v); }
-    /// f = dL/dq at q. False where L turns out to have other parts there.
+    /// f = dL/dq at q. @returns false if L has other parts there
     HILGER_ALWAYS_INLINE bool force(Problem const& what, S const& t, V const& q, V& f) {
         if constexpr (has_forces)
             return forces(what, t, &q, &f, 1);
@@ -47,7 +46,7 @@ public:
             return is_separable(on) and comparisons_made() == compared;
         }
     }
-    /// The same at n positions, of a callable that has a function for that.
+    /// The same at n positions, for a callable with a function for that.
     static constexpr bool has_forces = requires(Problem const& p, S const& t, V const* q, V* f) { p.lagrangian.forces(t, q, f, 1); };
     bool forces(Problem const& what, S const& t, V const* q, V* f, std::size_t n) {
         std::uint64_t const compared = comparisons_made();
@@ -93,12 +92,12 @@ private:
     block_of<V> inverse_;
     bool is_diagonal_ = false;
     V diagonal_; ///< of the inverse
-    V at_rest_;  ///< a; and a velocity as good as any
+    V at_rest_;  ///< a; also an arbitrary velocity
     V room_, unused_;
 };
 
-/// Of a Lagrangian whose formula is traced, and says whether it has these parts: second derivatives by q and v that are not there, and by v
-/// twice that never change. One with branches, or that reads the time, has none. A force f(q, v) beside it is part of dL/dq.
+/// For a traced Lagrangian, which has these parts if its formula has no second derivatives by q and v, constant ones by v twice, no
+/// branches and no time. A force f(q, v) beside it is part of dL/dq.
 template <class S, class V>
 class separable_formula {
     using s = shape<V>;
@@ -113,7 +112,7 @@ public:
     void velocity(R const& p, V& v) {
         solve(p - at_rest_, v);
     }
-    /// moved = w v; where no force reads v and M is diagonal in one go, and v is as it was.
+    /// moved = w v; in one pass that leaves v unchanged if no force reads v and M is diagonal.
     template <class R, class Moved>
     void way(R const& p, S const& w, V& v, Moved& moved) {
         if (is_diagonal_ and not reads_velocity())
@@ -133,7 +132,7 @@ public:
             mass_.solve(v);
         }
     }
-    /// Calls use(c, component c of dL/dq at q), where a force is the one at v = 0, or at v.
+    /// Calls use(c, component c of dL/dq at q), with a force at the v set last, initially 0.
     template <class Use>
     void force(given_problem<V> const& what, V const& q, Use const& use) {
         evaluate(what, q);
@@ -153,12 +152,12 @@ public:
         force(what, q, w, f);
     }
     [[nodiscard]] V const& at_rest() const { return at_rest_; }
-    /// What a force changes by with the velocity, at the places of the formula.
+    /// Derivatives of a force by the velocity, at the places of the formula.
     [[nodiscard]] auto const& frictions() const { return node_.places().entries[block_qv]; }
     [[nodiscard]] S const& value(derivative_places::second const& e) const { return node_.value(e.place); }
     [[nodiscard]] bool reads_velocity() const { return not frictions().empty(); }
     [[nodiscard]] bool has_constant_friction() const { return node_.places().constant[block_qv]; }
-    /// K = M + c df/dv, factorized. False where it is singular.
+    /// Factorizes K = M + c df/dv. @returns false if it is singular
     template <class Matrix>
     bool factorize(Matrix& K, S const& c) const {
         auto const for_each = [&](auto const& use) {
@@ -185,7 +184,7 @@ private:
         Eigen::Map<V>(node_.arguments(), q.size()) = q;
         (void)node_.evaluate_here(what, S(0), s::dimension(q), wanted::forces_only);
     }
-    /// At v = 0, where the arguments of the formula stay.
+    /// Traces the formula at v = 0, which remains its argument.
     void learn(given_problem<V> const& what, V const& q) {
         is_known_ = true;
         if (not what.is_traced or what.reads_time()) return;
@@ -195,7 +194,7 @@ private:
         for (int k = 0; k < s::dimension(q); ++k) at_rest_(k) = node_.by_v(k);
         has_parts_ = weigh(at.entries[block_vv], s::dimension(q));
     }
-    /// M^-1, or the factors of M. False where it is singular.
+    /// Computes M^-1, or the factors of M. @returns false if M is singular
     template <class Entries>
     bool weigh(Entries const& entries, int d) {
         is_diagonal_ = std::all_of(entries.begin(), entries.end(), [](auto const& e) { return e.row == e.column; });
@@ -211,7 +210,7 @@ private:
     }
     traced_node<V> node_;
     bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
-    V at_rest_, inverse_; ///< a; M^-1 where M is diagonal
+    V at_rest_, inverse_; ///< a; M^-1 for a diagonal M
     patterned_matrix<S, shape<V>::size> mass_;
 };
 template <class F, class S, class V>
@@ -230,7 +229,7 @@ public:
     }
 };
 
-/// Of a system that says so, of any size.
+/// For mechanical systems of any size.
 template <class Mass, class Potential, class S, class V>
 class separable<problem<mechanical<Mass, Potential>, no_force>, S, V> {
     using what_type = problem<mechanical<Mass, Potential>, no_force>;

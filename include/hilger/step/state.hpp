@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A point of a trajectory, and how a trajectory says where it ended.
+// A point of a trajectory, and the errors that report where it ended.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace hilger {
 
-/// Time, position, momentum.
+/// A point of a trajectory: time, position, momentum.
 template <class S, class V>
 struct state {
     S t;
@@ -20,10 +20,10 @@ struct state {
     friend bool operator==(state const&, state const&) = default;
 };
 
-/// Where a trajectory stopped: the states up to `last` are right.
+/// The point where a trajectory stopped: the states up to `last` are valid.
 template <class S, class V>
 class interrupted {
-    // Exceptions are aligned to 16 bytes at least, and registers of AVX want 32: the state lies elsewhere.
+    // Exceptions are aligned to 16 bytes at least, and AVX registers want 32: the state is allocated apart.
     std::shared_ptr<state<S, V> const> kept_;
 
 public:
@@ -31,8 +31,8 @@ public:
     state<S, V> const& last;
 };
 
-/// A step that could not be made, as the error that it met (no_convergence, no_branch, singular, not_finite) and as interrupted<S, V>. The
-/// Newton iterate and its residual, where there are any, are in the nested exception (std::rethrow_if_nested).
+/// A failed step, as its error (no_convergence, no_branch, singular, not_finite, outside_domain) and as interrupted<S, V>. The Newton
+/// iterate and its residual, if any, are in the nested exception (std::rethrow_if_nested).
 template <class Cause, class S, class V>
 struct step_failure : Cause, interrupted<S, V> {
     step_failure(std::string const& what, state<S, V> reached) : Cause(what), interrupted<S, V>(std::move(reached)) {}
@@ -53,7 +53,7 @@ template <class Cause, class S, class V>
     std::throw_with_nested(step_failure<Cause, S, V>(message.str(), at));
 }
 
-/// The exception that is being handled, as a step_failure.
+/// Rethrows the current exception as a step_failure.
 template <class S, class V>
 [[noreturn, gnu::noinline, gnu::cold]] void stop_at(state<S, V> const& at, S const& h) {
     try {
@@ -66,14 +66,14 @@ template <class S, class V>
         stop_at(at, h, cause);
     } catch (error::not_finite const& cause) {
         stop_at(at, h, cause);
-    } catch (error::outside_domain const& cause) { // more steps than a history was made for
+    } catch (error::outside_domain const& cause) { // more steps than the history has room for
         stop_at(at, h, cause);
     }
 }
 
 } // namespace detail
 
-/// work(), the step from `at` with length h. @throws what goes wrong in it as a step_failure
+/// Returns work(), the step from `at` with length h. @throws step_failure of the error thrown by work
 template <class S, class V, class Work>
 decltype(auto) saying_where(state<S, V> const& at, S const& h, Work const& work) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of a sum of actions: the nodes of all of them, each with the Lagrangian that is read there.
+// The step of a sum of actions: the nodes of all of them, each with its own Lagrangian.
 #pragma once
 
 #include "hilger/step/tableau.hpp"
@@ -8,7 +8,7 @@
 
 namespace hilger {
 
-/// One embedding for the first Lagrangian of a sum, and another one for the second.
+/// The embedding of a sum of two Lagrangians: one for each.
 template <class First, class Second>
 struct embedding_sum {
     [[no_unique_address]] First first;
@@ -19,7 +19,7 @@ template <class First, class Second>
 inline constexpr int controls_of<embedding_sum<First, Second>> = controls_of<First>;
 
 namespace detail {
-/// The nodes of u behind those of t, as of Lagrangians with the next numbers.
+/// Appends the nodes of u to those of t, with the next numbers of Lagrangians.
 template <class S>
 void append_nodes(tableau<S>& t, tableau<S> const& u) {
     auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
@@ -31,10 +31,10 @@ void append_nodes(tableau<S>& t, tableau<S> const& u) {
     int const next = t.part.back() + 1;
     for (int k = 0; k < u.nodes; ++k) t.part.push_back(next + u.part_of(k));
     t.nodes += u.nodes;
-    t.integrates_slopes = false; // of one Lagrangian the momentum is only a part
+    t.integrates_slopes = false; // each Lagrangian gives only a part of the momentum
 }
 } // namespace detail
-/// The nodes of both.
+/// The tableau of both for steps of length h: nodes of the first, then of the second.
 template <class S, class First, class Second>
 tableau<S> tableau_of(embedding_sum<First, Second> const& e, S const& h) {
     tableau<S> t = tableau_of(e.first, h);
@@ -59,7 +59,7 @@ constexpr auto embedding_of(S const& s) {
         return make_embedding<typename S::weight>(s.position, s.velocity, "the embedding of an action");
 }
 
-/// The nodes ask one of the Lagrangians each, and who asks for the whole gets their sum.
+/// Each node evaluates one of the Lagrangians; the whole is their sum.
 template <class F, class G, class Force, class V>
 struct problems_at_nodes<problem<lagrangian_by_node<F, G>, Force>, V> {
     given<problem<F, Force>, V> first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How the increments of a step are added to the state: as they are, or compensated, where what rounding cuts off is kept and added with the
-// next increment (Kahan, in the form that is exact for every two summands).
+// Adds the increments of a step to the state: plainly, or compensated, with the rounding error carried to the next increment (Kahan, in the
+// form that is exact for every two summands).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace hilger {
 
-/// How a flow adds up its steps.
+/// Summation of the steps of a flow. `compensated` is the argument that selects the second.
 enum class sums { plain, compensated };
 inline constexpr std::integral_constant<sums, sums::compensated> compensated{};
 
@@ -44,7 +44,7 @@ struct summation<true, S, N> {
         S& carry = rest[static_cast<std::size_t>(k)];
         two_sum(x, S(increment + carry), x, carry);
     }
-    /// The same of an increment in two parts, of which the second was cut off of the first.
+    /// The same for an increment in two parts, the second being the rounding error of the first.
     HILGER_ALWAYS_INLINE void add(S& x, S const& increment, S const& more, int k) {
         S& carry = rest[static_cast<std::size_t>(k)];
         S sum{}, cut{};
@@ -59,14 +59,14 @@ struct summation<true, S, N> {
     }
 };
 
-/// x, of which the first component is another number.
+/// x with another first component.
 template <class S, class V>
 V with_first(V x, S const& other) {
     shape<V>::component(x, 0) = other;
     return x;
 }
 
-/// What a step adds to positions and momenta.
+/// Sums of positions and of momenta.
 template <bool Compensated, class S, class V>
 class state_sums {
     using s = shape<V>;
@@ -79,7 +79,7 @@ public:
         q_.visit(each);
         p_.visit(each);
     }
-    /// The state after a step of length h: q + moved, p + gained, of d numbers each. @throws error::not_finite, and x is as it was
+    /// Makes x the state after a step of length h: q + moved, p + gained, of d numbers each. @throws error::not_finite, with x unchanged
     template <class Moved, class Gained>
     void add(state<S, V>& x, S const& h, Moved const& moved, Gained const& gained, char const* name) {
         require_finite(x, moved, gained, name);
@@ -93,7 +93,7 @@ public:
             }
         x.t = x.t + h;
     }
-    /// The same of increments of q in two parts, moved(c) for component c, of which the second was cut off of the first.
+    /// The same for increments of q in two parts, moved(c) for component c, the second being the rounding error of the first.
     template <class Moved, class Gained>
     void add_in_parts(state<S, V>& x, S const& h, Moved const& moved, Gained const& gained) {
         for (int c = 0; c < s::dimension(x.q); ++c) {
@@ -103,11 +103,11 @@ public:
         }
         x.t = x.t + h;
     }
-    /// @throws error::not_finite where increments, finite or not, lead beyond the largest number
+    /// @throws error::not_finite if the increments lead beyond the largest number
     template <class Moved, class Gained>
     static void require_finite(state<S, V> const& x, Moved const& moved, Gained const& gained, char const* name) {
         if constexpr (std::numeric_limits<S>::is_exact) return;
-        // infinity less itself is NaN, and so is the sum; where the sum alone overflows it is looked at again
+        // infinity less itself is NaN, and so is the sum; if only the sum overflows, the components are checked
         if (is_finite(total(x, moved, gained))) [[likely]]
             return;
         for (int c = 0; c < s::dimension(x.q); ++c) {
@@ -124,7 +124,7 @@ private:
         if constexpr (s::size == Eigen::Dynamic)
             return S(((x.q + moved) + (x.p + gained)).sum());
         else {
-            S sum(0); // one by one: a vector of numbers that were just written one by one would wait for them
+            S sum(0); // one by one: a vector load right after scalar stores would stall
             for (int c = 0; c < s::size; ++c)
                 sum = sum + ((s::component(x.q, c) + component_of(moved, c)) + (s::component(x.p, c) + component_of(gained, c)));
             return sum;

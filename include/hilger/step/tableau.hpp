@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// An embedding on one step, in numbers: the control values U_0 = q_i, ..., U_d = q_{i+1}, those at the ends of the step and at the points
-// inside of it, give the position and the velocity at each node of the integral, A_k = sum_j position[k][j] U_j and
-// B_k = sum_j velocity[k][j] U_j, and L_h = sum_k weight[k] L(A_k, B_k) (Cresson-Safi (47), (48) for mid-point). The numbers are what the
-// embedding's operators make of unit functions; nothing is written per scheme.
+// An embedding on one step, in numbers. The control values U_0 = q_i, ..., U_d = q_{i+1}, at the ends of the step and at points inside,
+// give the position and the velocity at each node of the integral, A_k = sum_j position[k][j] U_j and B_k = sum_j velocity[k][j] U_j, and
+// L_h = sum_k weight[k] L(A_k, B_k) (Cresson-Safi (47), (48) for mid-point). The operators applied to unit functions give the numbers.
 #pragma once
 
 #include <array>
@@ -18,27 +17,29 @@
 
 namespace hilger {
 
+/// The coefficients of an embedding for steps of one length h.
 template <class S>
 struct tableau {
     int nodes = 1, controls = 2;
     std::vector<S> position, velocity; ///< nodes x controls, row by row; velocities carry 1/h
     std::vector<S> weight;             ///< carry h
-    std::vector<S> inside;             ///< where there are points inside the step, the time of each node since its beginning
-    std::vector<int> part;             ///< in a sum of actions, the number of the Lagrangian that is read at each node
-    /// Velocities are slopes of the polynomial through values at equal distances, and the weights integrate these exactly: uniform motion
-    /// has its velocity, and its momentum, at every node.
+    std::vector<S> inside;             ///< with points inside the step, the time of each node since its beginning
+    std::vector<int> part;             ///< in a sum of actions, the number of each node's Lagrangian
+    /// Velocities are slopes of the polynomial through values at equal distances, integrated exactly by the weights: uniform motion has its
+    /// velocity, and its momentum, at every node.
     bool integrates_slopes = false;
+    /// Coefficients of U_j in the position and in the velocity at node k, its weight, and the number of its Lagrangian.
     [[nodiscard]] S const& a(int k, int j) const { return position[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& b(int k, int j) const { return velocity[static_cast<std::size_t>(controls * k + j)]; }
     [[nodiscard]] S const& w(int k) const { return weight[static_cast<std::size_t>(k)]; }
     [[nodiscard]] int part_of(int k) const { return part.empty() ? 0 : part[static_cast<std::size_t>(k)]; }
-    /// The position or the velocity at node k of the constant 1: of_constant(k, &tableau::a).
+    /// Position or velocity of the constant 1 at node k: of_constant(k, &tableau::a).
     [[nodiscard]] S of_constant(int k, S const& (tableau::*of)(int, int) const) const {
         S sum(0);
         for (int m = 0; m < controls; ++m) sum = sum + (this->*of)(k, m);
         return sum;
     }
-    /// Whether constants have themselves as position and no velocity, to rounding.
+    /// Whether constants have position 1 and velocity 0, to rounding.
     [[nodiscard]] bool reproduces_constants() const {
         S const rounding = S(64) * epsilon<S>();
         for (int k = 0; k < nodes; ++k) {
@@ -54,7 +55,7 @@ struct tableau {
     [[nodiscard]] S time(int k, S const& t, S const& h) const {
         return inside.empty() ? S(t + a(k, 1) * h) : S(t + inside[static_cast<std::size_t>(k)]);
     }
-    /// That of a step which is `share` of it long.
+    /// The tableau of a step of `share` times the length.
     [[nodiscard]] tableau shortened_to(S const& share) const {
         tableau t = *this;
         for (S& x : t.weight) x = x * share;
@@ -65,8 +66,7 @@ struct tableau {
 };
 
 namespace detail {
-/// Makes c + f = w of numbers that are so to rounding: only then the step with one node is symplectic. What is left of w beside the larger
-/// one is exact.
+/// Makes c + f = w exact for numbers that satisfy it to rounding: else the one-node step is not symplectic. w less the larger one is exact.
 template <class S>
 void add_up_to(S const& w, S& c, S& f) {
     if (magnitude(c) < magnitude(f))
@@ -74,9 +74,8 @@ void add_up_to(S const& w, S& c, S& f) {
     else
         f = w - c;
 }
-/// The equation of a step, of a share of its length for a while: what a step that no guess leads to grows from (newton/newton.hpp). The
-/// equation is that of the whole step again when this ends. Its numbers are copied where it is shortened, not before: most steps that
-/// are searched for are not.
+/// Shortens the equation of a step to a share of its length, for steps that grow when no guess converges (newton/newton.hpp); the
+/// destructor restores the whole step. The tableau is copied when first shortened: most searches do not need it.
 template <class Equation>
 class shortened_step {
     using S = std::remove_cvref_t<decltype(std::declval<Equation&>().h())>;
@@ -103,9 +102,9 @@ public:
 };
 } // namespace detail
 
-/// What is known of an embedding before any number is: computed by its operators over a finite field, where equal means equal.
+/// Properties of an embedding's type, computed by its operators over a finite field with exact equality.
 struct embedding_facts {
-    bool one_node = false; ///< one node; constants have themselves as position and no velocity; weight and velocity cancel
+    bool one_node = false; ///< one node; position of 1 is 1, its velocity 0; weight times velocity of q_{i+1} is 1
     bool at_start = false; ///< and the position is q_i
     bool at_end = false;   ///< and the position is q_{i+1}
 };
@@ -124,7 +123,7 @@ inline constexpr embedding_facts facts_<embedding<A, B, W, Checked>> = [] {
                        step::value(B{}, h, end, 0) * step::weight(A{}, B{}, h, 0) == one;
     return embedding_facts{plain, plain and step::value(A{}, h, end, 0) == zero, plain and step::value(A{}, h, start, 0) == zero};
 }();
-/// Numbers that are known at run time only: what is consistent, which is looked at then, has no other velocity than (q_{i+1} - q_i) / h.
+/// Numbers known at run time: consistency, checked then, leaves no other velocity than (q_{i+1} - q_i) / h.
 template <linear_map A, linear_map B, class W>
     requires(has_numbers<A, B>and reads_one_step<A, B>)
 inline constexpr embedding_facts facts_<embedding<A, B, W, true>> = [] {
@@ -132,17 +131,18 @@ inline constexpr embedding_facts facts_<embedding<A, B, W, true>> = [] {
     return embedding_facts{step::nodes_ == 1 and step::controls == 2, false, false};
 }();
 } // namespace detail
+/// The properties of embedding E.
 template <class E>
 inline constexpr embedding_facts facts_of = detail::facts_<std::remove_cvref_t<E>>;
 
-/// The number of control values of a step, known by the type.
+/// Number of control values of a step, known by the type.
 template <class E>
 inline constexpr int controls_of = 2;
 template <linear_map A, linear_map B, class W, bool Checked>
 inline constexpr int controls_of<embedding<A, B, W, Checked>> = static_cast<int>(A::from::last(1)) + 1;
 
 namespace detail {
-/// Of an embedding: each value depends on few points; and they are the ends of one step.
+/// Whether each value depends on few points; whether these are the ends of one step.
 template <class E>
 inline constexpr bool is_local = true;
 template <linear_map A, linear_map B, class W, bool Checked>
@@ -152,7 +152,7 @@ inline constexpr bool is_on_one_step = true;
 template <linear_map A, linear_map B, class W, bool Checked>
 inline constexpr bool is_on_one_step<embedding<A, B, W, Checked>> = reads_one_step<A, B>;
 
-/// @throws error::invalid_parameter when the numbers of an embedding are not consistent, in more than their rounding
+/// @throws error::invalid_parameter if the numbers of an embedding are not consistent to rounding
 template <class W, class S, linear_map A, linear_map B>
 void require_consistent(A const& a, B const& b, S const& h, char const* name) {
     auto const near = [](S const& x, S const& y) { return magnitude(S(x - y)) <= S(16) * epsilon<S>(); };
@@ -193,7 +193,7 @@ template <int Degree, int Count>
 inline constexpr bool integrates_slopes<polynomial_reading<Degree, lobatto, Count, true>> = 1 < Degree and Degree <= 2 * Count - 2;
 } // namespace detail
 
-/// @throws error::invalid_parameter when numbers of the embedding that are known at run time only are not consistent
+/// The tableau of e for steps of length h. @throws error::invalid_parameter if numbers known at run time only are not consistent
 template <class S, linear_map A, linear_map B, class W, bool Checked>
 tableau<S> tableau_of(embedding<A, B, W, Checked> const& e, S const& h) {
     if constexpr (Checked and detail::has_numbers<A, B> and std::numeric_limits<S>::is_specialized) // formulas cannot be compared

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Stand-alone C99 of an embedded Lagrangian, from the same types that run: the Lagrangian is traced, differentiated in its graph, and what
-// follows from it and from the embedding's operators on a symbolic h is written out. Compiled in hilger::text.
+// Stand-alone C99 of an embedded Lagrangian, from the types that run: the Lagrangian is traced, differentiated in its graph, and written
+// out with the embedding's operators on a symbolic h. Compiled in hilger::text.
 //   std::cout << c_code(embed(L, mid_point), "pendulum");
 //   std::cout << c_code<Eigen::Vector2d>(embed(L, mid_point), "kepler");
 #pragma once
@@ -13,7 +13,7 @@ namespace hilger {
 
 namespace detail {
 
-/// What is written of a step: a node's formulas, the position and the weight of the node in the variable h, and how it is presented.
+/// The contents of a written step: a node's formulas, the position and the weight of the node in the variable h, and its presentation.
 struct c_step_of {
     std::string name;
     node_formulas node;
@@ -25,10 +25,10 @@ std::string c_code(c_step_of const& what);
 /// The C function int NAME_solve(double K[n][n], double x[n]): x becomes K^-1 x.
 std::string c_solve(std::string const& name, int n);
 
-/// @throws error::invalid_parameter when `name` is no name in C, or the number of components is not known
+/// @throws error::invalid_parameter if `name` is no name in C, or the number of components is not known
 void require_c_code(std::string const& name, int d, int known);
 
-/// Whether a callable takes the time and, where it can say so, reads it: a formula in text takes it always.
+/// Whether a callable takes the time and, if it can tell, reads it: a formula in text always takes it.
 template <class F, class V>
 bool takes_time(F const& f) {
     if constexpr (requires { f.reads_time(); })
@@ -46,18 +46,16 @@ std::string written_equations(F const& L, embedding<A, B, W, Checked> const& e, 
 
 } // namespace detail
 
-/// C99 that needs math.h alone, for states of the kind V: double, or an Eigen vector of d components. With d = 1 for a number, and
-/// `double t` as the first argument of all where L or the force depends on the time (t at q, at q0 for the residual):
+/// C99 that needs math.h alone, for states of the kind V: double, or an Eigen vector of d components. With d = 1 for a number, and the time
+/// `double t` as the first argument of all if L or the force depends on it (t at q, at q0 for the residual):
 ///   double NAME_lagrangian(const double q[d], const double v[d])
 ///   void NAME_momentum(const double q[d], const double v[d], double p[d])                    p = dL/dv
 ///   void NAME_residual(double h, const double q0[d], const double q1[d], const double q2[d], double r[d])
 ///       r = d_2 L_h(q0, q1) + d_1 L_h(q1, q2) and the forces, a momentum
 ///   int NAME_step(double h, double q[d], double p[d], double v[d])
-///       one step; v is the guess of the velocity at the node, and becomes that velocity. Of several solutions of a long step it is the
-///       one that Newton's method comes to from there. Returns NAME_ok (0), or NAME_singular,
-///       NAME_no_convergence, NAME_not_finite with q, p and v as they were.
-/// @throws error::no_formula when L compares its arguments, error::invalid_parameter when `name` is no name in C, or V is of dynamic size
-///         and d is not said
+///       one step; v is the guess of the velocity at the node, and becomes that velocity: of several solutions the one that Newton's method
+///       finds from there. Returns NAME_ok (0), or NAME_singular, NAME_no_convergence, NAME_not_finite with q, p and v unchanged.
+/// @throws error::no_formula if L compares its arguments, error::invalid_parameter if `name` is no name in C, or V is dynamic without d
 template <class V = double, class F, class Force, class E>
 std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string const& name, int d = detail::shape<V>::size) {
     static_assert(facts_of<E>.one_node,
@@ -78,7 +76,7 @@ std::string c_code(flow<F, Force, E, sums::plain> const& method, std::string con
     });
 }
 
-/// Others are refused.
+/// Refuses all other methods.
 template <class V = double, class Method>
 std::string c_code(Method const&, std::string const&, int = 0) {
     static_assert(sizeof(Method) == 0, "C code is that of a flow of one embedding with plain sums and without a history, c_code(embed(L, "

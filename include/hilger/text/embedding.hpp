@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Embeddings in text as those of types: the operators of an action that is derived, stepped and printed as all others are.
+// Embeddings in text as those of types: their operators make an action that is derived, stepped and printed like all others.
 //   auto const how = text::embedding_in("integral(L((q + sigma[q])/2, Delta_plus[q]))");
 //   text::with_embedding<double>(how, T.is_uniform, [&](auto const& e) { return embed(L, e); });
 #pragma once
@@ -13,7 +13,7 @@
 namespace hilger::text {
 
 /// An operator on T known at run time that loses at most so many points at the ends, between two sums with weights W. On a uniform scale
-/// what it is adjoint to is written without weights.
+/// its adjoint is written without weights.
 template <class S, int Front, int Back, class W>
 class stated_operator : public linear_operator<stated_operator<S, Front, Back, W>> {
     static constexpr sum_weight weight = W::vanishes_last ? sum_weight::delta : sum_weight::nabla;
@@ -62,20 +62,20 @@ auto with_operators(embedding_formula const& e, bool uniform, Use const& use) {
     using one = std::integral_constant<int, 1>;
     return e.weight == sum_weight::delta ? made(zero{}, one{}, delta_weight{}) : made(one{}, zero{}, nabla_weight{});
 }
-/// How far factors that are stated for numbers S may be off: 1 - c and c in the digits of doubles add up to 1 but for rounding.
+/// Admissible error of factors in numbers S: 1 - c and c in the digits of doubles add up to 1 but for rounding.
 template <class S>
 constexpr double rounding_of_factors = std::is_floating_point_v<S> ? 1.0 / (1LL << 50) : 0;
-/// What is written of the operator on f.
+/// The operator on f, for printing.
 hilger::detail::expression written_on(operator_formula const& a, hilger::detail::expression const& f, bool uniform);
 
 } // namespace detail
 
-/// @throws error::invalid_parameter where position and velocity do not read the two ends of one step, or that end of it that the sum does
-///         not count, or are not consistent (embedding/one_step.hpp) up to this rounding
+/// @throws error::invalid_parameter if position and velocity do not read the two ends of the step that the sum counts, or are not
+/// consistent (embedding/one_step.hpp) up to this rounding
 void require_one_step(embedding_formula const& e, double rounding = 0);
 
 /// Calls use(embedding) with position and velocity as operators over S, on uniform scales or on every one.
-/// @throws as require_one_step does
+/// @throws as require_one_step
 template <class S, class Use>
 auto with_embedding(embedding_formula const& e, bool uniform, Use const& use) {
     require_one_step(e, detail::rounding_of_factors<S>);
@@ -84,17 +84,16 @@ auto with_embedding(embedding_formula const& e, bool uniform, Use const& use) {
     });
 }
 
-/// L((1 - lambda) q + lambda sigma[q], Delta_plus[q]) under the Delta integral.
+/// The embedding L((1 - lambda) q + lambda sigma[q], Delta_plus[q]) under the Delta integral.
 template <class S>
 auto embedding_at(S const& lambda) {
     return make_embedding<delta_weight>(S(S(1) - lambda) * identity_T + lambda * sigma, Delta_plus, "the embedding");
 }
-/// Whether the position is another mean of the ends for each length of the step, as q + Delta_plus[q]/20.
+/// Whether the position is a mean of the ends that depends on the length of the step, as q + Delta_plus[q]/20.
 bool depends_on_step(embedding_formula const& e);
-/// The lambda with which embedding_at(lambda) makes the steps of length h of an embedding: what is consistent in one step is an
-/// interpolation between its ends. Without h that of steps of any length.
-/// In the numbers of operator_in_numbers.
-/// @throws as require_one_step does; error::invalid_parameter where there is no h and lambda depends on it
+/// The lambda whose embedding_at(lambda) makes the same steps of length h: an embedding that is consistent in one step interpolates between
+/// its ends. Without h for steps of any length. In the numbers of operator_in_numbers. @throws as require_one_step;
+/// error::invalid_parameter if there is no h and lambda depends on it
 template <class S>
 S lambda_of_step(embedding_formula const& e, std::optional<S> const& h = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A Lagrangian as a formula: it is traced without values, differentiated in its graph, and written out. Compiled in hilger::text.
+// A Lagrangian as a formula: traced without values, differentiated in its graph, and written out. Compiled in hilger::text.
 //   formula const L = formula_of([](auto const& q, auto const& v) { return v * v / 2 - (1 - cos(q)); });
 //   std::cout << L << L.by_q() << latex(L.by_v());         v²/2 − (1 − cos(q)), −sin(q), v
 #pragma once
@@ -20,7 +20,7 @@ namespace detail {
 /// An operation of a formula, or a constant in it.
 using formula_node = traced<double>;
 
-/// A name, and the number of a component where that is not negative.
+/// A name, and the number of a component if it is not negative.
 struct argument_name {
     std::string name;
     int component = -1;
@@ -34,14 +34,14 @@ public:
     [[nodiscard]] static formula_node argument(int number) { return formula_node::at(number, 0); }
 
     formula_graph<double> graph;
-    std::vector<argument_name> names; ///< by the numbers of arguments, which are those of their nodes but for variables
+    std::vector<argument_name> names; ///< by the numbers of arguments; for all but variables these are those of their nodes
     int dimension;
 
 private:
     std::vector<int> variables_; ///< their nodes
 };
 
-/// What one node of a step evaluates, in a graph: the Lagrangian, its derivatives, and forces beside dL/dq as in the discrete
+/// The formulas of one node of a step, in a graph: the Lagrangian, its derivatives, and forces added to dL/dq by the discrete
 /// Lagrange-d'Alembert principle (variational/problem.hpp). Matrices row by row, entry (j, k) by component k of the variable.
 struct node_formulas {
     std::shared_ptr<named_graph> in;
@@ -50,7 +50,7 @@ struct node_formulas {
     std::vector<formula_node> gq, gv; ///< derivatives of g by q and by v
     std::vector<formula_node> pq, pv; ///< and of p
 };
-/// Differentiates L, and a force where it has components.
+/// Differentiates L, and a force if it has components.
 node_formulas differentiated(std::shared_ptr<named_graph> in, formula_node const& L, std::vector<formula_node> const& force);
 
 /// Calls use(t, q, v) with the arguments of a graph, in the shape of V.
@@ -80,12 +80,12 @@ public:
     [[nodiscard]] formula by_v(int k = 0) const { return by(in_->dimension + k); }
     [[nodiscard]] formula by_t() const { return by(2 * in_->dimension); }
 
-    /// The value at (t, q, v), each component of which is a number in one list: q first, then v, then t.
+    /// The value at (t, q, v); `arguments` lists the components of q, then of v, then t.
     [[nodiscard]] double value(std::vector<double> const& arguments) const;
-    /// For a terminal. @throws error::no_formula where a constant is not finite
+    /// Prints for a terminal, latex in LaTeX. @throws error::no_formula if a constant is not finite
     friend std::ostream& operator<<(std::ostream& out, formula const& f);
     friend std::string latex(formula const& f);
-    /// How many operations and arguments are written, of shared ones each, or `most` where there are more.
+    /// Number of operations and arguments in print, shared ones repeated; at most `most`.
     [[nodiscard]] int size(int most) const;
 
 private:
@@ -94,7 +94,7 @@ private:
     detail::formula_node what_;
 };
 
-/// The formula of a callable L(q, v) or L(t, q, v), of states V with d components. @throws error::no_formula when it compares its arguments
+/// The formula of a callable L(q, v) or L(t, q, v), of states V with d components. @throws error::no_formula if it compares its arguments
 template <class V = double, class F>
 formula formula_of(F const& lagrangian, int d = detail::shape<V>::size) {
     auto in = std::make_shared<detail::named_graph>(d, detail::shape<V>::is_scalar);
@@ -104,7 +104,7 @@ formula formula_of(F const& lagrangian, int d = detail::shape<V>::size) {
     });
     return {std::move(in), L};
 }
-/// That of a text, whose arguments have the names of its coordinates and of the time; of a coordinate that is a number without an index.
+/// The formula of a text; its arguments are named as the coordinates, without an index for one that is a number, and as the time.
 formula formula_of(text::stated const& lagrangian, std::vector<text::coordinate> const& coordinates, std::string const& time);
 
 } // namespace hilger

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Lagrangians and forces in text, as callables of the states that all others are: what is derived, stepped and printed of them is the same.
+// Lagrangians and forces in text, as callables of states: they are derived, stepped and printed like all others.
 //   auto words = std::make_shared<text::vocabulary>(std::vector<text::coordinate>{{"q", "v", 1}});
 //   auto const L = lagrangian{text::lagrangian_in("v[0]^2/2 - (1 - cos(q[0]))", words)};
 //   embed(L, mid_point).along(T, q0, p0)            states are vectors of dynamic size
@@ -15,7 +15,7 @@ namespace hilger::text {
 
 namespace detail {
 
-/// f in the numbers of a state, which are traced, or jets that stand for numbers: in states of dynamic size no jets have variables
+/// f in the numbers of a state: traced ones, or jets without variables, as jets of dynamic states have none
 /// (differentiation/derivatives.hpp).
 template <class T, class Q, class V>
 auto value_at_state(stated const& f, T const& t, Q const& q, V const& v) {
@@ -30,7 +30,7 @@ auto value_at_state(stated const& f, T const& t, Q const& q, V const& v) {
 
 } // namespace detail
 
-/// L(t, q, v) = a formula. @throws error::mismatch where a state has another dimension
+/// L(t, q, v) given by a formula. @throws error::mismatch if a state has another dimension
 class stated_lagrangian {
 public:
     static constexpr bool is_generic_in_time = true;
@@ -44,12 +44,12 @@ public:
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
-    /// Where it switches in ]a, b[ (text/stated.hpp): an accurate solution has points there.
+    /// Its switching times in ]a, b[ (text/stated.hpp): an accurate solution has points there.
     template <class S>
     [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
         return text::switching_times<S>({of_}, a, b);
     }
-    /// What is traced of it.
+    /// The cache of its traced formulas.
     [[nodiscard]] hilger::detail::kept_formulas& kept() const { return *kept_; }
 
 private:
@@ -57,11 +57,11 @@ private:
     std::shared_ptr<hilger::detail::kept_formulas> kept_ = std::make_shared<hilger::detail::kept_formulas>();
 };
 
-/// f(t, q, v), a formula for each component.
+/// f(t, q, v) given by a formula for each component.
 class stated_force {
 public:
     static constexpr bool is_generic_in_time = true;
-    /// @throws error::mismatch when there is not one formula for each coordinate
+    /// @throws error::mismatch if there is not one formula for each coordinate
     explicit stated_force(std::vector<stated> components) : of_(std::move(components)) {
         if (of_.empty() or static_cast<int>(of_.size()) != of_.front().words().dimension())
             error::raise<error::mismatch>("a force has one formula for each coordinate, and here are ", of_.size(), " for ",
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] bool reads_time() const {
         return std::any_of(of_.begin(), of_.end(), [](stated const& f) { return f.reads(meaning::role::time); });
     }
-    /// Where a component of it switches in ]a, b[.
+    /// The switching times of its components in ]a, b[.
     template <class S>
     [[nodiscard]] std::vector<S> switching_times(S const& a, S const& b) const {
         return text::switching_times<S>(of_, a, b);
@@ -88,7 +88,7 @@ private:
     std::vector<stated> of_;
 };
 
-/// The Lagrangian in a text. @throws error::unreadable
+/// The Lagrangian in a text; `source` is its name in errors. @throws error::unreadable
 inline stated_lagrangian lagrangian_in(std::string_view formula, std::shared_ptr<vocabulary const> words, std::string const& source = "L") {
     return stated_lagrangian(stated(read(formula, source), std::move(words), source));
 }

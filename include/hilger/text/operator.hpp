@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Linear operators on functions on T that are known at run time only: identity, sigma, rho, Delta_plus, Delta_minus, multiples, sums and
-// compositions of them. The algebra is that of operator/compose.hpp, with the same adjoints: between two weighted sums,
-//   adjoint(sigma) = rho,  adjoint(Delta_plus) = -Delta_minus  between the nabla and the Delta sum, and what other sums are used is a
-//   multiplication by the ratio of their weights,
-// and A == B decides by what both make of one generic function on one generic scale (adjoint/normal_form.hpp).
+// compositions of them. Algebra and adjoints are those of operator/compose.hpp: between the nabla and the Delta sum
+//   adjoint(sigma) = rho,  adjoint(Delta_plus) = -Delta_minus,
+// and other sums multiply by the ratio of their weights. A == B compares what both make of one generic function on one generic scale
+// (adjoint/normal_form.hpp).
 #pragma once
 
 #include <algorithm>
@@ -30,6 +30,7 @@ struct lost_points {
 };
 constexpr lost_points most(lost_points a, lost_points b) { return {std::max(a.front, b.front), std::max(a.back, b.back)}; }
 
+/// An operator: the root of a tree of operators that never changes.
 class operator_formula {
 public:
     enum class kind {
@@ -56,7 +57,7 @@ public:
     static operator_formula reweight(sum_weight from, sum_weight to) {
         return from == to ? operator_formula() : operator_formula(node{kind::reweight, side::plus, from, to});
     }
-    /// c A. @throws error::unreadable when c is no formula of numbers alone
+    /// c A. @throws error::unreadable if c is no formula of numbers alone
     static operator_formula multiple(stated const& c, operator_formula const& a);
     friend operator_formula operator+(operator_formula const& a, operator_formula const& b);
     /// A B: first B, then A.
@@ -66,7 +67,7 @@ public:
 
     [[nodiscard]] node const& root() const { return *root_; }
     [[nodiscard]] bool is(kind k) const { return root_->what == k; }
-    /// The two sums between which adjoint() is the adjoint; of a sum of operators those of the first one.
+    /// The two sums of adjoint(); for a sum of operators those of the first one.
     [[nodiscard]] sum_weight from_weight() const { return is(kind::reweight) ? root_->from : weight(true); }
     [[nodiscard]] sum_weight to_weight() const { return is(kind::reweight) ? root_->to : weight(false); }
     [[nodiscard]] operator_formula adjoint() const { return adjoint(from_weight(), to_weight()); }
@@ -75,10 +76,10 @@ public:
     [[nodiscard]] operator_formula adjoint(sum_weight from, sum_weight to) const;
     /// The same operator on uniform scales, where both weights are the step.
     [[nodiscard]] operator_formula on_equal_steps() const;
-    /// Whether ratios of the weights mu and nu stand in it, as in adjoints between sums of other weights: its values then depend on the
+    /// Whether it contains ratios of the weights mu and nu, as adjoints between sums of other weights do: its values then depend on the
     /// lengths of both steps beside a point.
     [[nodiscard]] bool has_weights() const;
-    /// What A[f] has lost where f has lost some.
+    /// The points lost by A[f], for an f that has lost some.
     [[nodiscard]] lost_points lost(lost_points f = {}) const;
 
     /// A formula of numbers, as 1/3.
@@ -90,12 +91,12 @@ private:
     std::shared_ptr<node const> root_;
 };
 
-/// How a Lagrangian is read on T: L(A q, B q) under a sum (embedding/embedding.hpp).
+/// How L is evaluated on T: L(A q, B q) under a sum (embedding/embedding.hpp).
 struct embedding_formula {
     operator_formula position, velocity;
     sum_weight weight = sum_weight::delta;
     std::string text; ///< as it was written
-    /// The points that either of the two loses.
+    /// The larger losses of the two, at each end.
     [[nodiscard]] lost_points lost() const { return most(position.lost(), velocity.lost()); }
 };
 
@@ -103,22 +104,21 @@ struct embedding_formula {
 /// Parameters in its factors are those of `words`. @throws error::unreadable with line and column
 operator_formula operator_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                              std::string const& source = "the operator");
-/// The embedding in a text, what L is read with, applied to the unknown q, or ((1 + sigma)/2)[q]; `source` and `from` say in errors where
-/// it stands:
+/// The embedding in a text: the arguments of L, applied to the unknown q, or ((1 + sigma)/2)[q]; `source` and `from` place it in errors:
 ///   integral(L((q + sigma[q])/2, Delta_plus[q]))
 ///   nabla_integral(L(q, Delta_minus[q]))           the sum with weights nu
 /// @throws error::unreadable
 embedding_formula embedding_in(std::string_view text, std::shared_ptr<vocabulary const> words = no_words(),
                                std::string const& source = "the embedding", place from = {1, 1});
 
-/// A and B make the same of every function on every scale, or on every uniform one, and lose the same points at the ends.
+/// Whether A and B make the same of every function on every scale, or on every uniform one, and lose the same points at the ends.
 bool equal(operator_formula const& a, operator_formula const& b, bool uniform = false);
 inline bool operator==(operator_formula const& a, operator_formula const& b) { return equal(a, b); }
 
-/// What the operator makes of a function f, written for a terminal or in LaTeX; `uniform`: on a scale of equal steps.
+/// The operator applied to a function f, for a terminal or in LaTeX; `uniform`: on a scale of equal steps.
 std::string written(operator_formula const& a, print_style style, bool uniform = false);
-/// The text that operator_in reads the same operator from, applied to what is called `on`, or as an operator where that is "".
-/// @throws error::invalid_parameter when it is too long for anybody
+/// The text that operator_in reads the same operator from, applied to the name `on`, or as an operator if that is "".
+/// @throws error::invalid_parameter if it is too long
 std::string text_of(operator_formula const& a, std::string const& on = "q");
 /// The same, if it has at most `longest` characters.
 std::optional<std::string> written(operator_formula const& a, std::string const& on, std::size_t longest);
@@ -139,8 +139,7 @@ class operator_in_numbers {
     using kind = operator_formula::kind;
 
 public:
-    /// @throws error::unreadable where a factor is no number of type S, as a root in rationals; error::not_finite where it is NaN or
-    /// infinite
+    /// @throws error::unreadable if a factor is no number of type S, as a root in rationals; error::not_finite if it is NaN or infinite
     explicit operator_in_numbers(operator_formula const& a);
 
     /// A[f] at point i of T, of a function with values get(i) on the scale root().
@@ -153,8 +152,8 @@ public:
     }
     /// Numbers by points.
     using row_type = std::map<index_type, S>;
-    /// The numbers c_j of A[f](t_i) = sum_j c_j f(t_j) on the scale T. As `sizes` those of all terms that they are sums of, without signs:
-    /// what they round by. In a time that grows with the number of parts, where a value of a product asks its parts again and again.
+    /// The numbers c_j of A[f](t_i) = sum_j c_j f(t_j) on the scale T; with `sizes` the sums of the absolute values of their terms, which
+    /// bound their rounding. Linear in the number of parts, while a value of a product evaluates its parts again and again.
     template <class T>
     [[nodiscard]] row_type row(T const& scale, index_type i, bool sizes = false) const {
         auto const step = [&scale](index_type j) { return S(scale.step(j)); };

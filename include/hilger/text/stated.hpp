@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A formula in text with what its names stand for.
+// A formula in text with the meaning of its names.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@ namespace hilger::text {
 template <class T>
 using components_view = hilger::detail::function_view<T(int)>;
 
-/// A formula and what its names stand for. Copies share both. It has values in float, double, long double, float50, float100 and Q, in
-/// traced numbers of these: these are compiled in hilger::text.
+/// A formula with the meaning of its names; copies share both. It has values in float, double, long double, float50, float100 and Q, and in
+/// traced numbers of these, compiled in hilger::text.
 class stated {
 public:
-    /// @throws error::unreadable with the place of a name that nothing is known of, of a vector without an index, an index outside of its
-    ///         vector, a function with a wrong number of arguments
+    /// @throws error::unreadable with the place of an unknown name, a vector without an index, an index outside of its vector, or a
+    /// function with a wrong number of arguments
     stated(expression what, std::shared_ptr<vocabulary const> words, std::string source);
 
     /// The value at (t, q, v), states given by component: q(k) is component k. With `everywhere` both parts of choices are evaluated.
@@ -31,17 +31,17 @@ public:
     }
     [[nodiscard]] vocabulary const& words() const { return *words_; }
     [[nodiscard]] expression const& formula() const { return what_; }
-    /// Whether one of the names in it stands for the time, or for velocities.
+    /// Whether it contains a name of this role.
     [[nodiscard]] bool reads(meaning::role role) const;
-    /// Whether it has other values at other states.
+    /// Whether its value depends on the time or the state.
     [[nodiscard]] bool reads_state() const {
         return reads(meaning::role::time) or reads(meaning::role::position) or reads(meaning::role::velocity);
     }
-    /// The value of one that does not. @throws error::unreadable where S has no such number, as a root in rationals or 1/0
+    /// The value of a formula without time and state. @throws error::unreadable if S has no such number, as a root in rationals or 1/0
     template <class S>
     [[nodiscard]] S number() const;
     [[nodiscard]] std::string const& source() const { return source_; }
-    /// How many operations a value takes, and numbers and names it reads: to know what is too long to be shown.
+    /// Number of operations, numbers and names in an evaluation, to tell which formulas are too long to be shown.
     [[nodiscard]] long long operations() const { return operations_; }
 
 private:
@@ -53,12 +53,11 @@ private:
     long long operations_ = 0;
 };
 
-/// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first: where
-/// a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, comes out another way, or an abs, a min or a max of it has a kink. An
-/// affine a + b t is followed exactly; of anything else, as sin(t) < 0, changes are looked for at 4096 equal distances of the interval and
-/// halved down to rounding, so that what changes and changes back between two of them is not seen. Comparisons in both parts of a choice
-/// count, whether the state leads there or not.
-/// @throws error::invalid_parameter where one that is not affine changes more often than it is looked at
+/// The times in ]a, b[ at which one of the formulas switches, in increasing order; of two that rounding hardly tells apart the first. A
+/// formula switches if a comparison of the time alone, as t < 1 or abs(t - 7) < 0.01, changes its outcome, or an abs, min or max of the
+/// time has a kink. An affine a + b t is solved exactly; for others, as sin(t) < 0, changes between 4096 equal parts of the interval are
+/// bisected down to rounding, and two changes within a part are missed. Comparisons in both parts of a choice count.
+/// @throws error::invalid_parameter if one that is not affine changes more often than it is sampled
 template <class S>
 std::vector<S> switching_times(std::vector<stated> const& formulas, S const& a, S const& b);
 

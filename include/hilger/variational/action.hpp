@@ -8,7 +8,7 @@
 
 namespace hilger {
 
-/// Weight is what the integral sums with: delta or nabla on T, steps on T_lambda. A and B map from T to the scale of the integral.
+/// A and B map from T to the scale of the integral, Weight is its measure: delta or nabla on T, steps on T_lambda.
 template <class F, linear_map A, linear_map B, class Weight, class Root>
 struct action {
     using function_type = F;
@@ -23,14 +23,14 @@ struct action {
     Root T;
     [[nodiscard]] constexpr Root const& scale() const { return T; }
 
-    /// The action of a function on T, or with its points inside the steps where A reads them.
+    /// S(x) of a function on T, or on T with points inside the steps if A reads these.
     template <discrete_function X>
     constexpr auto operator()(X const& x) const {
         return weighted_sum<Weight>(at_nodes(x, [L = function](auto const& t, auto const& q, auto const& v) {
             return detail::at_time{L, t}(q, v);
         }));
     }
-    /// what(t, q, v) at the nodes of x, where t is the position operator's value of the time itself (t_{i+1/2} for mid-point).
+    /// what(t, q, v) at the nodes of x; t is the position operator applied to time (t_{i+1/2} for mid-point).
     template <discrete_function X, class What>
     constexpr auto at_nodes(X const& x, What what) const {
         auto const time =
@@ -40,7 +40,7 @@ struct action {
 };
 
 namespace detail {
-/// An operator into T_{o,lambda} seen on T_lambda, the only points the integral looks at.
+/// An operator into T_{o,lambda}, restricted to T_lambda, the points of the integral.
 template <class Lambda, linear_map A>
 constexpr auto seen_on(between<Lambda> const& base, A a) {
     if constexpr (std::same_as<typename A::to, joined<Lambda>>)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Whether something is a Lagrangian, or a force, of states V: looked at before a walk begins, so that what is wrong with it is one
-// sentence. L is called here with the numbers that carry derivatives before it is called anywhere else. What a compiler finds wrong inside
-// of L it says itself, and with few lines around it then.
+// Whether something is a Lagrangian, or a force, of states V: checked before a walk begins, so that an error is one sentence. L is called
+// here first, with the numbers that carry derivatives: the compiler reports errors inside of L with few lines around them.
 #pragma once
 
 #include "hilger/variational/problem.hpp"
@@ -12,13 +11,12 @@ template <class J, class F, class... X>
 inline constexpr bool gives = requires(F const& f, X const&... x) {
     requires std::constructible_from<J, plain_t<decltype(f(x...))>>;
 };
-/// A callable that is no template takes one type of numbers: vectors of Eigen's say that they can be made of others, and cannot.
+/// A callable that is no template takes one type of numbers; Eigen's vectors claim conversions that do not compile.
 template <class F>
 concept takes_one_type = requires {
     &F::operator();
 };
-/// Whether F is a Lagrangian of states V at times S. L is called here before it is called anywhere else, so that what is wrong inside of it
-/// is reported with few lines around it.
+/// Whether F is a Lagrangian of states V at times S.
 template <class F, class S, class V>
 consteval bool is_lagrangian() {
     using X = typename jets_for<V>::position;
@@ -50,7 +48,7 @@ consteval bool is_force() {
         or requires(Force const& f, X const& x) { f(x, x); };
     }
 }
-/// Says in one sentence why they are not.
+/// Explains in one sentence why they are not.
 template <class F, class Force, class S, class V>
 constexpr void refuse_mechanics() {
     using X = typename jets_for<V>::position;
@@ -78,7 +76,7 @@ constexpr void refuse_mechanics() {
                                       "before them: derivatives pass through it");
     }
 }
-/// The Lagrangian and the force of a method, which has them in its member problem_type; void where it says nothing.
+/// The Lagrangian and the force of a method, from its member problem_type; void without one.
 template <class Method>
 struct mechanics_of {
     using lagrangian = void;

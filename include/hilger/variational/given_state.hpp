@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// What may be given as a state, and how it becomes one without losing a digit. A state over times S is a number S or a column of S; given
-// may be
+// Types accepted as a state, and their conversion without loss of a digit. A state over times S is a number S or a column of S, made of
 //   a number that has an equal in S     int and float for double, double for rationals and wide floats
-//   an Eigen vector of such, or what makes one, as 2 * x is; a row or a column, of fixed or dynamic size
+//   an Eigen vector of such, or an expression of one, as 2 * x; a row or a column, of fixed or dynamic size
 //   an array of such                    std::array and C arrays are of fixed size, std::vector and std::span of dynamic size
-// A number with more digits than S - long double for double, double for float - is refused: who means it rounds it first.
+// A number with more digits than S - long double for double, double for float - is refused: round it first.
 #pragma once
 
 #include <array>
@@ -25,14 +24,14 @@ inline constexpr bool keeps_digits = std::numeric_limits<X>::is_integer or std::
 
 } // namespace detail
 
-/// Each X has an equal in S. Whole numbers of more digits than S are looked at when they are converted.
+/// Each X has an equal in S. Whole numbers of more digits than S are checked when they are converted.
 template <class X, class S>
 concept exact_in = std::same_as<X, S> or(std::numeric_limits<std::decay_t<X>>::is_specialized and not std::same_as<X, bool> and
                                          std::constructible_from<S, X> and detail::keeps_digits<X, S>);
 
 namespace detail {
 
-/// The numbers and the size of what may be given as a vector; no size where it is none.
+/// The numbers and the size of a type accepted as a vector; size 0 for others.
 template <class X>
 struct given_vector {
     using number = X;
@@ -64,7 +63,7 @@ struct given_vector<std::span<X, N>> {
 template <class X>
 inline constexpr int given_size = given_vector<X>::size;
 
-/// Whether X is meant as a state, of whatever numbers, and whether those have equals in S.
+/// Whether X is accepted as a state, of whatever numbers; whether these have equals in S.
 template <class X>
 inline constexpr bool is_given_state = scalar<X> or std::numeric_limits<std::decay_t<X>>::is_specialized;
 template <class X>
@@ -73,7 +72,7 @@ inline constexpr bool is_given_state<X> = true;
 template <class X, class S>
 inline constexpr bool is_exact_state = exact_in<typename given_vector<X>::number, S>;
 
-/// The state over times S that X becomes.
+/// The state over times S made from X.
 template <class S, int Size>
 struct state_of_size {
     using type = std::conditional_t<Size == 0, S, Eigen::Matrix<S, Size, 1>>;
@@ -87,7 +86,7 @@ struct given_state<S, Eigen::Matrix<S, D, 1, O, M, 1>> {
 template <class S, class X>
 using given_state_t = typename given_state<S, X>::type;
 
-/// X and Y make one state: numbers, or vectors of one length as far as their types say.
+/// Whether X and Y make one state: numbers, or vectors of one length as far as their types say.
 template <class X, class Y>
 inline constexpr bool fit_together = (given_size<X> == 0) == (given_size<Y> == 0) and
                                      (given_size<X> == given_size<Y> or given_size<X> == Eigen::Dynamic or given_size<Y> == Eigen::Dynamic);
@@ -96,7 +95,7 @@ template <class S, class X, class Y>
 consteval bool are_given_states() {
     return is_given_state<X> and is_given_state<Y> and is_exact_state<X, S> and is_exact_state<Y, S> and fit_together<X, Y>;
 }
-/// Says in one sentence why they are none.
+/// Explains in one sentence why they are not.
 template <class S, class X, class Y>
 constexpr void refuse_states() {
     if constexpr (not is_given_state<X> or not is_given_state<Y>)
@@ -109,7 +108,7 @@ constexpr void refuse_states() {
         static_assert(fit_together<X, Y>, "the two parts of a state are two numbers or two vectors of one length, and these are not");
 }
 
-/// What was given as the state V. @throws error::mismatch when it has another length, error::invalid_parameter as exactly()
+/// x as a state V. @throws error::mismatch if it has another length, error::invalid_parameter as exactly()
 template <class V, class X>
 constexpr V as_state(X const& x) {
     using s = shape<V>;

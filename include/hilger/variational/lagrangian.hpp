@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// L(q, v), any generic callable. Given values it is evaluated; given operators applied to the unknown it becomes a Lagrangian density,
-// which an integral turns into a discrete action (Cresson-Safi (10), (43)).
+// L(q, v), any generic callable. With values it is evaluated; with operators applied to the unknown it is a Lagrangian density, whose
+// integral is a discrete action (Cresson-Safi (10), (43)).
 #pragma once
 
 #include "hilger/differentiation/derivatives.hpp"
@@ -26,9 +26,8 @@ constexpr auto seen_on_two() {
 } // namespace detail
 
 /// L(q, v) or L(t, q, v), any callable for states of every number type: [](auto const& q, auto const& v) { ... }. Functions have no std::
-/// before them, as cos(q). Branches have one type: c ? a : b, or a lambda that says -> decltype(q + v) where it has two returns of numbers.
-/// What it reads beside its arguments, as through a pointer, does not change while it is walked: formulas and derivatives are kept.
-/// In such a lambda the first two components of a vector are q.head(2), or q.template head<2>().
+/// before them, as cos(q). Branches have one type: c ? a : b, or a lambda with -> decltype(q + v). Data read from elsewhere, as through a
+/// pointer, must not change during a walk: formulas are kept. The first two components of a vector are q.head(2), or q.template head<2>().
 template <class F>
 struct lagrangian {
     [[no_unique_address]] F function;

@@ -8,7 +8,7 @@
 
 namespace hilger {
 
-/// p = dL/dv(q, v): the member momentum(q, v) of an L that has one, else by jets.
+/// p = dL/dv(q, v): the member momentum(q, v) of L if it has one, else by jets.
 template <class L, class V>
 V momentum_of(L const& lagrangian, V const& q, V const& v) {
     if constexpr (requires { lagrangian.momentum(q, v); })
@@ -19,7 +19,7 @@ V momentum_of(L const& lagrangian, V const& q, V const& v) {
 
 namespace detail {
 inline constexpr char const* legendre_map = "the Legendre map v -> dL/dv";
-/// dL/dv(q, v) - p and its derivative by v in the pattern that it has: `each(use)` calls use(row, column, entry) for what is not zero.
+/// dL/dv(q, v) - p and its derivative by v in its sparsity pattern: `each(use)` calls use(row, column, entry) for nonzero entries.
 template <class V, class Each>
 newton_system<V, patterned_matrix<scalar_of<V>, shape<V>::size>> momentum_equation(V residual, Each const& each) {
     newton_system<V, patterned_matrix<scalar_of<V>, shape<V>::size>> made{std::move(residual), {}};
@@ -29,7 +29,7 @@ newton_system<V, patterned_matrix<scalar_of<V>, shape<V>::size>> momentum_equati
     each([&](int row, int column, auto const& x) { made.jacobian[made.jacobian.place(row, column)] = x; });
     return made;
 }
-/// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else what `find` makes of the equation.
+/// The v with dL/dv(q, v) = p: the member velocity(q, p) of L if it has one, else found from the equation by `find`.
 template <class L, class V, class Find>
 V velocity_found(L const& lagrangian, V const& q, V const& p, Find const& find) {
     if constexpr (requires { lagrangian.velocity(q, p); })
@@ -47,13 +47,13 @@ V velocity_found(L const& lagrangian, V const& q, V const& p, Find const& find) 
 }
 } // namespace detail
 
-/// The v with dL/dv(q, v) = p: the member velocity(q, p) of an L that has one, else by Newton from `guess`.
-/// @throws error::singular when d2L/dv2 is singular, error::no_convergence.
+/// The v with dL/dv(q, v) = p: the member velocity(q, p) of L if it has one, else by Newton from `guess`. @throws error::singular if
+/// d2L/dv2 is singular, error::no_convergence
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p, V const& guess) {
     return detail::velocity_found(lagrangian, q, p, [&](auto const& equation) { return newton(equation, guess, p, detail::legendre_map); });
 }
-/// From v = 0, and if there is none from there from v = p. Where several velocities have the momentum p, as with L = v^4 - v^2, it is one
+/// The same from v = 0, and if that fails from v = p and v = 1. If several velocities have the momentum p, as with L = v^4 - v^2, it is one
 /// of them.
 template <class L, class V>
 V velocity_of(L const& lagrangian, V const& q, V const& p) {
@@ -61,7 +61,7 @@ V velocity_of(L const& lagrangian, V const& q, V const& p) {
                                   [&](auto const& equation) { return newton_near(equation, zero_like(p), p, detail::legendre_map); });
 }
 namespace detail {
-/// The same at time t by derivatives that are kept, from the velocity `near`: at rest where nothing is known of it.
+/// The same at time t with kept derivatives, from the velocity `near`: 0 if nothing is known of it.
 template <class Problem, class S, class V>
 V velocity_by(kept_derivatives<Problem> const& kept, S const& t, V const& q, V const& p, V const& near) {
     at_time const lagrangian{kept.what().lagrangian, t};
@@ -87,7 +87,7 @@ scalar_of<V> energy_of(L const& lagrangian, V const& q, V const& v, V const& p) 
 }
 } // namespace detail
 
-/// H(p, q) = p.v - L(q, v) with v from the inverse Legendre map; also its derivatives dH/dp = v and dH/dq = -dL/dq.
+/// The Hamiltonian H(p, q) = p.v - L(q, v) with v from the inverse Legendre map, and its derivatives.
 template <class L>
 class hamiltonian {
 public:
@@ -98,6 +98,7 @@ public:
     scalar_of<V> operator()(V const& p, V const& q) const {
         return detail::energy_of(lagrangian_, q, velocity_of(lagrangian_, q, p), p);
     }
+    /// dH/dp = v and dH/dq = -dL/dq, states like q. @throws as the energy
     template <class V>
     V by_momentum(V const& p, V const& q) const {
         return velocity_of(lagrangian_, q, p);

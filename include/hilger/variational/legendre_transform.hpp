@@ -13,7 +13,7 @@
 namespace hilger {
 
 namespace detail {
-// Called with the numbers that carry derivatives, as everywhere: max(q, 0.0) of plain numbers wants std:: before it.
+// Called with the numbers that carry derivatives: max(q, 0.0) of plain numbers would need std:: before it.
 template <class H, class V>
 concept is_hamiltonian = requires(H const& h, typename jets_for<V>::position const& p, typename jets_for<V>::velocity const& q) {
     h(p, q);
@@ -25,13 +25,14 @@ concept is_hamiltonian_of_time = requires(H const& h, S const& t, typename jets_
 };
 } // namespace detail
 
+/// The Lagrangian of a Hamiltonian H(p, q) or H(t, p, q), with its Legendre map and its derivatives.
 template <class H>
 class legendre_transform {
 public:
-    static constexpr bool has_derivatives_alone = true; ///< and no formula that jets pass through
+    static constexpr bool has_derivatives_alone = true; ///< no formula that jets pass through
     constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
 
-    // Each of (q, v), or of (t, q, v) where H depends on the time.
+    // Each of (q, v), or of (t, q, v) if H depends on the time.
 #define HILGER_OF_HAMILTONIAN(type, member, what_is_asked)                                                                                 \
     template <class V>                                                                                                                     \
         requires detail::is_hamiltonian<H, V>                                                                                              \
@@ -39,7 +40,7 @@ public:
     template <class S, class V>                                                                                                            \
         requires detail::is_hamiltonian_of_time<H, S, V>                                                                                   \
     [[nodiscard]] type member(S const& t, V const& x, V const& y) const { return what_is_asked(detail::at_time{hamiltonian_, t}, x, y); }
-    /// p with dH/dp(p, q) = v, of (q, v). @throws error::singular where d2H/dp2 is, error::no_convergence
+    /// p with dH/dp(p, q) = v, of (q, v). @throws error::singular if d2H/dp2 is singular, error::no_convergence
     HILGER_OF_HAMILTONIAN(V, momentum, momentum_for)
     /// v = dH/dp(p, q), of (q, p).
     HILGER_OF_HAMILTONIAN(V, velocity, velocity_for)
@@ -66,7 +67,7 @@ private:
         V const p = momentum_for(h, q, v);
         return scalar_of<V>(dot_product(p, v) - detail::number_from(h, p, q));
     }
-    /// NaN where no momentum has this velocity, as one beyond that of light: L is not defined there, which steps know to avoid.
+    /// NaN if no momentum has this velocity, as beyond that of light: L is not defined there, and steps avoid such points.
     template <class F, class V>
     static V momentum_or_nan(F const& h, V const& q, V const& v) {
         if constexpr (std::numeric_limits<scalar_of<V>>::is_exact)

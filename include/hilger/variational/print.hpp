@@ -3,7 +3,7 @@
 // system ((18), (94)) of an action, for a terminal or in LaTeX, from the same types that run (printing/notation.hpp).
 //   std::cout << EL;            terminal
 //   std::cout << latex(EL);     LaTeX, an aligned display
-// A function on T_o that stands in an equation on T_half is meant at those points.
+// In an equation on T_half a function on T_o is taken at those points.
 #pragma once
 
 #include <sstream>
@@ -21,7 +21,7 @@ template <class Action>
 struct hamiltonian_system {
     euler_lagrange<Action> equation;
 };
-/// The Hamiltonian form of an equation, to be printed.
+/// The Hamiltonian form of an equation, for printing.
 template <class Action>
 constexpr auto hamiltonian_form(euler_lagrange<Action> const& equation) {
     return hamiltonian_system<Action>{equation};
@@ -36,7 +36,7 @@ constexpr auto hamiltonian_form(euler_lagrange<action_sum<First, Second>> const&
 
 namespace detail {
 
-/// dL/dq, dH/dp, ... of arguments in brackets; of the L with this number in a sum.
+/// dL/dq, dH/dp, ... of arguments in brackets; `number` is that of L in a sum.
 inline notation derivative_of(char function, char by, notation const& arguments, bool negative = false, notation const& number = {"", ""}) {
     return {(negative ? "−∂" : "∂") + std::string(1, function) + number.terminal + "/∂" + by + arguments.terminal,
             (negative ? "-\\frac{\\partial " : "\\frac{\\partial ") + std::string(1, function) + number.latex + "}{\\partial " + by + "}" +
@@ -49,15 +49,15 @@ class equation_writer {
     using B = typename Action::velocity_type;
     using from = typename A::from;
     using base_type = typename A::to;
-    /// The equation is written on T_lambda where the integral is over it; else on T, or on T with its points inside the steps.
+    /// The equation is written on T_lambda if the integral is over it; else on T, or on T with its points inside the steps.
     static constexpr bool on_lambda = requires(base_type const& base) { base.lambda; };
-    // For A = identity and B a derivative, the integrand lives where B[q] does.
+    // For A = identity and a derivative B, the integrand lives on the domain of B[q].
     using integrand = decltype(euler_lagrange<Action, P>::counted(
         intersect(std::declval<A const&>().image(domain<from>{}), std::declval<B const&>().image(domain<from>{}))));
 
 public:
     equation_writer(euler_lagrange<Action, P> const& equation, print_style style) : EL_(equation), s_(style) {}
-    /// As the part with this number of a sum, which is written on T.
+    /// The part with this number of a sum, which is written on T.
     equation_writer(euler_lagrange<Action, P> const& equation, print_style style, int number)
         : EL_(equation), s_(style), number_{subscript(number), "_{" + std::to_string(number) + "}"} {}
 
@@ -66,7 +66,7 @@ public:
         return written_on(EL_.force(), expression::name(derivative_of('L', 'q', star))) +
                written_on(EL_.momentum(), expression::name(derivative_of('L', 'v', star)));
     }
-    /// The same on T, of the part of a sum with this number.
+    /// The same on T, for a part of a sum.
     [[nodiscard]] expression term() const {
         notation const at{"(⋆" + number_.terminal + ")", "(\\star" + number_.latex + ")"};
         return written_on(EL_.force_on_T(), expression::name(derivative_of('L', 'q', at, false, number_))) +
@@ -82,13 +82,13 @@ public:
     }
     [[nodiscard]] std::string position_equation() const { return velocity().in(s_) + equals() + derivative_of('H', 'p', state()).in(s_); }
     [[nodiscard]] std::string definition_of_p() const { return p().in(s_) + " = " + derivative_of('L', 'v', star).in(s_); }
-    /// Where the equation holds: at inner points, which have numbers one lower on T_half.
+    /// The domain of the equation: inner points, with numbers one lower on T_half.
     [[nodiscard]] std::string inner() const {
         auto const here = domain_of_equation();
         using D = std::remove_const_t<decltype(here)>;
         return written_domain(domain<typename D::base_type, std::max(D::front, 1), std::max(D::back, on_lambda ? 0 : 1)>{here.base}, s_);
     }
-    /// Of the equation of a sum, which is written on T, or on T with its points inside the steps.
+    /// The domain of the equation of a sum, which is written on T, or on T with its points inside the steps.
     [[nodiscard]] std::string inner_on_T() const {
         if constexpr (on_lambda)
             return written_domain(domain<nodes, 1, 1>{}, s_);
@@ -96,7 +96,7 @@ public:
             return inner();
     }
     [[nodiscard]] std::string whole() const { return written_domain(integrand{base()}, s_); }
-    /// What has to be said about symbols in an equation, each after `before`.
+    /// Explanations of symbols in the equation, each after `before`.
     [[nodiscard]] std::string notes(std::string const& before) const {
         std::vector<std::string> all;
         left_hand_side().collect_notes(s_, all);
@@ -106,7 +106,7 @@ public:
         for (auto const& note : all) text += before + note;
         return text;
     }
-    /// An operator on T in an equation that is written on T_half: the value at t_i stands at t_{i+1/2}.
+    /// An operator on T in an equation written on T_half: its value at t_i is placed at t_{i+1/2}.
     [[nodiscard]] expression on_scale_of_equation(expression const& e) const {
         if constexpr (not on_lambda)
             return e;
@@ -150,7 +150,7 @@ private:
     notation number_{"", ""};
 };
 
-/// The sum of the parts of an equation on T, where each reads its Lagrangian, and what has to be said of symbols.
+/// The sum of the parts of an equation on T, each with its own Lagrangian, and the explanations of symbols.
 struct sum_writer {
     print_style style;
     expression sum{};
@@ -186,27 +186,28 @@ struct sum_writer {
 
 } // namespace detail
 
-/// The equation, where it holds, and at which arguments L is taken, in one line.
+/// Prints the equation, its domain and the arguments of L in one line.
 template <class Action>
 std::ostream& operator<<(std::ostream& out, euler_lagrange<Action> const& equation) {
     detail::equation_writer<Action> const w(equation, print_style::terminal);
     return out << w.left_hand_side().in(print_style::terminal) << " = 0   on " << w.inner() << ",   " << w.arguments() << w.notes(",   ")
                << '\n';
 }
-/// The equation of a sum of actions: L₁, L₂, ... are their Lagrangians with their factors.
+/// Prints the equation of a sum of actions: L₁, L₂, ... are their Lagrangians with their factors.
 template <class First, class Second>
 std::ostream& operator<<(std::ostream& out, euler_lagrange<action_sum<First, Second>> const& equation) {
     detail::sum_writer w{print_style::terminal};
     w.add(equation);
     return out << w.written();
 }
+/// The same as a LaTeX display (amsmath).
 template <class First, class Second>
 std::string latex(euler_lagrange<action_sum<First, Second>> const& equation) {
     detail::sum_writer w{print_style::latex};
     w.add(equation);
     return w.written();
 }
-/// Both equations, a line each.
+/// Prints both equations, a line each.
 template <class Action>
 std::ostream& operator<<(std::ostream& out, hamiltonian_system<Action> const& system) {
     detail::equation_writer<Action> const w(system.equation, print_style::terminal);
@@ -220,6 +221,7 @@ std::string latex(euler_lagrange<Action> const& equation) {
     return "\\begin{aligned}\n  " + w.left_hand_side().in(print_style::latex) + w.equals() + "0, && t \\in " + w.inner() + ", \\quad " +
            w.arguments() + w.notes(", \\quad ") + "\n\\end{aligned}\n";
 }
+/// Both equations as a LaTeX display (amsmath).
 template <class Action>
 std::string latex(hamiltonian_system<Action> const& system) {
     detail::equation_writer<Action> const w(system.equation, print_style::latex);
@@ -227,7 +229,7 @@ std::string latex(hamiltonian_system<Action> const& system) {
            ", && t \\in " + w.whole() + ", \\quad " + w.definition_of_p() + w.notes(", \\quad ") + "\n\\end{aligned}\n";
 }
 
-/// The equation of x and that of y, in reversed time: what is not damped on the left, rho times the damping on the right.
+/// Prints the equations of x and, in reversed time, of y: the undamped part on the left, rho times the damping on the right.
 template <class Action, linear_map A, linear_map B, class Root>
 std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A, B, Root> const& equation) {
     auto const conservative = equation.conservative();
@@ -240,6 +242,7 @@ std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A,
                << "the same of y = " << damping(equation.reversed_damping(), "y").in(print_style::terminal)
                << ",   ρ = " << detail::written_number(equation.factor()) << '\n';
 }
+/// The same as a LaTeX display (amsmath).
 template <class Action, linear_map A, linear_map B, class Root>
 std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation) {
     auto const conservative = equation.conservative();
@@ -255,7 +258,7 @@ std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation)
            "\n\\end{aligned}\n";
 }
 
-/// What operator<< prints, with every further line set off by `indent`.
+/// The output of operator<<, with every further line indented by `indent`.
 template <class Printable>
 std::string text_lines(Printable const& printable, std::string const& indent) {
     std::ostringstream out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What is stepped: a Lagrangian L(q, v) or L(t, q, v), and perhaps forces f(q, v) or f(t, q, v) that do not come from it. In the discrete
-// Lagrange-d'Alembert principle a force stands beside dL/dq under the position operator's adjoint.
+// The problem to be stepped: a Lagrangian L(q, v) or L(t, q, v), and perhaps forces f(q, v) or f(t, q, v) that do not derive from it. In
+// the discrete Lagrange-d'Alembert principle a force is added to dL/dq under the adjoint of the position operator.
 #pragma once
 
 #include "hilger/differentiation/derivatives.hpp"
@@ -9,14 +9,17 @@
 
 namespace hilger {
 
+/// Stands for the force of a problem without one.
 struct no_force {};
 
+/// A Lagrangian and a force, callables of (q, v) or of (t, q, v).
 template <class F, class Force = no_force>
 struct problem {
     [[no_unique_address]] F lagrangian;
     [[no_unique_address]] Force force;
 };
 
+/// Whether there is a force.
 template <class Problem>
 inline constexpr bool has_force = true;
 template <class F>
@@ -24,14 +27,14 @@ inline constexpr bool has_force<problem<F, no_force>> = false;
 
 namespace detail {
 
-/// Whether an L(t, q, v) or f(t, q, v) says that its time may be of any number type, as its states may: a member is_generic_in_time = true.
-/// What does not say so is told the time as a number of T, of which it may ask anything, std::sin(t) too.
+/// Whether L(t, q, v) or f(t, q, v) accepts a time of any number type, by a member is_generic_in_time = true. Otherwise the time is a
+/// number of T, and std::sin(t) compiles.
 template <class F>
 inline constexpr bool is_generic_in_time = requires {
     requires F::is_generic_in_time;
 };
 
-/// f at time t: a function of two states, whether f asks for the time or not.
+/// f at time t, a function of two states, whether f takes the time or not.
 template <class F, class S>
 struct at_time {
     F const& f;
@@ -43,7 +46,7 @@ struct at_time {
         else
             return call(f, x, y);
     }
-    /// The derivatives of an L that has its own, its Legendre map and the inverse of that.
+    /// The members of L at time t: its derivatives, its Legendre map and the inverse of that.
 #define HILGER_MEMBER_AT_TIME(type, member)                                                                                                \
     template <class V>                                                                                                                     \
         requires(                                                                                                                          \
@@ -101,7 +104,7 @@ decltype(auto) component_of(X const& x, int k) {
         return x;
 }
 
-/// Whether a force is a state like q, of d components. @throws error::mismatch where that is seen at run time only
+/// Requires a force to be a state like q, of d components. @throws error::mismatch if only run time shows that it is not
 template <class V, class X>
 HILGER_ALWAYS_INLINE constexpr void require_force(X const& force, int d) {
     static_assert(has_components<X> != shape<V>::is_scalar, "a force is a state like q: a number for a number, a vector for a vector");
@@ -113,7 +116,7 @@ HILGER_ALWAYS_INLINE constexpr void require_force(X const& force, int d) {
             error::raise<error::mismatch>("a force has a component for each of q, ", d, ", and this one has ", force.size());
     }
 }
-/// The components of a traced force.
+/// Appends the components of a traced force.
 template <class V, class X, class T>
 void put_force(X const& force, int d, std::vector<T>& components) {
     require_force<V>(force, d);
@@ -130,7 +133,7 @@ V force_at(Force const& force, S const& t, V const& q, V const& v) {
     return x;
 }
 
-/// The numbers that a Lagrangian of states V meets: jets of few variables, or traced.
+/// The numbers that a Lagrangian of states V is called with: jets of few variables, or traced.
 template <class V>
 struct jets_for {
     using S = scalar_of<V>;
@@ -182,7 +185,7 @@ struct node_table {
     }
 };
 
-/// The expansion of L at (t, q, v), with the force in by_q, qq and qv, and d2L/dv dq apart.
+/// The expansion of L at (t, q, v), with the force in by_q, qq and qv, and d2L/dv dq stored apart.
 template <class F, class Force, class S, class V>
 node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V const& v) {
     using s = shape<V>;
@@ -221,10 +224,9 @@ node_table<V> expand_at(problem<F, Force> const& what, S const& t, V const& q, V
 
 } // namespace detail
 
-/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is read where
-/// dL/dq is, at the middle of the step, which keeps order 2. The time is the first of three arguments, of a force as of a Lagrangian
-/// L(t, q, v): what takes three of any type is called in this order, whatever it calls them. Forces add up:
-/// with_force(with_force(L, f), g).
+/// L and a force f(q, v) or f(t, q, v), a state like q: embed(with_force(L, f), mid_point). With the mid-point embedding f is evaluated
+/// with dL/dq, at the middle of the step, which keeps order 2. Of three arguments the time is the first, for a force as for a Lagrangian,
+/// whatever their names. Forces add up: with_force(with_force(L, f), g).
 template <class L, class Force>
 constexpr auto with_force(L const& l, Force f) {
     static_assert(

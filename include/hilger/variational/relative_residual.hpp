@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// A residual in units of the rounding of its own terms: no larger than some tens where x solves the equation, whatever the step and the
-// units.
+// A residual in units of the rounding of its own terms: at most some tens if x solves the equation, for any step and units.
 //   rho = max |r| / (epsilon s),    s = |A*| |dL/dq + f| + |B*| |dL/dv| + |dr/dx| |x|
-// The first two sums are of the terms that are added up, and the third is what the rounding of x itself does to them: that is epsilon |p| /
-// h and epsilon |dp/dv| |q| / h^2, of each component of each row in its own units. A sum of n terms is off by less than n epsilon times the
-// sum of their sizes (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), and the n of a row does not depend on the
-// number of points. This is the componentwise backward error of Oettli and Prager (Higham, theorem 7.3).
+// The first two sums are those of the terms; the third is the effect of the rounding of x, epsilon |p| / h and epsilon |dp/dv| |q| / h^2,
+// of each component of each row in its own units. A sum of n terms is off by less than n epsilon times the sum of their magnitudes (Higham,
+// Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), and the n of a row does not depend on the number of points. This is
+// the componentwise backward error of Oettli and Prager (Higham, theorem 7.3).
 #pragma once
 
 #include <algorithm>
@@ -20,19 +19,19 @@ namespace hilger {
 
 namespace detail {
 
-/// The larger of a bound and a magnitude; not a number where either is none, so that it cannot be overlooked.
+/// The larger of a bound and a magnitude; NaN if either is NaN, so that it is not overlooked.
 template <class S>
 S larger(S const& bound, S const& x) {
     return x <= bound or not(bound == bound) ? bound : x;
 }
-/// |r| / (epsilon size), without the epsilon in exact scalars; 0 of nothing.
+/// |r| / (epsilon size), without the epsilon in exact scalars; 0 for r = 0.
 template <class S>
 S in_roundings(S const& r, S const& size) {
     S const off = magnitude(r);
     if (off == S(0)) return S(0);
     return std::numeric_limits<S>::is_exact ? S(off / size) : S(off / size / epsilon<S>());
 }
-/// The largest of it among the components.
+/// The largest of these among the components.
 template <class V>
 scalar_of<V> largest_in_roundings(V const& r, V const& size) {
     scalar_of<V> worst(0);
@@ -40,14 +39,14 @@ scalar_of<V> largest_in_roundings(V const& r, V const& size) {
         worst = larger(worst, in_roundings<scalar_of<V>>(shape<V>::component(r, c), shape<V>::component(size, c)));
     return worst;
 }
-/// to + |block| |x|
+/// to += |block| |x|
 template <class V, class Block>
 void add_sizes(V& to, Block const& block, V const& x) {
     using s = shape<V>;
     for (int c = 0; c < s::dimension(to); ++c)
         for (int e = 0; e < s::dimension(x); ++e) s::component(to, c) += magnitude(s::entry(block, c, e)) * magnitude(s::component(x, e));
 }
-/// What there is of a function on T, or on T with points inside its steps, while it is made.
+/// A function on T, or on T with points inside its steps, with the values made so far.
 template <class V, class Root, class Base = nodes>
 struct values_so_far : function_interface<values_so_far<V, Root, Base>> {
     using root_type = Root;
@@ -59,7 +58,7 @@ struct values_so_far : function_interface<values_so_far<V, Root, Base>> {
     [[nodiscard]] V const& get(index_type i) const { return (*values)[static_cast<std::size_t>(i)]; }
 };
 
-/// At how many values before and behind its own number a row of the equation reads x.
+/// How many values of x before and behind its own number a row of the equation reads.
 template <class Equation, class Base>
 inline constexpr index_type reach_of_rows = Base::last(1) * ((std::max(-Equation::reads.on_T.first, Equation::reads.on_T.last) + 1) / 2);
 
@@ -83,8 +82,8 @@ auto sizes_of_rows(Equation const& equation, X const& x, index_type first, index
 } // namespace detail
 
 /// The largest component of the residual of a discrete Euler-Lagrange equation at x in C(T), each divided by epsilon times the sum of the
-/// sizes of its own terms: a number without a unit, below some tens along a solution in any steps. In exact scalars, which have no epsilon,
-/// divided by the sizes alone. With a force f(q, v) or f(t, q, v) beside dL/dq too. For local equations.
+/// magnitudes of its own terms: dimensionless, below some tens along a solution. Exact scalars divide by the magnitudes alone. A force f(q,
+/// v) or f(t, q, v) may be added to dL/dq. For local equations.
 template <class Action, discrete_function X, class Force = no_force>
 auto relative_residual(euler_lagrange<Action> const& equation, X const& x, Force const& force = {}) {
     using V = value_of<X>;
@@ -102,7 +101,7 @@ auto relative_residual(euler_lagrange<Action> const& equation, X const& x, Force
 }
 
 namespace detail {
-/// What is asked of a residual.
+/// The measures of a residual.
 struct by_size {
     template <class Equation, class X, class Force>
     auto operator()(Equation const& equation, X const& x, Force const& force) const {

@@ -17,6 +17,7 @@ struct coupling_density {
     [[no_unique_address]] A first;
     [[no_unique_address]] B second;
 };
+/// The coupling density f g of expressions of two unknowns.
 template <symbolic_function F, symbolic_function G>
 constexpr auto operator*(F const& f, G const& g) {
     constexpr bool of_two = not std::same_as<decltype(unknown_of(f)), decltype(unknown_of(g))>;
@@ -28,11 +29,11 @@ constexpr auto operator*(F const& f, G const& g) {
     if constexpr (of_two)
         return coupling_density<decltype(operator_of(f)), decltype(operator_of(g))>{operator_of(f), operator_of(g)};
     else
-        return f; // nothing more is said
+        return f; // no further error
 }
 
-/// factor int A[x] B[y] over T: the sum over all points, the last one too. Without it, as (19) is printed, the equation of y would have an
-/// end term that (20) has not.
+/// factor int A[x] B[y] over T: the sum over all points. Without the last, as (19) is printed, the equation of y has a term that (20)
+/// lacks.
 template <linear_map A, linear_map B, class Root>
 struct coupling {
     [[no_unique_address]] A first;
@@ -50,6 +51,7 @@ struct coupling {
         return evaluated(sum * S(T.h() * factor));
     }
 };
+/// The coupling int A[x] B[y] over a uniform T.
 template <linear_map A, linear_map B, time_scale_like Scale>
 constexpr auto integral(coupling_density<A, B> const& density, Scale const& scale) {
     using Root = typename Scale::root_type;
@@ -59,6 +61,7 @@ constexpr auto integral(coupling_density<A, B> const& density, Scale const& scal
     else
         return coupling<A, B, Root>{density.first, density.second, typename Root::scalar_type(1), scale.root()};
 }
+/// Multiples of a coupling.
 template <linear_map A, linear_map B, class Root>
 constexpr auto operator*(std::type_identity_t<typename Root::scalar_type> const& c, coupling<A, B, Root> k) {
     k.factor = c * k.factor;
@@ -84,6 +87,7 @@ struct restricted_action {
         return conservative(x) + conservative(y) - damping(x, y);
     }
 };
+/// The restricted action of S and a coupling. @throws error::mismatch for two scales
 template <class F, linear_map A, linear_map B, class W, linear_map C, linear_map D, class Root>
 constexpr auto operator-(action<F, A, B, W, Root> const& S, coupling<C, D, Root> const& k) {
     if (not S.T.same_points(k.T)) error::raise<error::mismatch>("an action and its coupling are over one scale, and these are not");
@@ -134,6 +138,7 @@ public:
 private:
     restricted_action<Action, coupling<A, B, Root>> S_;
 };
+/// The equations of both curves.
 template <class Action, linear_map A, linear_map B, class Root>
 constexpr auto variation(restricted_action<Action, coupling<A, B, Root>> const& S) {
     return restricted_euler_lagrange<Action, A, B, Root>(S);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Sums, differences and multiples of actions. Actions of one position, velocity and integral are one action of a sum of Lagrangians; other
-// ones read each Lagrangian in a way of its own, and the equation of their sum is the sum of their equations:
+// Sums, differences and multiples of actions. Actions with one position, velocity and integral are one action of a sum of Lagrangians;
+// others evaluate each Lagrangian in its own way, and the equation of their sum is the sum of their equations:
 //   auto const fast = integral(L(q_o, Delta_o_plus[q_o]), half(T));
 //   auto const slow = integral(U(q, Delta_plus[q]), T) + nabla_integral(U(q, Delta_minus[q]), T);
 //   auto const EL = variation(fast - 0.5 * slow);
-// Its steps are implicit in the forces of L, and explicit in those of U, which are taken by the trapezoid rule (Stern, Grinspun 2009,
+// Its steps are implicit in the forces of L, and explicit in those of U, integrated by the trapezoid rule (Stern, Grinspun 2009,
 // "Implicit-explicit variational integration of highly oscillatory problems").
 #pragma once
 
@@ -24,11 +24,10 @@ struct multiple_of_lagrangian {
         requires std::invocable<F const&, X const&...>
     constexpr auto operator()(X const&... x) const { return plain_t<decltype(factor * function(x...))>(factor * function(x...)); }
 };
-/// L + M of which a step reads each at nodes of its own (step/sum_of_embeddings.hpp). As a function it is their sum: what the momentum, the
-/// energy and the continuous system are of.
+/// L + M, each evaluated at nodes of its own in a step (step/sum_of_embeddings.hpp); as a function their sum, for momenta and energies.
 template <class F, class G>
 struct lagrangian_by_node : sum_of_callables<F, G> {};
-/// How many Lagrangians there are in one.
+/// Number of Lagrangians in F.
 template <class F>
 inline constexpr int parts_of = 1;
 template <class F, class G>
@@ -36,7 +35,7 @@ inline constexpr int parts_of<lagrangian_by_node<F, G>> = parts_of<F> + parts_of
 
 } // namespace detail
 
-/// Of a sum by nodes the force is beside the first Lagrangian, and read where that is.
+/// In a sum by nodes the force is added to the first Lagrangian, at its nodes.
 template <class F, class G, class Force>
 struct problem<detail::lagrangian_by_node<F, G>, Force> {
     detail::lagrangian_by_node<F, G> lagrangian;
@@ -47,7 +46,7 @@ struct problem<detail::lagrangian_by_node<F, G>, Force> {
         : lagrangian(std::move(L)), force(std::move(f)), first{lagrangian.first, force}, second{lagrangian.second, {}} {}
 };
 
-/// S + R of actions that differ in position, velocity or integral. S may be such a sum.
+/// S + R of actions that differ in position, velocity or integral; S may be such a sum.
 template <class First, class Second>
 struct action_sum {
     using root_type = typename First::root_type;
@@ -73,13 +72,13 @@ concept some_action = requires {
 };
 template <some_action S>
 inline constexpr bool is_action_sum = S::is_sum;
-/// Of a Hamiltonian: such a Lagrangian is no function that could be added up, or multiplied.
+/// The Lagrangian of a Hamiltonian is no function that could be added or multiplied.
 template <class S>
 concept has_derivatives_alone = requires {
     requires S::function_type::has_derivatives_alone;
 };
 
-/// What is summed up, for momenta and energies.
+/// The sum of the Lagrangians, for momenta and energies.
 template <class S>
 constexpr auto function_of(S const& s) {
     if constexpr (is_action_sum<S>) {
@@ -92,7 +91,7 @@ constexpr auto function_of(S const& s) {
 template <class S>
 using function_of_t = decltype(function_of(std::declval<S const&>()));
 
-/// Of two actions of one kind, whose operators are their types.
+/// The sum of two actions of one kind, whose operators are their types.
 template <class F, class G, linear_map A, linear_map B, class W, class Root>
     requires(std::is_empty_v<A>and std::is_empty_v<B>)
 constexpr auto sum_of(action<F, A, B, W, Root> const& S, action<G, A, B, W, Root> const& R) {
@@ -108,7 +107,7 @@ constexpr auto sum_of(S const& s, R const& r) {
 
 } // namespace detail
 
-/// @throws error::mismatch for two scales
+/// S + R, over one scale. @throws error::mismatch for two scales
 template <detail::some_action S, detail::some_action R>
 constexpr auto operator+(S const& s, R const& r) {
     if constexpr (detail::has_derivatives_alone<S> or detail::has_derivatives_alone<R>)
@@ -121,7 +120,7 @@ constexpr auto operator+(S const& s, R const& r) {
         return detail::sum_of(s, r);
     }
 }
-/// c S, of a number in the scalar of T.
+/// c S, with c in the scalar of T.
 template <detail::some_action S>
 constexpr auto operator*(std::type_identity_t<typename S::root_type::scalar_type> const& c, S const& s) {
     using C = typename S::root_type::scalar_type;
@@ -138,6 +137,7 @@ constexpr auto operator*(std::type_identity_t<typename S::root_type::scalar_type
         return action<F, A, B, typename S::weight, typename S::root_type>{{c, s.function}, s.position, s.velocity, s.T};
     }
 }
+/// -S and S - R. @throws as S + R
 template <detail::some_action S>
 constexpr auto operator-(S const& s) {
     return typename S::root_type::scalar_type(-1) * s;
@@ -152,7 +152,7 @@ constexpr auto operator-(action_sum<First, Second> const&, coupling<A, B, Root> 
 }
 
 namespace detail {
-/// The derivatives of each Lagrangian at its nodes, of which the first has the force beside it.
+/// The derivatives of each Lagrangian at its nodes; the force is added to the first.
 template <class Problem>
 class derivatives_by_node;
 template <class F, class Force>
@@ -170,7 +170,7 @@ class derivatives_by_node<problem<lagrangian_by_node<F, G>, Force>> {
 public:
     explicit derivatives_by_node(problem<lagrangian_by_node<F, G>, Force> const& what)
         : first(derivatives_at_nodes(what.first)), second(what.second) {}
-    /// Of the Lagrangian with this number.
+    /// Those of the Lagrangian with this number.
     template <class S, class V>
     std::pair<V, V> gradients(int part, S const& t, V const& q, V const& v) const {
         return part < parts_of<F> ? first.gradients(part, t, q, v) : second.gradients(part - parts_of<F>, t, q, v);
@@ -184,7 +184,7 @@ public:
 };
 } // namespace detail
 
-/// The sum of both equations, in the sum over T with the weights P. A force stands beside the first Lagrangian, at its nodes.
+/// The sum of both equations, in the sum over T with the weights P. A force is added to the first Lagrangian, at its nodes.
 template <class First, class Second, class P>
 class euler_lagrange<action_sum<First, Second>, P> {
     using sum = action_sum<First, Second>;
@@ -199,6 +199,7 @@ public:
     [[nodiscard]] constexpr auto const& second() const { return second_; }
     static constexpr reach reads = decltype(first_)::reads | decltype(second_)::reads;
 
+    /// The left-hand side at x in C(T), a function on T^+-, and below its derivatives and sizes as for one action.
     template <discrete_function X, class Force = no_force>
     constexpr auto residual(X const& x, Force const& force = {}) const {
         return first_.residual(x, force) + second_.residual(x);
@@ -216,6 +217,7 @@ public:
         return value_of<X>(first_.residual_size(x, k, kept.first) + second_.residual_size(x, k, kept.second));
     }
 };
+/// The discrete Euler-Lagrange equation of a sum of actions.
 template <class First, class Second>
 constexpr auto variation(action_sum<First, Second> const& S) {
     return euler_lagrange<action_sum<First, Second>>(S);

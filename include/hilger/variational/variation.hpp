@@ -13,7 +13,7 @@ namespace hilger {
 
 namespace detail {
 
-/// Whether the points of a family have equal steps where T has: T_{o,lambda} for lambda = 1/2 only, and the nodes of a quadrature not.
+/// Whether the points of a family are equidistant on a uniform T: T_{o,lambda} for lambda = 1/2 only, the nodes of a quadrature not.
 template <class Base>
 inline constexpr bool has_equal_steps = false;
 template <>
@@ -25,7 +25,7 @@ inline constexpr bool has_equal_steps<joined<Lambda>> = std::is_same_v<Lambda, f
 template <int Parts>
 inline constexpr bool has_equal_steps<parts_of_steps<Parts>> = true;
 
-/// A without the reweightings that do nothing on a uniform T.
+/// A without the reweightings that are the identity on a uniform T.
 struct on_equal_steps {
     template <linear_map A>
     static constexpr auto of(A const& a) {
@@ -83,8 +83,7 @@ class euler_lagrange {
     template <class Force>
     using problem_with = problem<typename Action::function_type, Force>;
 
-    // An operator without run-time parameters is its type: then the equation's operators are known to static_assert even when
-    // the scale is known at run time only.
+    // An operator without run-time parameters is its type: static_assert then knows the equation's operators on a run-time scale too.
     static constexpr bool by_type = std::conjunction_v<std::is_empty<A>, std::is_empty<B>>;
 
     /// The adjoint of a, written on T.
@@ -104,7 +103,7 @@ class euler_lagrange {
         else
             return adjoint_on_T(a);
     }
-    /// The same written where the paper writes it: on T_lambda^- when the integral is over T_lambda, else on T.
+    /// The same in the paper's form: on T_lambda^- if the integral is over T_lambda, else on T.
     template <linear_map Op, class Scale>
     static constexpr auto as_written(Op const& a, Scale const& scale) {
         auto const there = [&] {
@@ -123,17 +122,16 @@ public:
     constexpr explicit euler_lagrange(Action s) : action_(std::move(s)) {}
 
     [[nodiscard]] constexpr Action const& action() const { return action_; }
-    /// The operator on dL/dq and the one on dL/dv. On a uniform T they compare with == as operators on uniform scales.
+    /// The operators on dL/dq and on dL/dv. On a uniform T they compare with == as operators on uniform scales.
     [[nodiscard]] static constexpr auto force() requires by_type { return as_written(A{}, typename A::to{}); }
     [[nodiscard]] static constexpr auto momentum() requires by_type { return as_written(B{}, typename B::to{}); }
     [[nodiscard]] constexpr auto force() const requires(not by_type) { return as_written(action_.position, base()); }
     [[nodiscard]] constexpr auto momentum() const requires(not by_type) { return as_written(action_.velocity, base()); }
-    /// The same written on T, as the terms of a sum of equations are.
+    /// The same on T, as in the terms of a sum of equations.
     [[nodiscard]] constexpr auto force_on_T() const { return written_on_T(action_.position); }
     [[nodiscard]] constexpr auto momentum_on_T() const { return written_on_T(action_.velocity); }
 
-    /// The left-hand side at x in C(T), a function on T^+-; zero exactly where x solves the equation. Of vectors that L is traced for, the
-    /// formula is traced once for all points.
+    /// The left-hand side at x in C(T), a function on T^+-; zero exactly if x solves the equation. Traced vectors share one formula.
     template <discrete_function X>
     constexpr auto residual(X const& x) const {
         if constexpr (detail::is_traced_at<problem_with<no_force>, value_of<X>>) {
@@ -152,7 +150,7 @@ public:
                     return gradient_second(detail::at_time{L, t}, q, v);
                 });
     }
-    /// The same with a force f(q, v) or f(t, q, v) beside dL/dq (Lagrange-d'Alembert).
+    /// The same with a force f(q, v) or f(t, q, v) added to dL/dq (Lagrange-d'Alembert).
     template <discrete_function X, class Force>
     constexpr auto residual(X const& x, Force const& force) const {
         if constexpr (std::same_as<Force, no_force>)
@@ -163,7 +161,7 @@ public:
             return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
         }
     }
-    /// What the derivatives at all nodes are asked of, with a force beside dL/dq too.
+    /// The derivatives of L at any node, with a force added to dL/dq if there is one.
     template <class Force = no_force>
     [[nodiscard]] auto derivatives(Force const& force = {}) const {
         return detail::kept_derivatives(problem_with<Force>{action_.function, force});
@@ -184,8 +182,7 @@ public:
             [](auto const& at, S const& of_q, S const& of_v) { return block_of<V>(at.vq_ * of_q + at.e.vv * of_v); }, seconds, a, b);
         return sum_of_adjoints(of_position, of_velocity);
     }
-    /// The sum of the sizes of the terms of the residual at its point k: the same operators, with the absolute values of their weights, of
-    /// the absolute values of the derivatives of L.
+    /// The sum of the magnitudes of the terms of the residual at its point k: from absolute values of weights and of derivatives of L.
     template <discrete_function X, class Force>
     constexpr auto residual_size(X const& x, index_type k, detail::kept_derivatives<problem_with<Force>> const& kept) const {
         using V = value_of<X>;
@@ -201,14 +198,14 @@ public:
         using pair = std::pair<V, V>;
         return V(sum_of_adjoints(sized(action_.position, &pair::first), sized(action_.velocity, &pair::second)).get(k));
     }
-    /// Which values of x the residual at a point of T depends on. An adjoint mirrors; what its weights are is a matter of T alone.
+    /// The values of x that the residual at a point of T reads. An adjoint mirrors the reach; its weights depend on T alone.
     static constexpr reach reads = [] {
         constexpr reach both = A::reads | B::reads;
         return reach::composed<typename A::to>(reach::mirrored<typename A::from, typename A::to>(A::reads), both) |
                reach::composed<typename B::to>(reach::mirrored<typename B::from, typename B::to>(B::reads), both);
     }();
-    /// Where the values of L that the equation reads are: on a uniform T the equation has lost the weights, and what the integral counts
-    /// zero times at an end is not read there. (On other scales the weights stand in the operators.)
+    /// The domain of the values of L that the equation reads: on a uniform T it has no weights, and omits end points with weight zero in
+    /// the integral. (On other scales the operators contain the weights.)
     template <class Base, int Front, int Back>
     static constexpr auto counted(domain<Base, Front, Back> const& d) {
         constexpr bool uniform = Root::is_uniform;
@@ -217,20 +214,20 @@ public:
     }
 
 private:
-    /// With what gives dL/dq and dL/dv at a node.
+    /// With functions for dL/dq and dL/dv at a node.
     template <discrete_function X, class First, class Second>
     constexpr auto residual_of(X const& x, First first, Second second) const {
         auto const Lq = read_by<A>(action_.at_nodes(x, std::move(first)));
         auto const Lv = read_by<B>(action_.at_nodes(x, std::move(second)));
         return sum_of_adjoints(Lq, Lv);
     }
-    /// The left-hand side with these instead of dL/dq and dL/dv.
+    /// The left-hand side with by_q and by_v for dL/dq and dL/dv.
     template <discrete_function Lq, discrete_function Lv>
     constexpr auto sum_of_adjoints(Lq by_q, Lv by_v) const {
         return at_inner_points(adjoint_on_T(action_.position)[counted(std::move(by_q))] +
                                adjoint_on_T(action_.velocity)[counted(std::move(by_v))]);
     }
-    /// What the adjoint of Op reads again and again, at every point, is formed once.
+    /// Tabulates values that the adjoint of a nonlocal Op reads at every point.
     template <linear_map Op, discrete_function G>
     static constexpr auto read_by(G g) {
         if constexpr (Op::reads.is_local())
@@ -246,7 +243,7 @@ private:
         else
             return detail::restrict_to(std::move(g), here);
     }
-    /// Fractional differences have values at the ends too, where variations vanish and there is no equation.
+    /// Fractional differences have values at the ends too, where variations vanish and no equation holds.
     template <discrete_function R>
     static constexpr auto at_inner_points(R r) {
         using D = typename R::domain_type;

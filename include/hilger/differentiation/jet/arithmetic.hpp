@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The four operations on jets, with each other and with constants. The derivatives of a result are listed in one expression: no loops and
-// no lambdas, which an optimiser sees through less well.
+// The four operations on jets and constants. All derivatives of a result are one expression: optimisers see less through loops and lambdas.
 #pragma once
 
 #include "hilger/differentiation/comparisons.hpp"
@@ -103,7 +102,7 @@ template <class S, int F, int C, int G, int D, int O>
 HILGER_ALWAYS_INLINE constexpr auto operator-(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     return x + (-y);
 }
-/// g(x) given g there, g' = c g1 and g'' = c r g2: constants apart from the rest, so that they meet other constants first.
+/// g(x) for given g, g' = c g1 and g'' = c r g2: constants are kept apart, so that they meet other constants first.
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> chain_rule(jet<S, F, C, O> x, S const& g, S const& g1, S const& g2, S const& c = S(1),
                                                           S const& r = S(1)) {
@@ -121,7 +120,7 @@ HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> chain_rule(jet<S, F, C, O> x, S c
 
 namespace detail {
 
-/// The one is a power of a variable and the other that variable.
+/// Whether x is a power of a variable and y that variable.
 template <class Jet>
 HILGER_ALWAYS_INLINE constexpr bool is_power_of(Jet const& x, Jet const& y) {
     return x.which >= 0 and x.which == y.which and y.power == 1 and is_known_one(y.factor);
@@ -155,13 +154,14 @@ HILGER_ALWAYS_INLINE constexpr auto operator*(jet<S, F, C, O> const& x, jet<S, G
     return detail::build<detail::pair_of<jet<S, F, C, O>, jet<S, G, D, O>>, detail::multiplied>::from(S(x.value * y.value), x.on * y.on, x,
                                                                                                       y);
 }
+/// 1 / x
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE constexpr jet<S, F, C, O> inverse(jet<S, F, C, O> const& x) {
     S const i = S(1) / x.value;
     S const ii = i * i;
     return chain_rule(x, i, ii, S(ii * i), S(-1), S(-2));
 }
-// The value of a quotient is rounded once, as in plain numbers and traced formulas: what compares it takes the same branch in all of them.
+// The value of a quotient is rounded once, as in plain numbers and traced formulas: comparisons take the same branch in all of them.
 template <class S, int F, int C, int G, int D, int O>
 HILGER_ALWAYS_INLINE constexpr auto operator/(jet<S, F, C, O> const& x, jet<S, G, D, O> const& y) {
     auto z = x * inverse(y);

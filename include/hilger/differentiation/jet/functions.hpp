@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The elementary functions of jets, and what Eigen must know to make vectors of jets.
+// The elementary functions of jets, and Eigen's traits for vectors of jets.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,13 +23,13 @@ HILGER_FOR_EACH_FUNCTION(HILGER_JET_FUNCTION)
 #undef HILGER_JET_FUNCTION
 
 namespace detail {
-/// No derivative there, as at the bottom of a sum of squares.
+/// Whether all derivatives vanish, as at the bottom of a sum of squares.
 template <class S, int F, int C, int O, int... K>
 HILGER_ALWAYS_INLINE inline bool is_level(jet<S, F, C, O> const& x, std::integer_sequence<int, K...>) {
     return ((x.template by<F + K>() == S(0)) and ...);
 }
 } // namespace detail
-/// At v = 0 the slope of |v| = sqrt(v v) is taken for 0, the middle of its slopes: then |v| v, a drag, has its derivatives from rest on.
+/// At v = 0 the slope of |v| = sqrt(v v) is set to 0, the mean of its slopes: a drag |v| v then has its derivatives at rest.
 template <class S, int F, int C, int O>
 HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sqrt(jet<S, F, C, O> const& x) {
     using std::sqrt;
@@ -40,7 +40,7 @@ HILGER_ALWAYS_INLINE inline jet<S, F, C, O> sqrt(jet<S, F, C, O> const& x) {
     return chain_rule(x, root, i, S(i * i * i), S(S(1) / S(2)), S(S(-1) / S(2)));
 }
 namespace detail {
-/// c g(x) where g' is a number and c r g'' is infinite: so is the second derivative by what x depends on, and by nothing else.
+/// c g(x) for a finite g' and an infinite c r g'': the second derivative is infinite for variables of x, and for no others.
 template <class S, int F, int C, int O>
 [[gnu::noinline, gnu::cold]] jet<S, F, C, O> bent_sharply(jet<S, F, C, O> const& x, S const& value, S const& slope, S const& bend) {
     jet<S, F, C, O> z(value);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Exact first and second derivatives of a generic formula, by forward evaluation. A jet is a number that carries its derivatives by the
-// variables number First ... First + Count - 1, up to Order 1 or 2. The range is in the type: what depends on q alone never touches the
-// variables of v, and a product of both lives on both.
+// Exact first and second derivatives of a generic formula, by forward evaluation. A jet is a number with its derivatives by the variables
+// number First ... First + Count - 1, up to Order 1 or 2. The range is in the type: functions of q alone never touch the variables of v,
+// and a product of both lives on both.
 //
-// Everything here is inlined and built in one expression, without loops or lambdas: that is what lets an optimiser see every derivative as
-// a variable of its own and drop those that are zero.
+// Everything is inlined and built in one expression, without loops or lambdas: an optimiser then sees every derivative as a variable of its
+// own and drops those that are zero.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,7 @@
 
 namespace hilger {
 
-/// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Bounds from above, found along the way; they decide
-/// what need not be iterated.
+/// How a formula depends on q and v: the degree of a polynomial, or `no_polynomial`. Upper bounds that decide what is iterated.
 struct dependence {
     static constexpr int no_polynomial = 1000;
     int q = 0, v = 0;
@@ -43,6 +42,7 @@ struct dependence {
     }
 };
 
+/// A number with its derivatives by the variables First ... First + Count - 1.
 template <class S, int First, int Count, int Order>
 struct jet : detail::keeps_its_derivatives<S> {
     static_assert(Order == 1 or Order == 2);
@@ -52,16 +52,16 @@ struct jet : detail::keeps_its_derivatives<S> {
     using gradient = std::array<S, static_cast<std::size_t>(Count)>;
     using triangle = std::array<S, static_cast<std::size_t>(packed)>;
 
-    // The jet of c g(u): its value, the constant c = factor * power, outer * slope = g'(u), bend = g''(u) and u's own derivatives.
-    // Functions of one argument and constant factors touch these numbers only; products and sums work the derivatives out. The derivative
-    // of the last function applied stands apart: u's derivatives need not wait for it.
+    // The jet of c g(u): its value, the constant c = factor * power, outer * slope = g'(u), bend = g''(u) and the derivatives of u.
+    // Functions of one argument and constant factors change these numbers only; products and sums work the derivatives out. `outer`, the
+    // derivative of the last function, is kept apart: the derivatives of u need not wait for it.
     S value{};
     S factor{1};
     S outer{1};
     S slope{1};
     S bend{};
     int power = 1;
-    int which = -1; ///< where c g(u) is factor * u^power and u a variable, its number
+    int which = -1; ///< number of the variable u if c g(u) is factor * u^power
     gradient d1{};
     triangle d2{}; ///< rows of the lower triangle
     dependence on{};
@@ -104,7 +104,7 @@ struct jet : detail::keeps_its_derivatives<S> {
     HILGER_ALWAYS_INLINE constexpr S unscaled() const {
         return detail::times(outer, detail::times(slope, inner<J>()));
     }
-    // In this order: a bend of zero stays zero where the square of a large derivative is infinite.
+    // In this order a bend of zero stays zero even if the square of a large derivative is infinite.
     template <int J, int K>
     HILGER_ALWAYS_INLINE constexpr S unscaled() const {
         if constexpr (K < First or J > last)
@@ -157,6 +157,7 @@ struct jet : detail::keeps_its_derivatives<S> {
     }
 };
 
+/// Whether T is a jet.
 template <class T>
 inline constexpr bool is_jet = false;
 template <class S, int F, int C, int O>

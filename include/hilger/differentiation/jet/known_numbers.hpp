@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Sums and products of numbers of which a compiler may see that they are 0 or 1. IEEE rules forbid it to drop 0 * x and 0 + x; derivatives
-// are full of zeros that are exact.
+// Sums and products of numbers that a compiler may know to be 0 or 1. IEEE rules forbid it to drop 0 * x and 0 + x for these.
 #pragma once
 
 #include <concepts>
@@ -10,12 +9,12 @@
 
 namespace hilger::detail {
 
-/// Numbers that say themselves what a compiler sees of them, as those that count their operations.
+/// Numbers that tell whether a compiler sees them as constants, as those that count operations.
 template <class S>
 concept says_what_is_constant = requires(S const& x) {
     { x.is_constant() } -> std::same_as<bool>;
 };
-/// Whether x is a constant that the compiler can see; of other scalars, whose zeros are looked for when a program runs, true.
+/// Whether the compiler sees x as a constant; true for other scalars, whose zeros are found at run time.
 template <class S>
 HILGER_ALWAYS_INLINE constexpr bool is_seen([[maybe_unused]] S const& x) {
     if constexpr (std::is_floating_point_v<S>)
@@ -36,7 +35,7 @@ template <class S>
 HILGER_ALWAYS_INLINE constexpr bool is_known_one(S const& x) {
     return is_seen(x) and x == S(1);
 }
-/// Both are one constant that the compiler can see.
+/// Whether the compiler sees both as the same constant.
 template <class S>
 HILGER_ALWAYS_INLINE constexpr bool is_one_constant(S const& x, S const& y) {
     if constexpr (std::is_floating_point_v<S> or says_what_is_constant<S>)
@@ -44,7 +43,7 @@ HILGER_ALWAYS_INLINE constexpr bool is_one_constant(S const& x, S const& y) {
     else
         return false;
 }
-/// Whether to look for numbers that are known is worth the calls.
+/// Whether checks for known numbers are worth the calls.
 template <class S>
 inline constexpr bool knows_numbers = numbers_are_known or not std::is_floating_point_v<S>;
 template <class S>

@@ -53,7 +53,7 @@ HILGER_ALWAYS_INLINE constexpr Jet function_of_two(Jet const& x, Jet const& y, S
 
 } // namespace detail
 
-/// sqrt(x^2 + y^2), whose squares need not be numbers of the scalar. Its slopes at 0 are taken for 0, as those of sqrt(x x + y y).
+/// sqrt(x^2 + y^2), also if the squares overflow. Its slopes at 0 are set to 0, as those of sqrt(x x + y y).
 template <class X, class Y>
 requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_of<X, Y> hypot(X const& x, Y const& y) {
     using std::hypot;
@@ -72,7 +72,7 @@ requires is_jet<detail::pair_of<X, Y>> HILGER_ALWAYS_INLINE inline detail::pair_
     both const a(x), b(y);
     S const r = hypot(a.value, b.value);
     S const c = a.value / r, s = b.value / r;
-    S const dx = -s / r, dy = c / r; // squares of r need not be numbers of the scalar
+    S const dx = -s / r, dy = c / r; // squares of r may overflow
     S const twice = S(-2) * dx * dy;
     return detail::function_of_two(a, b, S(atan2(b.value, a.value)), {dx, dy, twice, S((dx - dy) * (dx + dy)), S(-twice)});
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The vector of jets that a formula is called with. It is Eigen's, but for sums over all its components: those of Eigen are functions in
-// functions, which clang++ does not inline where their numbers are jets. Derivatives then go through memory, and a step takes up to
-// eighteen times as long.
+// The vector of jets that a formula is called with: Eigen's, except for sums over all components. Those of Eigen are nested functions,
+// which clang++ does not inline for jets: derivatives then go through memory, and a step takes up to eighteen times as long.
 #pragma once
 
 #include <Eigen/Geometry> // for q.cross(v), which Eigen/Core declares alone
@@ -14,7 +13,7 @@ namespace hilger::detail {
 template <class J, int N>
 class jet_vector : public Eigen::Matrix<J, N, 1> {
     using base = Eigen::Matrix<J, N, 1>;
-    /// Of term(0) ... term(N - 1), by halves: in the order of Eigen.
+    /// The sum of term(0) ... term(N - 1) by halves, in Eigen's order.
     template <int Start, int Length, class Term>
     HILGER_ALWAYS_INLINE static auto sum_of(Term const& term) {
         if constexpr (Length == 1)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Arithmetic of traced numbers, with constants too, and how its operations are differentiated. Operations on numbers that are constant are
-// done and not written down.
+// Arithmetic of traced numbers and constants, and its derivatives. Operations on constants are evaluated and not recorded.
 #pragma once
 
 #include "hilger/differentiation/traced/traced.hpp"
@@ -9,8 +8,7 @@ namespace hilger {
 
 namespace detail {
 
-/// An operation on x and y with the result r; and what it gives back of an adjoint a, a dr/dx and a dr/dy. Operations of one operand have
-/// it as y again.
+/// An operation on x and y with the result r, and its pull-back of an adjoint a: a dr/dx and a dr/dy. Unary operations have y = x.
 #define HILGER_OPERATION(operation, symbol, is_symmetric, value_at, by_x, by_y)                                                            \
     struct operation##_traced {                                                                                                            \
         static constexpr char const* name = symbol;                                                                                        \
@@ -32,8 +30,8 @@ HILGER_OPERATION(times, "*", true, x* y, a* y, a* x)
 HILGER_OPERATION(over, "/", false, x / y, a / y, -(a / y * r))
 HILGER_OPERATION(minus_of, "-x", false, -x, -a, 0)
 
-/// c and x where `from` is c x or -x while derivatives are made: there constants are gathered, which a formula as it was written is
-/// spared, for that rounds differently.
+/// The factor c and the rest x of `from` = c x or -x while derivatives are made, which collects constants. A formula stays as it was
+/// written: collected constants round differently.
 template <class S>
 struct multiple_of {
     S factor{1};

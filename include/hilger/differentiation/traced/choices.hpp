@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Comparisons of traced numbers; and what takes their place in a formula that has no values to compare, because it is written out: there a
-// function with branches is one operation, and its derivative is a choice between derivatives, for one that is not chosen may be infinite.
+// Comparisons of traced numbers, and their counterparts in a formula that is written out and has no values to compare: there a function
+// with branches is one operation, and its derivative is a choice between derivatives.
 #pragma once
 
 #include "hilger/differentiation/traced/arithmetic.hpp"
@@ -8,7 +8,7 @@
 
 namespace hilger::detail {
 
-/// y where x >= 0, else 0, or y where x < 0, else 0: a value that is not chosen may be infinite.
+/// y if x >= 0, else 0; or y if x < 0, else 0. No product: a value that is not chosen may be infinite.
 template <bool OfNegative>
 struct choice_traced {
     static constexpr char const* name = OfNegative ? "elsewhere" : "where";
@@ -24,7 +24,7 @@ struct choice_traced {
         return make_traced<choice_traced>(x, y);
     }
 };
-/// Of a number and NaN it is NaN.
+/// max or min; for a number and NaN it is NaN.
 template <bool Largest>
 struct extremum_traced {
     static constexpr char const* name = Largest ? "max" : "min";
@@ -34,10 +34,10 @@ struct extremum_traced {
         return (Largest ? y < x : x < y) or not(x == x) ? x : y;
     }
 };
-/// The slope of abs: -1 or 1, and that of 0 is 1.
+/// The slope of abs: -1 or 1, and 1 at 0.
 HILGER_OPERATION(sign, "sign", false, x < S(0) ? S(-1) : S(0) <= x ? S(1) : x, 0, 0)
 HILGER_OPERATION(abs, "abs", false, x < S(0) ? S(-x) : x, a* make_traced<sign_traced>(x), 0)
-/// Calls use(x, is_of_negative, y) for the choices that operation `what` of two operands is the sum of. @returns whether it is one
+/// Calls use(x, is_of_negative, y) for the choices whose sum is the operation `what` of a and b. @returns whether there are any
 template <class S, class Use>
 bool for_each_choice(traced_operation<S> const* what, traced<S> const& a, traced<S> const& b, Use const& use) {
     bool const is_largest = what == &operation_object<extremum_traced<true>, S>;
@@ -57,7 +57,7 @@ template <class S>
 struct pair_of_<traced<S>, traced<S>> {
     using type = traced<S>;
 };
-/// A comparison, written down in the graph and for those who watch (differentiation/branches.hpp).
+/// A comparison, recorded in the graph and for observers (differentiation/branches.hpp).
 /// @throws error::no_formula in a formula without values
 template <class X, class Y>
     requires is_traced<pair_of<X, Y>>

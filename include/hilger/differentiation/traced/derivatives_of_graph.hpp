@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Derivatives of a node of a graph as nodes of the same graph, by going backwards from it through what it depends on. What a derivative
-// shares with the formula, or with another derivative, is one node.
+// Derivatives of a node of a graph as nodes of the same graph, in reverse mode. Parts shared with the formula or each other are one node.
 #pragma once
 
 #include <queue>
@@ -17,8 +16,7 @@ class differentiator {
 public:
     explicit differentiator(formula_graph<S>& g) : graph_(g) {}
 
-    /// Calls found(k, derivative) for every argument number k, of those that `by` says (depends), by which the derivative of `of` is not
-    /// zero.
+    /// Calls found(k, derivative) for every argument number k, of those in `by` (depends), with a nonzero derivative of `of`.
     template <class Found>
     void derivatives(traced<S> const& of, std::uint8_t by, Found const& found) {
         if (of.is_constant() or (graph_[of.node].on & by) == 0) return;
@@ -64,7 +62,7 @@ private:
     struct power {
         int base, exponent;
     };
-    /// Of products of one node with itself, as x x x: their derivative 3 x x needs no sum, and its factor is a node already.
+    /// For products of one node with itself, as x x x: their derivative 3 x x needs no sum, and its factor is a node already.
     power power_of(int k) {
         for (int j = static_cast<int>(powers_.size()); j <= k; ++j) {
             power now{j, 1};
@@ -76,7 +74,7 @@ private:
         }
         return powers_[static_cast<std::size_t>(k)];
     }
-    /// base^(n - 1) where k is base^n, n > 1.
+    /// base^(n - 1) for the node k = base^n, n > 1.
     traced<S> lowered(int k, int base) const {
         auto const n = graph_[k];
         if (n.a == base) return operand(n.b);
@@ -94,7 +92,7 @@ private:
             open_.push(k);
         }
     }
-    static constexpr int largest_exponent = 1 << 20; ///< what any scalar holds exactly
+    static constexpr int largest_exponent = 1 << 20; ///< exact in any scalar
     formula_graph<S>& graph_;
     std::vector<power> powers_;
     std::vector<traced<S>> adjoints_;

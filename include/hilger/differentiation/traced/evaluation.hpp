@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The values of a graph's nodes, computed in rounds of equal operations: nodes of one level depend on earlier levels only, and those of
-// one kind are one loop, which a compiler makes vectors of. Nodes that nothing asks for are left out. What is asked for may be asked in
-// parts; what several parts need is computed before them.
+// The values of a graph's nodes, computed in rounds of equal operations: nodes of one level depend on earlier levels only, and those of one
+// kind are one loop, which a compiler vectorises. Unused nodes are left out. Results are computed in parts, after their common nodes.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +20,16 @@ namespace hilger::detail {
 template <class S>
 class evaluation {
 public:
-    /// Parts of the results: what is compared and what `momenta` and `forces` have in common, each of these, and what only second
-    /// derivatives need, which may need all others.
+    /// Parts of the results: comparisons and nodes common to `momenta` and `forces`, each of these, and nodes for second derivatives only,
+    /// which may need all others.
     enum part : int { shared, momenta, forces, seconds, parts };
 
     evaluation() = default;
-    /// Which nodes are asked for in which part; comparisons are asked for as shared.
+    /// `asked` has the nodes needed in each part; comparisons belong to shared.
     evaluation(formula_graph<S> const& g, int arguments, std::array<std::vector<int>, parts> const& asked);
-    /// Where a node's value is in the values; -1 for one that was not asked for.
+    /// Index of a node's value; -1 if it was not asked for.
     [[nodiscard]] int place(int node) const { return place_[static_cast<std::size_t>(node)]; }
-    /// Room for all values, with the numbers in their places.
+    /// Makes room for all values, and writes the constants.
     void prepare(std::vector<S>& values) const {
         values.resize(static_cast<std::size_t>(first_) + a_.size());
         std::copy(numbers_.begin(), numbers_.end(), values.begin() + arguments_);
@@ -50,7 +49,7 @@ public:
     }
 
     /// Operations that are computed one after the other, or at the same time: values[out + i] from values[a[i]] and values[b[i]]. In a row
-    /// the operands stand one after the other, or are one for all of them.
+    /// the operands are contiguous, or one for all.
     struct operations {
         traced_operation<S> const* what;
         int count, out;
@@ -63,9 +62,9 @@ public:
         for (round const& r : rounds_of(which))
             use(operations{r.what, r.count, first_ + r.first, a_.data() + r.first, b_.data() + r.first, r.in_a_row});
     }
-    /// Where results are that somebody reads, some of them more than once.
+    /// Indices of the results, some of them repeated.
     [[nodiscard]] std::vector<int> const& results() const { return results_; }
-    /// How many values there are: arguments, numbers and operations.
+    /// Number of values: arguments, numbers and operations.
     [[nodiscard]] int size() const { return first_ + static_cast<int>(a_.size()); }
 
     /// All parts, one after the other.
@@ -85,7 +84,7 @@ private:
         int const begin = which == 0 ? 0 : end_of_[static_cast<std::size_t>(which) - 1], end = end_of_[static_cast<std::size_t>(which)];
         return {rounds_.data() + begin, rounds_.data() + end};
     }
-    /// Operations whose operands stand one after the other, or are one for all of them.
+    /// Operations with contiguous operands, or one for all of them.
     struct row {
         std::vector<int> nodes;
         int a, b, step_a = 0, step_b = 0;
@@ -101,17 +100,17 @@ private:
         int node;
     };
     static std::vector<ordered> order_of(formula_graph<S> const& g, std::vector<std::uint8_t> const& of);
-    /// Rounds for operations of one kind on one level: one for each long row there is, and one for all others.
+    /// Adds the rounds for operations of one kind on one level: one for each long row, and one for all others.
     void add_rounds(formula_graph<S> const& g, traced_operation<S> const& what, std::vector<int> nodes);
     int arguments_ = 0, first_ = 0;
     std::vector<S> numbers_;
     std::vector<round> rounds_;
     std::vector<int> a_, b_, place_, results_;
     std::array<int, parts> end_of_{};
-    std::shared_ptr<translation<S>> translation_; ///< where somebody makes any
+    std::shared_ptr<translation<S>> translation_; ///< if a translator is installed
 };
 
-/// Operations in the order of parts, then of levels, then of kinds. `of` has a bit for each part that a node is asked for in.
+/// Operations ordered by parts, levels and kinds. `of` has a bit for each part that needs a node.
 template <class S>
 auto evaluation<S>::order_of(formula_graph<S> const& g, std::vector<std::uint8_t> const& of) -> std::vector<ordered> {
     std::vector<ordered> order;
@@ -192,7 +191,7 @@ void evaluation<S>::add_rounds(formula_graph<S> const& g, traced_operation<S> co
             next[{a + r.step_a, b + r.step_b}] = at;
             continue;
         }
-        // One value by several numbers is no row: the next value is by the same ones, and numbers stand beside each other by chance.
+        // One value with several numbers is no row: the next value has the same ones, which are adjacent by chance.
         next[{a + 1, b + 1}] = rows.size();
         if (not is_number(a)) next[{a + 1, b}] = rows.size();
         if (not is_number(b)) next[{a, b + 1}] = rows.size();

@@ -13,8 +13,7 @@
 namespace hilger {
 
 namespace detail {
-/// x/y, and 0 where y is, but for an x without bounds: what an adjoint becomes behind a norm, whose slope at 0 is taken for 0 as that of
-/// jets is.
+/// x/y, and 0 for y = 0 unless x is infinite: an adjoint behind a norm, whose slope at 0 is set to 0 as for jets.
 template <class S>
 traced<S> over_norm(traced<S> const& x, traced<S> const& y);
 HILGER_OPERATION(over_norm, "over_norm", false, y == S(0) ? S(x * y) : S(x / y), over_norm(a, y), -(over_norm(a, y) * r))
@@ -24,7 +23,7 @@ traced<S> over_norm(traced<S> const& x, traced<S> const& y) {
         if (multiple_of<S> const m(x); m.rest.node != x.node) return traced<S>(m.factor) * over_norm(m.rest, y);
     return make_traced<over_norm_traced>(x, y);
 }
-/// What is never negative by its form has no slope where it is 0.
+/// Whether x is never negative by its form: its slope is then 0 where x is.
 template <class S>
 bool is_never_negative(traced<S> const& x) {
     if (x.is_constant()) return false;
@@ -34,7 +33,7 @@ bool is_never_negative(traced<S> const& x) {
         return m.rest.node == base and S(0) <= m.factor;
     };
     std::vector<int> open{x.node};
-    std::unordered_set<int> seen; // what is shared is looked at once
+    std::unordered_set<int> seen; // shared operands are visited once
     while (not open.empty()) {
         int const k = open.back();
         open.pop_back();
@@ -98,13 +97,13 @@ traced<S> sqrt(traced<S> const& x) {
 
 namespace detail {
 HILGER_OPERATION(hypot, "hypot", true, hypot(x, y), over_norm(a, r) * x, over_norm(a, r) * y)
-/// x / (x x + y y), where the squares need not be numbers of the scalar.
+/// x / (x x + y y), also if the squares overflow.
 template <class T>
 T over_square(T const& x, T const& y, T const& adjoint) {
     T const r = make_traced<hypot_traced>(x, y);
     return adjoint / r * (x / r);
 }
-/// Of (y, x) as C has it: the ordinate is x here.
+/// In the order (y, x) of C: the ordinate is x here.
 HILGER_OPERATION(atan2, "atan2", false, atan2(x, y), over_square(y, x, a), -over_square(x, y, a))
 /// x^c with a number c.
 struct power_traced {

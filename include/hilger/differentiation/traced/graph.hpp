@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A formula as an acyclic graph of operations on its arguments and on numbers, in which equal operations on equal operands are one node.
-// Operands come before what is made of them, so that the order of the nodes is an order to evaluate them in. What an operation is - its
-// value, its loop over many operands, its derivative - stands in arithmetic.hpp and functions.hpp; a node only points there.
+// Operands precede results: the order of the nodes is an order of evaluation. Operations - value, loop over many operands, derivative - are
+// defined in arithmetic.hpp and functions.hpp; a node points to one.
 #pragma once
 
 #include <bit>
@@ -21,31 +21,31 @@ class traced;
 
 namespace detail {
 
-/// What a node does. One object for each operation and scalar, so that equality is equality of addresses.
+/// The operation of a node. One object for each operation and scalar, so that equality is equality of addresses.
 template <class S>
 struct traced_operation {
     char const* name; ///< as C has it: an operator of two operands, "-x", or a function
     bool commutes;
     /// x[out + i] = f(x[a[i]], x[b[i]]) for i = 0 ... count - 1
     void (*run)(S* x, int out, int count, int const* a, int const* b);
-    /// out[i] = f(a[i], b[i]) for operands one after the other; a or b is one number for all where `all_a`, `all_b`. Nothing overlaps.
+    /// out[i] = f(a[i], b[i]) for contiguous operands; a or b is one number for all if `all_a`, `all_b`. Nothing overlaps.
     void (*run_in_a_row)(S* out, int count, S const* a, bool all_a, S const* b, bool all_b);
     /// The two operands' parts of an adjoint: adjoint df/dx and adjoint df/dy.
     std::pair<traced<S>, traced<S>> (*pull_back)(traced<S> const& x, traced<S> const& y, traced<S> const& result, traced<S> const& adjoint);
 };
 
-/// Which arguments a node depends on.
+/// The arguments that a node depends on.
 enum depends : std::uint8_t { on_nothing = 0, on_position = 1, on_velocity = 2, on_time = 4 };
 
 template <class S>
 class formula_graph {
 public:
     struct node {
-        traced_operation<S> const* what; ///< none for arguments and numbers
+        traced_operation<S> const* what; ///< null for arguments and numbers
         int a, b;                        ///< operands; of a number its place in numbers(), of an argument a = -1 and its number
         std::uint8_t on;
     };
-    /// A comparison, and how it came out where the formula was traced: elsewhere the formula holds where it comes out the same.
+    /// A comparison and its outcome in the trace: the formula holds for the same outcomes only.
     struct guard {
         relation how;
         int a, b;
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] S const& number(int k) const { return numbers_[static_cast<std::size_t>((*this)[k].a)]; }
     [[nodiscard]] std::vector<guard> const& guards() const { return guards_; }
 
-    /// The node of a number. Numbers that do not equal themselves have a node each.
+    /// The node of a number. A NaN gets a node of its own.
     int place_of(S const& x) {
         if (not(x == x)) return new_number(x);
         auto const [at, is_new] = known_numbers_.try_emplace({x, has_minus_sign(x)}, size());
@@ -80,15 +80,15 @@ public:
         }
         return slot;
     }
-    /// One more argument, by which nothing is differentiated. @returns its node
+    /// Adds an argument, by which nothing is differentiated. @returns its node
     int new_argument() {
         nodes_.push_back({nullptr, -1, arguments_++, on_nothing});
         return size() - 1;
     }
     void watch(relation how, int a, int b, bool outcome) { guards_.push_back({how, a, b, outcome}); }
 
-    /// Values are computed along while a callable is traced, for what it compares; not while derivatives are made, nor for a formula that
-    /// is written out: that has no comparisons, and abs, min and max are operations of it (choices.hpp).
+    /// Whether values are computed in the trace of a callable, for its comparisons: not while derivatives are made, nor for a formula that
+    /// is written out, where abs, min and max are operations (choices.hpp).
     bool has_values = true;
     static formula_graph*& of_this_thread() {
         static thread_local formula_graph* current = nullptr;
@@ -97,7 +97,7 @@ public:
 
 private:
     static constexpr int none = -1;
-    /// Where the operation's number is, or is to be put: from its hash on, the first place that is its own or nobody's.
+    /// The slot of an operation: from its hash on, the first one that is its own or free.
     int& slot_of(traced_operation<S> const& what, int a, int b) {
         auto const operands = static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
         auto const hash = (operands * 0x9e3779b97f4a7c15U ^ reinterpret_cast<std::uintptr_t>(&what)) * 0xbf58476d1ce4e5b9U;
@@ -121,11 +121,11 @@ private:
     std::vector<node> nodes_;
     std::vector<S> numbers_;
     std::vector<guard> guards_;
-    std::vector<int> slots_; ///< the numbers of operations by their hash, a power of two of them and at least half of them free
+    std::vector<int> slots_;                          ///< hash table of operations: its size is a power of two, at least half of it free
     std::map<std::pair<S, bool>, int> known_numbers_; ///< -0 and 0 are equal, and two
 };
 
-/// Makes a graph the one that this thread's traced numbers are part of.
+/// Makes g the graph of this thread's traced numbers.
 template <class S>
 class tracing {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The gradient and the second derivatives of a Lagrangian, and of a force beside it, as formulas: the callables are traced once, and of
-// their graph only what is not zero is evaluated.
+// The gradient and the second derivatives of a Lagrangian, and of a force beside it, as formulas: the callables are traced once, and the
+// nonzero derivatives of their graph are evaluated.
 #pragma once
 
 #include <array>
@@ -14,27 +14,27 @@
 
 namespace hilger::detail {
 
-/// One of the blocks of second derivatives of L by q and v, the row first; to the rows of q belongs the force with its derivatives.
+/// The blocks of second derivatives of L by q and v, row first; the rows of q include the force with its derivatives.
 enum block_number : int { block_qq, block_qv, block_vq, block_vv, blocks };
 
-/// Where in an array of values the derivatives are.
+/// Indices of the derivatives in an array of values.
 struct derivative_places {
     struct second {
         int row, column, place;
     };
-    /// Components from one on whose places stand one after the other.
+    /// Consecutive components with contiguous places.
     struct stretch {
         int component, place, count;
     };
     std::vector<int> by_q, by_v;                 ///< with the force in by_q
-    std::vector<stretch> by_q_whole, by_v_whole; ///< the same in stretches; none where they are short
+    std::vector<stretch> by_q_whole, by_v_whole; ///< the same in stretches; empty if they are short
     std::array<std::vector<second>, blocks> entries;
     std::array<bool, blocks> constant{}; ///< no value of the block ever changes
     void find_stretches() {
         by_q_whole = stretches_of(by_q);
         by_v_whole = stretches_of(by_v);
     }
-    /// In the argument that a block is of twice.
+    /// The degree in the argument of a diagonal block.
     [[nodiscard]] int degree(block_number b) const {
         auto const k = static_cast<std::size_t>(b);
         return entries[k].empty() ? 1 : constant[k] ? 2 : dependence::no_polynomial;
@@ -63,7 +63,7 @@ struct traced_formula {
     evaluation<S> how;
     std::vector<guard> guards;
 
-    /// Puts the arguments in their places, where `values` are prepared.
+    /// Writes the arguments into prepared `values`.
     template <class V>
     static void put(S const& t, V const& q, V const& v, std::vector<S>& values) {
         int const d = shape<V>::dimension(q);
@@ -73,23 +73,23 @@ struct traced_formula {
             values[static_cast<std::size_t>(d + k)] = shape<V>::component(v, k);
         }
     }
-    /// Whether all comparisons come out as they did; of values whose shared part is computed.
+    /// Whether all comparisons come out as in the trace, for values with their shared part computed.
     [[nodiscard]] bool is_branch_of(std::vector<S> const& values) const {
         for (auto const& g : guards)
             if (holds(g.how, values[static_cast<std::size_t>(g.a)], values[static_cast<std::size_t>(g.b)]) != g.outcome) return false;
         return true;
     }
-    /// Tells those who watch of the comparisons. Of the time alone, which is known before the step, they lead to no other branch.
+    /// Reports the comparisons to observers. Those of the time alone, which is known before the step, lead to no other branch.
     void tell_branches() const {
         for (auto const& g : guards)
             if (g.on & (on_position | on_velocity)) compared(g.outcome, (g.on & on_velocity) != 0);
     }
 };
-/// The formulas without branches of one callable, one of each scalar: for what is made at run time and stepped again and again. Copies of
-/// the callable share it, and several threads may ask.
+/// Cache of the formulas without branches of one callable, one for each scalar: for callables made at run time and stepped repeatedly.
+/// Copies of the callable share it; it is thread-safe.
 class kept_formulas {
 public:
-    /// The one there is, or what `make` makes.
+    /// The cached formula, or that of `make`.
     template <class S, class Make>
     std::shared_ptr<traced_formula<S> const> of(Make const& make) {
         std::lock_guard const lock(changes_);
@@ -114,7 +114,7 @@ private:
     std::vector<kept> all_;
 };
 
-/// The places that a formula has in its evaluation, once nodes stand where they are to be: what is asked for in which part.
+/// Sets the evaluation of a formula, and replaces its nodes, listed by parts in `asked`, by their places.
 template <class S>
 void evaluate_nodes(formula_graph<S> const& g, int d, traced_formula<S>& of, std::array<std::vector<int>, evaluation<S>::parts> asked) {
     for (auto const& w : g.guards()) // also of those that no derivative depends on: they are what the callable would do
@@ -129,8 +129,7 @@ void evaluate_nodes(formula_graph<S> const& g, int d, traced_formula<S>& of, std
         of.guards.push_back({{w.how, of.how.place(w.a), of.how.place(w.b), w.outcome}, static_cast<std::uint8_t>(g[w.a].on | g[w.b].on)});
 }
 
-/// The derivatives of L, and of the components of a force where there is one, in the graph that they are nodes of: second derivatives by
-/// the arguments that `seconds_by` says.
+/// The derivatives of L, and of the components of a force if there is one, in their graph; second ones by the arguments in `seconds_by`.
 template <class S>
 traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L, std::vector<traced<S>> const& force,
                                  std::uint8_t seconds_by) {
@@ -177,8 +176,8 @@ traced_formula<S> derivatives_in(formula_graph<S>& g, int d, traced<S> const& L,
     return made;
 }
 
-/// `evaluate(t, x, y, force)` returns L at traced t, x and y and gives the components of a force, where there is one; the graph holds for
-/// the branches at (t, q, v). Second derivatives are made by the arguments that `seconds_by` says.
+/// Traces evaluate(t, x, y, force), which returns L at traced t, x and y and appends the components of a force, if there is one, on the
+/// branches at (t, q, v). Second derivatives are by the arguments in `seconds_by`.
 template <class S, class V, class Evaluate>
 traced_formula<S> trace(S const& t, V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate) {
     using s = shape<V>;
@@ -188,7 +187,7 @@ traced_formula<S> trace(S const& t, V const& q, V const& v, std::uint8_t seconds
     T L(0);
     std::vector<T> force;
     {
-        unwatched const while_tracing; // what was compared counts when the formula is evaluated
+        unwatched const while_tracing; // comparisons count when the formula is evaluated
         tracing<S> const here(g);
         typename s::template with<T> x, y;
         if constexpr (s::size == Eigen::Dynamic) {
@@ -204,7 +203,7 @@ traced_formula<S> trace(S const& t, V const& q, V const& v, std::uint8_t seconds
     return derivatives_in(g, d, L, force, seconds_by);
 }
 
-/// A formula and all that it says at the arguments where it was traced.
+/// A formula and its derivatives at the arguments of the trace.
 template <class V>
 class traced_there {
     using S = scalar_of<V>;
@@ -213,7 +212,7 @@ public:
     V by_q, by_v; ///< with a force in by_q
     traced_formula<S> formula;
 
-    /// As trace takes them, without a time.
+    /// Arguments as for trace, without a time.
     template <class Evaluate>
     traced_there(V const& q, V const& v, std::uint8_t seconds_by, Evaluate const& evaluate)
         : by_q(zero_like(q)), by_v(zero_like(q)),
@@ -228,7 +227,7 @@ public:
             shape<V>::component(by_v, k) = value(formula.places.by_v[static_cast<std::size_t>(k)]);
         }
     }
-    /// Calls put(row, column, derivative) for what is not zero in a block.
+    /// Calls put(row, column, derivative) for the nonzero entries of a block.
     template <class Put>
     void for_each_in(block_number block, Put const& put) const {
         for (auto const& e : formula.places.entries[static_cast<std::size_t>(block)]) put(e.row, e.column, value(e.place));

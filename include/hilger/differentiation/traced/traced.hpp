@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A number that writes down what is done with it in a graph. A callable that is generic in its numbers is called with these once; from
-// the graph come its derivatives and what they depend on, for any number of variables.
+// A number that records its operations in a graph. A generic callable is called with these once; the graph gives its derivatives and what
+// they depend on, for any number of variables.
 #pragma once
 
 #include <concepts>
@@ -15,6 +15,7 @@
 
 namespace hilger {
 
+/// A number with its node in this thread's graph; a constant has none.
 template <class S>
 class traced : public detail::keeps_its_derivatives<S> {
 public:
@@ -42,7 +43,7 @@ public:
     S value{};
     int node = -1;
 
-    // Those of two of them, before std::max and std::min of any type.
+    // Overloads for two of them, before std::max and std::min of any type.
     friend traced max(traced const& x, traced const& y) { return detail::extremum<true>(x, y); }
     friend traced min(traced const& x, traced const& y) { return detail::extremum<false>(x, y); }
 
@@ -58,6 +59,7 @@ public:
 #undef HILGER_ASSIGNMENT
 };
 
+/// Whether T is a traced number.
 template <class T>
 inline constexpr bool is_traced = false;
 template <class S>
@@ -96,7 +98,7 @@ traced<S> make_traced(traced<S> const& x, traced<S> const& y) {
     int const a = x.place(), b = y.place(), made = g.make(operation_object<O, S>, a, b);
     return traced<S>::at(made, g.has_values ? O::value(x.value, y.value) : S(0));
 }
-/// The second operand of an operation of one is the first again.
+/// An operation of one operand takes it twice.
 template <class O, class S>
 traced<S> make_traced(traced<S> const& x) {
     return make_traced<O>(x, x);

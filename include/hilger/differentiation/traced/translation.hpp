@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Where an evaluation is handed over to whoever makes machine code of it. The library itself interprets: a program that has a compiler at
-// hand installs a translator, which is asked for those evaluations that are made often, and answers when it has something, or never.
+// Replaces the interpretation of frequent evaluations by machine code: a program with a compiler at hand installs a translator, which is
+// asked for it, and answers when it has some, or never.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ class translation;
 template <class S>
 class translator {
 public:
-    /// Sets the functions of `to` if there are some by now; is asked again if not.
+    /// Sets the functions of `to` if there are any yet; is asked again if not.
     virtual void translate(evaluation<S> const& what, translation<S>& to) = 0;
-    /// The one there is, or none. It lives as long as the program.
+    /// The installed one, or null. It lives as long as the program.
     static std::atomic<translator*>& installed() {
         static std::atomic<translator*> one = nullptr;
         return one;
     }
-    /// Changes when another translator, or other translations, are wanted: what was translated before is then not used any more.
+    /// Changes with the translator or its settings: earlier translations are then not used any more.
     static std::atomic<int>& generation() {
         static std::atomic<int> number = 0;
         return number;
@@ -41,7 +41,7 @@ public:
     using function = void (*)(S* values);
     static constexpr int functions = 5, often = 1024; ///< a function for each part, and one for all of them
 
-    /// Nothing as long as there is none.
+    /// Null as long as there is none.
     [[nodiscard]] function of(int part) const { return functions_[static_cast<std::size_t>(part)].load(std::memory_order_acquire); }
     void set(std::array<function, functions> const& made) {
         for (std::size_t k = 0; k < made.size(); ++k) functions_[k].store(made[k], std::memory_order_release);

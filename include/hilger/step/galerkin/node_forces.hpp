@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The forces at the nodes of a Galerkin step for L = v.Mv/2 + a.v - U(q), which is most of the few degrees of freedom, and systems that say
-// so. They are iterated: A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k) (step/galerkin/table.hpp); a round costs N
-// forces and gains a factor of the size of h^2.
+// The forces at the nodes of a Galerkin step for L = v.Mv/2 + a.v - U(q): most Lagrangians of few degrees of freedom, and systems declared
+// as such. They are iterated: A_k = q_0 + h c_k v_0 + h^2 M^-1 sum_m twice_km F_m and F_k = -U'(A_k) (step/galerkin/table.hpp); a round
+// costs N forces and gains a factor of order h^2.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ HILGER_ALWAYS_INLINE inline void combine(Row const& c, List const& x, V& to) {
     }
 }
 
-/// What is iterated, in one step after the other.
+/// Fixed-point iteration of the forces at the nodes, from step to step.
 template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
 class node_forces {
     using s = shape<V>;
@@ -40,7 +40,7 @@ class node_forces {
     static constexpr std::size_t N = Table::N;
 
 public:
-    /// What the numbers of the table are rounded to leans to one side in every step: sums that are to keep their rounding use two parts.
+    /// The rounding of the table is a bias that repeats in every step: compensated sums use numbers in two parts.
     static constexpr bool in_parts = Compensated and Table::has_parts;
 
     node_forces(Problem const& what, S const& h, V const& like) : h_(h), d_(s::dimension(like)), separable_(what, like) {
@@ -60,15 +60,15 @@ public:
         for (V& f : F_) memory::visit_components("force", f, each);
     }
 
-    /// Those of the step from x, from those of the step before it where it continues that one. Lost where they converge too slowly to be
-    /// worth it; going where L has other parts than it had.
+    /// Iterates the forces of the step from x, starting from those of the previous step if it `continues` that one. @returns lost if they
+    /// converge too slowly, going if L does not have these parts
     progress iterate(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
         if constexpr (std::is_floating_point_v<S>)
             return flat_iteration(what, x, extra, continues);
         else
             return iteration(what, x, extra, continues);
     }
-    /// What they lead to, from then on.
+    /// Displacement and impulse of the converged forces, for the functions below.
     void finish() {
         bend();
         add_forces([](auto const& of) -> auto const& { return of.weight; });
@@ -96,17 +96,17 @@ public:
 
 private:
     static Table const& table() { return Table::here(); }
-    /// With compensated sums the error that an iteration leaves must not be seen either.
+    /// With compensated sums the error left by the iteration must not be visible either.
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 
-    // Flattened for the processor's own numbers, as flat_jets_of is and for its reasons.
+    // Flattened for built-in floating-point types, for the reasons of flat_jets_of.
     HILGER_FLATTEN progress flat_iteration(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
         return iteration(what, x, extra, continues);
     }
     HILGER_ALWAYS_INLINE progress iteration(Problem const& what, state<S, V> const& x, Extra const& extra, bool continues) {
         separable_.velocity(x.p, v_);
         bool is_separable = true;
-        if (continues) { // the forces of the last step, continued
+        if (continues) { // extrapolated from the last step
             for (std::size_t k = 0; k < N; ++k) combine(table().next_node[k], F_, guess_[k]);
             std::swap(F_, guess_);
         } else {
@@ -124,7 +124,7 @@ private:
         std::uint64_t const compared = comparisons_made();
         for (;;) {
             if constexpr (separable_type::has_forces) {
-                for (std::size_t k = 0; k < N; ++k) before_[k] = x.q + D_[k]; // room, until it is filled below
+                for (std::size_t k = 0; k < N; ++k) before_[k] = x.q + D_[k]; // workspace until it is filled below
                 is_separable = separable_.forces(what, x.t, before_.data(), F_.data(), N) and is_separable;
             } else
                 for (std::size_t k = 0; k < N; ++k) {
@@ -138,10 +138,10 @@ private:
             if (end != progress::going and not(was_done and comparisons_made() != compared)) return end;
             if (differ) before_ = D_;
             S const size = move_nodes(extra);
-            // Between branches the forces at the last positions say whether these were the last.
+            // With branches, the forces at the last positions decide whether these are final.
             if (was_done and convergence.is_rounding(size)) return end;
             end = convergence.after(size);
-            // Where all components together are done, small ones beside large ones go on as long as they gain.
+            // All components together have converged; small ones beside large ones continue as long as they gain.
             if (differ and end == progress::done)
                 if (S const far = farthest_of_its_size(x); far > S(8) * epsilon<S>() and (farthest < S(0) or S(4) * far < farthest)) {
                     farthest = far;
@@ -149,11 +149,11 @@ private:
                 }
         }
     }
-    /// What component c of the positions in this step is of the size of.
+    /// Magnitude of component c of the positions in this step.
     [[nodiscard]] S size_of(state<S, V> const& x, int c) const {
         return magnitude(s::component(x.q, c)) + magnitude(S(h_ * s::component(v_, c)));
     }
-    /// Whether a component is far smaller than others, and no rounding of them.
+    /// Whether a component is far smaller than others without being their rounding.
     [[nodiscard]] bool sizes_differ(state<S, V> const& x) {
         if (d_ == 1) return false;
         largest_ = S(0);
@@ -162,7 +162,7 @@ private:
             if (S const size = size_of(x, c); size < largest_ / S(1024) and S(64) * epsilon<S>() * largest_ < size) return true;
         return false;
     }
-    /// The largest of the last corrections of the nodes, each component in units of its size.
+    /// Largest last correction of the nodes, each component in units of its size.
     [[nodiscard]] S farthest_of_its_size(state<S, V> const& x) const {
         S far(0);
         for (int c = 0; c < d_; ++c)
@@ -171,12 +171,12 @@ private:
                     far = std::max(far, S(magnitude(S(s::component(D_[k], c) - s::component(before_[k], c))) / size));
         return far;
     }
-    /// A_k - q_0 from the forces, and how far the nodes have moved.
+    /// Computes A_k - q_0 from the forces. @returns the largest change of a node
     HILGER_ALWAYS_INLINE S move_nodes(Extra const& extra) {
         S size(0);
         for (std::size_t k = 0; k < N; ++k) {
             add_forces([k](auto const& of) -> auto const& { return of.twice[k]; });
-            room_ = room_ * h_; // neither h^2 nor a force without h over a mass has to be a number
+            room_ = room_ * h_; // neither h^2 nor an unscaled force over a mass need be representable
             separable_.solve(room_, next_);
             if constexpr (in_parts)
                 next_ = (v_ * table().leading.node[k] + (v_ * table().rest.node[k] + next_)) * h_;
@@ -189,7 +189,7 @@ private:
         if constexpr (has_step_force<Extra>) size = std::max(size, renew_extra(extra));
         return size;
     }
-    /// The forces with a row of the table, into room_.
+    /// Combines the forces with a row of the table, into room_.
     template <class Row>
     HILGER_ALWAYS_INLINE void add_forces(Row const& row) {
         if constexpr (in_parts) {
@@ -199,7 +199,7 @@ private:
         } else
             combine(row(table().whole), F_, room_);
     }
-    /// What the forces at the nodes do to the velocity that the step has on the whole, into next_.
+    /// Contribution of the forces to the mean velocity of the step, into next_.
     HILGER_ALWAYS_INLINE void bend() {
         add_forces([](auto const& of) -> auto const& { return of.reach; });
         room_ = room_ * h_;
@@ -210,7 +210,7 @@ private:
         bend();
         next_ = (v_ + next_) * h_;
     }
-    /// The extra force for the end that the forces lead to, and how far that has moved.
+    /// Extra force for the end that the forces lead to. @returns the change of that end
     S renew_extra(Extra const& extra) {
         reach_end();
         room_ = next_ - end_;
@@ -224,12 +224,12 @@ private:
     separable_type separable_;
     using of_extra = std::conditional_t<has_step_force<Extra>, V, no_step_force>;
     using of_parts = std::conditional_t<in_parts, V, no_step_force>;
-    V v_, next_, room_;                                ///< v_0, and room
-    [[no_unique_address]] of_parts part_;              ///< room
-    S largest_{0};                                     ///< of the sizes of components
-    std::array<V, N> before_;                          ///< D_ one round before, where components are of different sizes
-    std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; and those of the last step while there are new ones
-    [[no_unique_address]] of_extra end_, extra_force_; ///< q_1 - q_0 and the extra force, in the iteration
+    V v_, next_, room_;                                ///< v_0; workspace
+    [[no_unique_address]] of_parts part_;              ///< workspace
+    S largest_{0};                                     ///< largest size of a component
+    std::array<V, N> before_;                          ///< D_ of the previous round, for components of different sizes
+    std::array<V, N> D_, F_, guess_;                   ///< A_k - q_0; the forces; those of the last step during the iteration
+    [[no_unique_address]] of_extra end_, extra_force_; ///< q_1 - q_0 and the extra force during the iteration
 };
 
 } // namespace hilger::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The step of a Galerkin embedding: by the forces at its nodes where L = v.Mv/2 + a.v - U(q) (step/galerkin/node_forces.hpp). Any other
-// Lagrangian, and a step for which that is too little, are left to the equation of the step (step/many_nodes.hpp).
+// The step of a Galerkin embedding: by the forces at its nodes for L = v.Mv/2 + a.v - U(q) (step/galerkin/node_forces.hpp), by the equation
+// of the step (step/many_nodes.hpp) for other Lagrangians and when that iteration fails.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace hilger::detail {
 
-/// What one trajectory remembers from step to step.
+/// State that one trajectory keeps from step to step.
 template <class Problem, class Table, bool Compensated, class S, class V, class Extra = no_step_force>
 class galerkin_step {
     using s = shape<V>;
@@ -26,13 +26,13 @@ public:
         : h_(h), d_(s::dimension(like)), forces_(what, h, like), equation_(t, h, like, extra), sums_(d_) {}
     void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
-        if (way_ == by_forces) known_ = 0; // those at other distances do not continue
+        if (way_ == by_forces) known_ = 0; // forces at another step length do not extrapolate
         way_ = undecided;
         inspected_ = false;
         forces_.prepare(h);
         equation_.prepare(t, h);
     }
-    /// The velocity that the first step begins with.
+    /// Sets the velocity guess of the first step.
     void start_with(V const& v) {
         if (known_ == 0) start_ = v;
     }
@@ -84,7 +84,7 @@ public:
         start_.reset();
     }
 
-    /// U_m - q_i of the last step, 0 < m < R, as far as rounding goes.
+    /// U_m - q_i of the last step, 0 < m < R, to rounding.
     [[nodiscard]] V inside(int m) const {
         return led_by_forces_ ? forces_.inside(S(m) / S(static_cast<int>(Table::R))) : equation_.inside(m);
     }
@@ -99,7 +99,7 @@ private:
             sums_.add(x, h_, forces_.moved(), forces_.gained(), equation_.name);
         known_ = 1;
     }
-    /// h v_0 with what is cut off of the product: that leans where the digits of h repeat, as those of 0.1.
+    /// Adds h v_0 with the rounding error of the product, which is biased if the digits of h repeat, as those of 0.1.
     void add_in_parts(state<S, V>& x) {
         sums::require_finite(x, forces_.moved(), forces_.gained(), equation_.name);
         sums_.add_in_parts(
@@ -124,7 +124,7 @@ private:
     bool inspected_ = false, led_by_forces_ = false; ///< the last step
     forces forces_;
     many_nodes<Compensated, S, V, Extra, static_cast<int>(Table::R) + 1> equation_;
-    std::optional<V> start_; ///< the velocity that the first step begins with, where it is given
+    std::optional<V> start_; ///< velocity guess of the first step, if given
     [[no_unique_address]] sums sums_;
 };
 

@@ -3,14 +3,14 @@
 // of [0, 1], R its degree plus one, and with nodes c_k and weights w_k, k = 1, ..., N, l_j the polynomial that is 1 at g_j and 0 at the
 // others,
 //   A_k = q_0 + h sum_j alpha_kj V_j,   alpha_kj = integral of l_j from 0 to c_k.
-// That L_h is stationary for q_0 and q_1 given, with p_0 = -d_1 L_h, says for j = 1, ..., R
+// Stationarity of L_h for given q_0 and q_1, with p_0 = -d_1 L_h, gives for j = 1, ..., R
 //   M V_j = p_0 - a + h sum_k momentum_jk F_k,   F_k = -U'(A_k),   momentum_jk = w_k (1 - alpha_kj / gamma_j),
-// gamma_j the integral of l_j over [0, 1], as both quadratures are exact for l_i l_j; for Gauss nodes (c = g) momentum = alpha. And so
+// gamma_j the integral of l_j over [0, 1], as both quadratures are exact for l_i l_j; for Gauss nodes (c = g) momentum = alpha. Hence
 // (Nystroem's form)
 //   A_k = q_0 + h c_k v_0 + h^2 sum_m twice_km M^-1 F_m,   twice = alpha momentum,   p_1 = p_0 + h sum_k w_k F_k.
-// Every number is of the size of 1, and is computed with more digits than the scalar has and rounded once: what its rounding breaks, in
-// symplecticity or order, is there in every step, and adds up with their number. Compensated sums use numbers in two parts, of which the
-// first has few digits: a sum of products with both is rounded to either side (Hairer, McLachlan, Razakarivony 2008).
+// All numbers are of order 1, computed with more digits than the scalar has and rounded once: their rounding violates symplecticity or
+// order in every step, and accumulates. Compensated sums use two-part numbers with few digits in the first: the rounding of a sum of
+// products with both is unbiased (Hairer, McLachlan, Razakarivony 2008).
 #pragma once
 
 #include <array>
@@ -34,12 +34,12 @@ struct galerkin_table {
         std::array<S, N> reach; ///< w_k (1 - c_k): q_1 = q_0 + h v_0 + h^2 sum_k reach_k M^-1 dL/dq(A_k)
         matrix<N, N> twice;
     };
-    numbers whole, leading, rest; ///< rounded once; and the two parts, where there are more digits
+    numbers whole, leading, rest; ///< rounded once; in two parts, if S has a wider type
     matrix<N, R> alpha;
     matrix<R, N> momentum;
-    matrix<N, N> next_node; ///< the polynomial through the values at the nodes, read at the nodes of the next step
+    matrix<N, N> next_node; ///< extrapolates values at the nodes to the nodes of the next step
 
-    /// Made once for all steps of all flows.
+    /// Shared by all steps of all flows.
     static galerkin_table const& here() {
         static galerkin_table const table;
         return table;
@@ -48,7 +48,7 @@ struct galerkin_table {
 private:
     using W = typename wider<S>::type;
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-    /// The Gauss points. Two of them are irrational: exact scalars take Radau's, which serve as well, for l_i l_j has degree 2.
+    /// The Gauss points. Two of them are irrational: exact scalars use Radau's, which suffice as l_i l_j has degree 2.
     static quadrature<W> velocity_points() {
         if constexpr (std::numeric_limits<S>::is_exact and R == 2)
             return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
@@ -67,7 +67,7 @@ private:
         }
     }
 
-    // Never part of a flattened step: it is longer than ten of them.
+    // Not inlined into a flattened step: it is longer than ten of them.
     [[gnu::noinline, gnu::cold]] galerkin_table() {
         constexpr int n = static_cast<int>(N), r = static_cast<int>(R);
         auto const nodes = wide_quadrature<S, Quadrature>(n);
@@ -100,7 +100,7 @@ private:
             }
         extrapolate(nodes.node);
     }
-    /// Lagrange's polynomials of the points at the points one step further.
+    /// Lagrange polynomials of the points, evaluated one step further.
     void extrapolate(std::vector<W> const& x) {
         for (std::size_t k = 0; k < N; ++k)
             for (std::size_t j = 0; j < N; ++j) {
@@ -112,13 +112,13 @@ private:
     }
 };
 
-/// The table of an embedding; `void` where it is no Galerkin embedding.
+/// The table of an embedding; `void` if it is no Galerkin embedding.
 template <class E, class S>
 struct table_of_galerkin {
     using type = void;
 };
-/// Whether n nodes are exact for the products l_i l_j, of degree 2d - 2 for positions of degree d: Gauss's are up to 2n - 1, Lobatto's up
-/// to 2n - 3. Of quadratures of one's own nothing is known, and they have no table.
+/// Whether n nodes integrate the products l_i l_j exactly, of degree 2d - 2 for positions of degree d: Gauss up to 2n - 1, Lobatto up to 2n
+/// - 3. A user's own quadrature has no table.
 template <class Quadrature>
 constexpr bool is_exact_for_velocities(int degree, int nodes) {
     if (std::is_same_v<Quadrature, gauss>) return degree <= nodes;

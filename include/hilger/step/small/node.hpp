@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a step of up to four degrees of freedom evaluates at a node: jets of the Lagrangian, and of a force beside dL/dq, that an optimiser
-// takes apart into registers. Where there are no jets (a Lagrangian with derivatives of its own) it is a table. And how rounding is
-// followed through the equation of the node.
+// Node derivatives for steps of up to four degrees of freedom: jets of the Lagrangian, and of a force beside dL/dq, that an optimiser keeps
+// in registers, or a table for a Lagrangian with derivatives of its own. Also the rounding errors in the equation of the node.
 #pragma once
 
 #include "hilger/error_free.hpp"
@@ -51,7 +50,7 @@ struct forced_node_jet : node_jet<N, Jet> {
     template <class... F>
     HILGER_ALWAYS_INLINE explicit forced_node_jet(Jet const& of_lagrangian, F const&... of_force)
         : base{of_lagrangian}, force{of_force...} {}
-    /// A force is a derivative by q of something whose degree is higher by one.
+    /// A force counts as the derivative by q of a term of one degree more.
     HILGER_ALWAYS_INLINE dependence on() const {
         dependence all = z.on;
         for (ForceJet const& f : force) all = {std::max(all.q, f.on.q + 1), std::max(all.v, f.on.v + 1), all.coupled or f.on.coupled};
@@ -71,8 +70,7 @@ struct forced_node_jet : node_jet<N, Jet> {
     }
 };
 
-/// Small states: straight from the jets. What is called from where it seldom matters is not flat: a compiler that sees a second call no
-/// longer takes the first one apart.
+/// Small states: straight from the jets. Rare calls are not flattened: with a second call site a compiler keeps the first in memory.
 template <bool Scalar, bool Flat, class F, class S, std::size_t Size, int... K>
 HILGER_ALWAYS_INLINE inline auto lagrangian_jets(F const& L, S const& t, std::array<S, Size> const& q, std::array<S, Size> const& v,
                                                  std::integer_sequence<int, K...> all) {
@@ -131,7 +129,7 @@ HILGER_ALWAYS_INLINE inline void add_row(std::array<S, N>& g, std::array<S, N * 
     (std::make_index_sequence<N>{});
 }
 
-/// What of x + the rest of its sum + y is cut off in x + y.
+/// Rounding error of x + y, plus the carried rest of the sum that x belongs to.
 template <class Sum, class S>
 HILGER_ALWAYS_INLINE inline S rest_of_sum(Sum const& sum, S const& x, S const& y, int k) {
     S rounded{}, rest{};
@@ -139,10 +137,10 @@ HILGER_ALWAYS_INLINE inline S rest_of_sum(Sum const& sum, S const& x, S const& y
     return rest + sum.rest[static_cast<std::size_t>(k)];
 }
 
-/// What compensated sums need of a step beside its increments. With h = 0.1 the numbers q + c v and p + f dL/dq fall on few residues, and
-/// their rounding leans to one side: an error that grows with the number of steps, where that of the sums does not. So what is cut off of
-/// them, and what earlier sums have left, goes through the equation once more, to first order, with the matrix of its last round: of
-/// Newton's method for r = p + f g(q + c v, v) - dL/dv(q + c v, v), J d = r.
+/// Rounding terms of a step for compensated sums. With h = 0.1 the numbers q + c v and p + f dL/dq fall on few residues, and their rounding
+/// is biased: an error that grows with the number of steps, unlike that of the sums. These errors, and the rests of earlier sums, therefore
+/// pass through the equation once more, to first order, with the matrix of its last round: Newton's method for r = p + f g(q + c v, v) -
+/// dL/dv(q + c v, v), J d = r.
 template <class S, std::size_t N>
 struct last_round {
     using components = std::array<S, N>;
@@ -150,10 +148,10 @@ struct last_round {
     S c, f;
     components const &q, &p, &v, &g, &d; ///< v and g are those that r is made of
     matrix J, D;                         ///< D = dg/dv
-    components more{};                   ///< how the rests correct v
-    components of_g{};                   ///< and what they and the round itself add to g
+    components more{};                   ///< correction of v by the rests
+    components of_g{};                   ///< correction of g by the rests and the round
 
-    /// e are the derivatives that the round was made with, `change` is D d.
+    /// e: the derivatives used by the round; `change` is D d.
     template <class Derivatives, class SumOfQ, class SumOfP, int... K, int... M>
     HILGER_ALWAYS_INLINE void look_at_rests(Derivatives const& e, SumOfQ const& sum_q, SumOfP const& sum_p, components const& change,
                                             std::integer_sequence<int, K...>, std::integer_sequence<int, M...>) {

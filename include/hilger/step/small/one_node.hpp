@@ -16,7 +16,7 @@
 
 namespace hilger::detail {
 
-/// What one trajectory remembers from step to step.
+/// State that one trajectory keeps from step to step.
 template <class Problem, embedding_facts Facts, bool Compensated, class S, class V, class Extra = no_step_force>
 class one_node {
     using s = shape<V>;
@@ -29,15 +29,14 @@ class one_node {
     using search = small_search<Compensated, S, V, all>;
     static constexpr bool exact = std::numeric_limits<S>::is_exact;
     static constexpr bool at_start = Facts.at_start, at_end = Facts.at_end, order_one = at_start or at_end;
-    /// Where a position or a momentum is rounded inside of the step.
+    /// Whether a position or a momentum is rounded inside the step.
     static constexpr bool keeps_rests = Compensated and not exact and not order_one;
-    /// How many velocities the first guess of the next one is made from; rationals would only grow.
+    /// Number of velocities that the first guess is extrapolated from; rationals would only grow.
     static constexpr int history = exact or order_one ? 1 : 7;
 
 public:
     /// `like` has the dimension of the states to come.
     one_node(tableau<S> const& t, S const& h, V const& /*like*/, Extra extra = {}) : extra_(std::move(extra)) { prepare(t, h); }
-    /// Steps of another length.
     void prepare(tableau<S> const& t, S const& h) {
         h_ = h;
         w_ = t.w(0);
@@ -48,7 +47,7 @@ public:
         known_ = known_ > 0 ? 1 : 0; // velocities at other distances do not extrapolate
     }
     [[nodiscard]] S const& h() const { return h_; }
-    /// The velocity to start from where there is no step before.
+    /// The velocity guess of a first step.
     void guess(V const& v) {
         if (known_ > 0) return;
         past_[0] = components(v, all{});
@@ -83,18 +82,18 @@ private:
     }
     HILGER_FLATTEN bool flat_advance(Problem const& problem, state<S, V>& x) { return advance(problem, x, all{}, every{}); }
 
-    /// False, and x is as it was, where Newton's rounds do not do. Of an L with branches they prove a root on the branch of the last round,
-    /// and that may not be the branch of the root; and an extrapolated guess may lie where L is not defined, or too far away in long steps.
+    /// Newton's method. @returns false, with x unchanged, if it fails: with branches it finds a root on the branch of the last round, which
+    /// may not be that of the root; an extrapolated guess may lie outside the domain of L, or too far away in long steps.
     template <int... K, int... M>
     HILGER_ALWAYS_INLINE bool advance(Problem const& problem, state<S, V>& x, std::integer_sequence<int, K...> every_component,
                                       std::integer_sequence<int, M...>) {
         using std::abs;
         components_ const q{s::component(x.q, K)...}, p{start<K>(x.p)...};
-        // One name for one number, where the type says so: what is computed from it twice is then computed once.
+        // Equal numbers share one name where the type says so: the compiler then evaluates their expressions once.
         S const w = w_, c = at_end ? w : c_, f = at_start ? w : f_, t = x.t + node_;
-        // Sizes: a step may go back in time.
+        // Magnitudes: a step may go back in time.
         S const w_size = abs(w), c_size = abs(c), f_size = abs(f), rest = rest_of_newton<S, Compensated>();
-        // For order one dL/dv = p + ... is often linear in v, and then any v will do to start from.
+        // For order one dL/dv = p + ... is often linear in v, and any first guess serves.
         components_ v = order_one ? components_{} : first_guess(every_component);
         components_ r{};
         components_ d{};
@@ -104,7 +103,7 @@ private:
             components_ const A{(at_start ? q[K] : S(q[K] + c * v[K]))...};
             auto const e = evaluate<s::is_scalar>(problem, t, A, v, every_component);
             bool const branched = comparisons_made() != compared;
-            components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is wanted there, once v is known
+            components_ g{(at_end ? S(0) : S(e.template by_q<K>()))...}; // at the end it is evaluated once v is known
             r = components_{S(minus(at_end ? p[K] : S(p[K] + f * g[K]), e.template by_v<K>()))...};
             // c and f are zero by the type where the position is one of the ends
             if constexpr (has_step_force<Extra>) ((r[K] = r[K] - half_resistance<K>() * v[K]), ...);
@@ -122,14 +121,14 @@ private:
                 }
             d = r;
             if (not small_solve(J, d)) [[unlikely]]
-                return false; // which at rest says nothing of where the velocity is
+                return false; // singular at this guess, perhaps not at the velocity
             [[maybe_unused]] components_ const v_before = v;
             components_ g_rest{};
             v = components_{order_one and iteration == 0 ? d[K] : S(v[K] + d[K])...};
             bool done;
             if constexpr (order_one) {
                 done = quadratic or is_at_the_floor(d, v, r, p, f_size, g);
-                if (at_start and (not quadratic or has_force<Problem>)) (add_row<K>(g, D, d), ...); // at no velocity there is another force
+                if (at_start and (not quadratic or has_force<Problem>)) (add_row<K>(g, D, d), ...); // g is of the v before
             } else {
                 components_ change{};
                 (add_row<K>(change, D, d), ...);
@@ -158,23 +157,22 @@ private:
         }
         return false;
     }
-    /// Where masses grow without bound, as near the speed of light, corrections are small everywhere: they say nothing beside an r that is
-    /// larger than what it should be zero of.
+    /// If masses grow without bound, as near the speed of light, corrections are small: they prove nothing beside a large r.
     HILGER_ALWAYS_INLINE static bool is_at_the_floor(components_ const& d, components_ const& v, components_ const& r, components_ const& p,
                                                      S const& f_size, components_ const& g) {
         return at_the_floor(d, v, rest_of_newton<S, Compensated>()) and (exact or largest(r) <= largest(p) + f_size * largest(g));
     }
-    /// v and what of g rounding has cut off, `change` with it, after the last round.
+    /// Adds the rounding errors to v and g after the last round; g_rest then includes `change`.
     template <class Derivatives, int... K>
     HILGER_ALWAYS_INLINE void look_at_rests(last_round<S, static_cast<std::size_t>(N)> round, Derivatives const& e, components_& v,
                                             components_& g_rest, components_& change, std::integer_sequence<int, K...> every_component) {
         round.look_at_rests(e, sum_q_, sum_p_, change, every_component, every{});
         v = components_{S(round.v[K] + (round.d[K] + round.more[K]))...};
         g_rest = round.of_g;
-        change = components_{}; // it is in g_rest
+        change = components_{}; // included in g_rest
     }
     /// Whether the residual before the last correction was rounding. Convergence is quadratic in each component: small ones beside large
-    /// ones take two more rounds.
+    /// ones take up to two more rounds.
     template <int... K>
     HILGER_ALWAYS_INLINE static bool is_rounding(components_ const& r, components_ const& p, S const& f_size, components_ const& g,
                                                  int& settled) {
@@ -195,7 +193,7 @@ private:
             return is_near(iteration, known_, change_of<K...>(v, past_[0]), change_of<K...>(past_[0], past_[1]),
                            change_of<K...>(past_[1], past_[2]));
     }
-    /// The same from the beginning, by a search.
+    /// The step by a search, from its beginning.
     template <int... K>
     HILGER_ALWAYS_INLINE void search_step(Problem const& problem, state<S, V>& x, bool has_branches,
                                           std::integer_sequence<int, K...> every_component) {
@@ -211,7 +209,7 @@ private:
         x.t = x.t + h_;
         remember(v);
     }
-    /// What of the momentum at the start does not depend on v.
+    /// The momentum at the start plus the velocity-independent part of the extra force.
     template <int K>
     HILGER_ALWAYS_INLINE S start(V const& p) const {
         if constexpr (has_step_force<Extra>)
@@ -244,7 +242,7 @@ private:
                                        components_ const& g_rest) const {
         return S((overflow(S(q[K] + w * v[K])) + ...) + (overflow(S(p[K] + gained<K>(w, g, v, g_rest))) + ...));
     }
-    /// The value of the polynomial through the last velocities at the next node.
+    /// Extrapolates the polynomial through the last velocities to the next node.
     template <int... K>
     HILGER_ALWAYS_INLINE components_ first_guess(std::integer_sequence<int, K...>) const {
         if (known_ == history) return {extrapolated<K>(std::make_integer_sequence<int, history>{})...};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a step of up to four degrees of freedom seldom comes to: the search for the step of a Lagrangian with branches, or of another one
-// from a nearer guess. The numbers are handed over one by one and by value: as arrays, or caught where the step is made,
-// they would have to be in memory for this in every step that succeeds.
+// The search for a step of up to four degrees of freedom, for a Lagrangian with branches or from a nearer guess; seldom needed. The numbers
+// are passed one by one and by value: as arrays or captures they would be kept in memory in every step that succeeds.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +20,8 @@ struct small_table {
     std::array<S, N * N> qq, qv, vq, vv;
 };
 
-/// The step by a search: with branches from the iterate v on, or else from the last velocity, until the equation holds at what is returned;
-/// without them where Newton's path leads from the last velocity. Of both, where that fails, where growing steps lead.
+/// The step by a search (newton/newton.hpp, root_of_step). With branches: from the guess v, or else by continuation from the last velocity.
+/// Without: by continuation from the last velocity; exact scalars search from there.
 template <bool Compensated, class S, class V, class Components>
 class small_search;
 template <bool Compensated, class S, class V, int... K>
@@ -73,7 +72,7 @@ private:
                 A[k] = q[k] + to_node * B[k];
             }
             derivatives(A, B, e);
-            // A force without a slope, as that of |q|^1.5 at 0, is taken for constant in a correction from there, which leads on.
+            // A non-finite slope of a force, as that of |q|^1.5 at 0, counts as 0 in a correction from there, which still leads on.
             for (auto* const slopes : {&e.qq, &e.qv, &e.vq})
                 for (S& slope : *slopes)
                     if (not is_finite(slope)) slope = S(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A problem as the nodes of a step ask it, its types forgotten: what steps in general is compiled once for all problems of the same states.
+// A problem as the nodes of a step see it, type-erased: general steps are compiled once for all problems of the same states.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ template <class Problem, class V>
 inline constexpr bool has_own_derivatives = requires(Problem const& what, scalar_of<V> const& t, V const& x) {
     at_time{what.lagrangian, t}.expand(x, x);
 };
-/// Whether a formula is traced for states V.
+/// Whether L is traced to a formula for states V.
 template <class Problem, class V>
 inline constexpr bool is_traced_at = is_traced_state<V> and not has_own_derivatives<Problem, V>;
 
-/// For the length of one call. Of a problem that is traced only a formula is asked for, and of any other one never.
+/// Lives for one call. A traced problem provides formulas only, any other one derivatives only.
 template <class V>
 class given_problem {
 protected:
@@ -30,22 +30,22 @@ protected:
     ~given_problem() = default;
 
 public:
-    bool const is_traced;      ///< or asked for derivatives
-    bool const is_of_one_time; ///< a formula holds at the time for which it was traced
+    bool const is_traced;      ///< else it provides derivatives
+    bool const is_of_one_time; ///< a formula holds only at the time of its trace
     bool const has_force;
 
     [[nodiscard]] virtual formula traced_at(S const&, V const&, V const&) const { return {}; }
     /// As expand_at and gradients_at.
     [[nodiscard]] virtual node_table<V> expand(S const&, V const&, V const&) const { return {}; }
     virtual dependence gradients(S const&, V const&, V const&, V& /*by_q*/, V& /*by_v*/) const { return {}; }
-    /// Of a model: its derivatives as a list. False of any other L.
+    /// The derivatives of a model, as a list. @returns false for any other L
     virtual bool list(V const&, V const&, bool /*seconds*/, V& /*room*/, std::vector<S>& /*values*/,
                       std::shared_ptr<derivative_places const>& /*places*/) const {
         return false;
     }
-    /// Whether L or the force takes the time, unless L says that it does not read it.
+    /// Whether L or the force takes the time, unless L tells that it does not read it.
     [[nodiscard]] virtual bool reads_time() const { return true; }
-    /// The Lagrangian with this number where there are several (step/sum_of_embeddings.hpp).
+    /// The Lagrangian with this number in a sum (step/sum_of_embeddings.hpp).
     [[nodiscard]] virtual given_problem const& part(int) const { return *this; }
 };
 
@@ -64,9 +64,8 @@ traced_formula<S> trace_problem(problem<F, Force> const& what, S const& t, V con
     });
 }
 
-/// The derivatives of a model L = v.Mv / 2 - U(q) (models/mechanical.hpp) at (q, v): dL/dq, dL/dv, room for a gradient, and the second
-/// derivatives that its potential and its mass have, term by term, where `seconds` asks for them; and where they are, the first time.
-/// `room` is as long as q.
+/// The derivatives of a model L = v.Mv / 2 - U(q) (models/mechanical.hpp) at (q, v): dL/dq, dL/dv, workspace for a gradient, and the second
+/// derivatives of its potential and mass, term by term, if `seconds`; the first call also sets their places. `room` is as long as q.
 template <class L, class V, class S = scalar_of<V>>
 void list_model(L const& of, V const& q, V const& v, bool seconds, V& room, std::vector<S>& values,
                 std::shared_ptr<derivative_places const>& places) {
@@ -105,13 +104,13 @@ void list_model(L const& of, V const& q, V const& v, bool seconds, V& room, std:
     of.put_momentum(v, part(values.data() + d, d));
 }
 
-/// Whether the problem is a model alone, of states that are vectors.
+/// Whether the problem is a model without a force, of vectors.
 template <class Problem, class V>
 inline constexpr bool is_listed = false;
 template <class F, class V>
 inline constexpr bool is_listed<problem<F, no_force>, V> = is_mechanical<F> and not shape<V>::is_scalar;
 
-/// The problems that nodes with these numbers ask; one Lagrangian has none but itself.
+/// The problems of nodes by the numbers of their Lagrangians; null for a single Lagrangian.
 template <class Problem, class V>
 struct problems_at_nodes {
     explicit problems_at_nodes(Problem const&) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// First derivatives of a problem at one node, force included, and nothing of second order: what iterations without Newton need.
+// First derivatives of a problem at one node, force included: all that iterations without Newton need.
 #pragma once
 
 #include "hilger/inlining.hpp"
@@ -19,7 +19,7 @@ inline constexpr bool is_timed = [] {
     };
 }();
 
-/// Whether L takes the time and cannot say that it does not read it: a formula in text takes it always, and can.
+/// Whether L takes the time and cannot tell that it does not read it: a formula in text always takes it, and can tell.
 template <class F, class S, class V>
 inline constexpr bool always_reads_time = is_timed<F, no_force, S, V> and not requires(F const& f) {
     f.reads_time();
@@ -32,7 +32,7 @@ bool reads_time_in(F const& lagrangian) {
         return is_timed<F, no_force, S, V>;
 }
 
-/// by_q = dL/dq + force and by_v = dL/dv at (t, q, v), and how L depends on q and v as far as this evaluation tells.
+/// by_q = dL/dq + force and by_v = dL/dv at (t, q, v). @returns how L depends on q and v as far as this evaluation tells
 template <class F, class Force, class S, class V>
 HILGER_ALWAYS_INLINE inline dependence gradients_at(problem<F, Force> const& what, S const& t, V const& q, V const& v, V& by_q, V& by_v) {
     using s = shape<V>;

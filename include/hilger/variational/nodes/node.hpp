@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// The derivatives of a Lagrangian, and of a force, at one node of a step: a list of values and their places, of d components of dL/dq and
-// dL/dv and the second derivatives that are not zero.
-//   asked_node    derivatives of small states by jets, of callables that have derivatives of their own, and of models, which list them.
-//                 The degrees of L say which second derivatives are zero or constant; not of a callable that compares, as another branch
-//                 may be another formula. With an L that is told the time none is constant, and one that was zero until now may come: a
-//                 driven L compares the time, and that is not seen.
-//   traced_node   derivatives by formulas that are traced where they are first needed (differentiation/traced/trace.hpp). A callable that
-//                 compares its arguments is traced again where a comparison comes out differently, and one that is told the time for each
-//                 time, unless it says that it takes a traced time: is_generic_in_time.
+// The derivatives of a Lagrangian, and of a force, at one node of a step: a list of values and their places, for the d components of dL/dq
+// and dL/dv and the nonzero second derivatives.
+//   asked_node    for small states by jets, for callables with derivatives of their own, and for models, which list them. The degrees of L
+//                 tell which second derivatives are zero or constant, except for a callable that compares: another branch may be another
+//                 formula. If L takes the time none is constant, and zeros may fill in: a driven L may compare the time unnoticed.
+//   traced_node   by formulas that are traced on first use (differentiation/traced/trace.hpp): again when a comparison of arguments comes
+//                 out differently, and at each time for callables that take it, unless they accept a traced time: is_generic_in_time.
 #pragma once
 
 #include <memory>
@@ -19,7 +17,7 @@
 
 namespace hilger::detail {
 
-/// What of a node is computed.
+/// The derivatives of a node to be computed.
 enum class wanted { first_order, with_seconds, momenta_only, forces_only };
 
 template <class V>
@@ -29,7 +27,7 @@ protected:
     using s = shape<V>;
 
 public:
-    /// Computes them at (t, q, v). @returns whether the places changed
+    /// Computes the derivatives at (t, q, v). @returns whether the places changed
     bool evaluate(given_problem<V> const& what, S const& t, V const& q, V const& v, wanted which) {
         int const d = s::dimension(q);
         branch_watch const watch;
@@ -69,9 +67,9 @@ public:
         return is_new;
     }
 
-    /// Of what was evaluated.
+    /// Places of the last evaluation.
     [[nodiscard]] derivative_places const& places() const { return *places_; }
-    /// Whether the formula holds where comparisons come out as they did.
+    /// Whether the formula depends on the outcome of comparisons.
     [[nodiscard]] bool has_branches() const { return has_branches_; }
     [[nodiscard]] S const& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
     [[nodiscard]] std::vector<S> const& values() const { return values_; }
@@ -117,7 +115,7 @@ private:
     [[nodiscard]] bool can_add_whole(X const&) const {
         return stands_together<X> and not places_->by_q_whole.empty() and not places_->by_v_whole.empty();
     }
-    /// to = use(to, x), component by component, where x is at these places: as vectors where that makes fewer of them.
+    /// to = use(to, x), component by component, for x at these places; contiguous stretches as vectors.
     template <class X, class Use>
     void put(std::vector<int> const& places, std::vector<derivative_places::stretch> const& stretches, X& to, Use const& use) const {
         S const* const x = values_.data();
@@ -137,7 +135,7 @@ private:
     void put(int first, V const& x, int d) {
         for (int k = 0; k < d; ++k) values_[at(first + k)] = s::component(x, k);
     }
-    /// Which entries there are, and which of them never change.
+    /// Determines the nonzero entries, and the constant ones.
     void arrange(int d, bool forced) {
         dependence const on = has_branches_ ? dependence{dependence::no_polynomial, dependence::no_polynomial, true} : on_;
         bool const is_there[] = {forced or on.q > 1, forced or on.coupled, on.coupled, on.v > 1};
@@ -159,10 +157,10 @@ private:
     }
     dependence on_;
     bool says_all_ = false;
-    V by_q_, by_v_; ///< room
+    V by_q_, by_v_; ///< workspace
 };
 
-/// All derivatives at one node, where the node is, of states that are traced. A problem that has derivatives of its own is asked for them.
+/// All derivatives at one node, of traced states. Problems with derivatives of their own use asked_node.
 template <class V>
 class traced_node : public asked_node<V> {
     using typename asked_node<V>::S;
@@ -170,7 +168,7 @@ class traced_node : public asked_node<V> {
     using asked_node<V>::values_, asked_node<V>::places_, asked_node<V>::has_branches_;
 
 public:
-    /// Computes them at (t, q, v). @returns whether the places changed
+    /// Computes the derivatives at (t, q, v). @returns whether the places changed
     bool evaluate(given_problem<V> const& what, S const& t, V const& q, V const& v, wanted which) {
         if (not what.is_traced) return asked_node<V>::evaluate(what, t, q, v, which);
         bool const is_new = now_ == nullptr;
@@ -178,10 +176,10 @@ public:
         now_->put(t, q, v, values_);
         return evaluate_here(what, t, s::dimension(q), which) or is_new;
     }
-    /// Whether arguments can be put where they are read from, 2d numbers, and not only given.
+    /// Whether the arguments, 2d numbers, can be written in place.
     [[nodiscard]] bool has_arguments() const { return now_ != nullptr; }
     [[nodiscard]] S* arguments() { return values_.data(); }
-    /// The same at the arguments that are there.
+    /// The same at the arguments in place.
     bool evaluate_here(given_problem<V> const& what, S const& t, int d, wanted which) {
         bool is_new = false;
         values_[static_cast<std::size_t>(2 * d)] = t;
@@ -227,7 +225,7 @@ private:
         known_.push_back(what.traced_at(t, q, v));
         take(known_.back());
     }
-    /// The formula that holds at (q, v): one that is known, or a new one.
+    /// Selects the formula that holds at (q, v): a known one, or a new one.
     void take_branch(given_problem<V> const& what, S const& t, V const& q, V const& v) {
         for (auto const& f : known_) {
             take(f);
@@ -235,7 +233,7 @@ private:
             f->how.compute(evaluation<S>::shared, values_.data());
             if (f->is_branch_of(values_)) return;
         }
-        if (known_.size() >= 64) known_.clear(); // of a callable with so many branches the next one will be another one
+        if (known_.size() >= 64) known_.clear(); // with so many branches the next one will be new
         learn(what, t, q, v);
         now_->put(t, q, v, values_);
         now_->how.compute(evaluation<S>::shared, values_.data());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The derivatives of a Lagrangian, and of a force, at nodes: asked for where states are small or the callable has derivatives of its own,
-// and traced elsewhere. A step has a node of its own; who asks at many arguments without stepping keeps the formula here, for to trace
-// takes as long as some hundred evaluations.
+// The derivatives of a Lagrangian, and of a force, at nodes: by jets or the callable's own derivatives, else traced. A step has a node of
+// its own; evaluations without steps keep their formula here: tracing takes as long as some hundred evaluations.
 #pragma once
 
 #include <atomic>
@@ -11,17 +10,16 @@
 
 namespace hilger::detail {
 
-/// For states V.
+/// The node type of states V.
 template <class V>
 using node_derivatives = std::conditional_t<is_traced_state<V>, traced_node<V>, asked_node<V>>;
 
-/// A node to ask at any arguments, of states of any kind; the formula is traced at the first of them. Copies share it. Several threads may
-/// ask: where one is at it, another one traces for itself.
+/// A node for any arguments and states; its formula is traced on first use and shared by copies. A thread that finds it in use traces anew.
 template <class Problem>
 class kept_derivatives {
     struct kept {
         std::atomic_flag is_taken;
-        void const* states = nullptr; ///< what kind of them the node is of, and of how many components
+        void const* states = nullptr; ///< kind of the node's states, with their dimension
         int dimension = 0;
         std::shared_ptr<void> node;
     };
@@ -38,7 +36,7 @@ class kept_derivatives {
 public:
     explicit kept_derivatives(Problem what) : what_(std::move(what)) {}
     [[nodiscard]] Problem const& what() const { return what_; }
-    /// use(node) with what is wanted at (t, q, v), of states that are traced.
+    /// Returns use(node) with the derivatives `which` at (t, q, v), for traced states.
     template <class S, class V, class Use>
     auto at(S const& t, V const& q, V const& v, wanted which, Use const& use) const {
         using node = traced_node<V>;
@@ -58,8 +56,7 @@ public:
         known.evaluate(what, t, q, v, which);
         return use(std::as_const(known));
     }
-    /// dL/dq, with the force, and dL/dv, of states of any kind; second derivatives are not asked for. Of one Lagrangian there is no other
-    /// part (step/sum_of_embeddings.hpp).
+    /// dL/dq, with the force, and dL/dv, for states of any kind. The first argument numbers the Lagrangians of a sum.
     template <class S, class V>
     std::pair<V, V> gradients(int, S const& t, V const& q, V const& v) const {
         if constexpr (is_traced_at<Problem, V>)
@@ -81,7 +78,7 @@ public:
     V by_v(S const& t, V const& q, V const& v) const {
         return at(t, q, v, wanted::momenta_only, [&](auto const& node) { return vector_like(q, [&](int k) { return node.by_v(k); }); });
     }
-    /// All of it, as expand_at has it; of states that are not traced it is that.
+    /// All derivatives, as expand_at, which is used for states that are not traced.
     template <class S, class V>
     node_table<V> expand(S const& t, V const& q, V const& v) const {
         if constexpr (not is_traced_at<Problem, V>)
