@@ -74,7 +74,7 @@ class Refused(unittest.TestCase):
             self.assertEqual(len(h.solve(h.variation(long, h.uniform(0, 1e-3, 3)), q0=1.0, v0=0.0)), 4)
             self.assertEqual(len(h.solve(long, (0, 0.01), q0=1.0, v0=0.0, accuracy=1e-6).q.shape), 1)
             self.assertEqual(h.solve_many(h.variation(long, h.uniform(0, 1e-3, 3)), q0=np.ones(2), v0=0.0).failed, {})
-            self.says(h.NoFormula, "at most 2000 operations inside of each other", lambda: h.variation(long, T).c_code("long"))
+            self.assertIn("int long_step(double h", h.variation(long, T).c_code("long"))
             del long
         self.says(h.Unreadable, "at most 400 levels", lambda: h.read("(" * terms + "q" + ")" * terms))
 
@@ -312,8 +312,8 @@ class Taken(unittest.TestCase):
         self.assertRegex(repr(h.Lagrangian("v^2/2 - sum(i, 1, 100000, (q - i)^2)")), "L = a formula of [0-9]+ operations")
 
     def test_printed(self):
-        self.assertEqual(repr(L), "L = (v² − q²)/2")
-        self.assertEqual(L._repr_latex_(), "$L = \\frac{{v}^{2} - {q}^{2}}{2}$")
+        self.assertEqual(repr(L), "L = v²/2 − q²/2")
+        self.assertEqual(L._repr_latex_(), "$L = \\frac{{v}^{2}}{2} - \\frac{{q}^{2}}{2}$")
         self.assertIn("[∂L/∂q(⋆)]½,₋ − Δ½,₋[∂L/∂v(⋆)] = 0", repr(EL))
         self.assertIn("\\begin{aligned}", EL._repr_latex_())
         self.assertIn("−0.2 D^0.5 q", repr(EL + h.damping(0.2, 0.5)))
