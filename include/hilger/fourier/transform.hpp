@@ -1,58 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 // A Fourier transform for convolutions, in any real scalar: the residues of a polynomial of length L = 2^k modulo x^L - i, i.e. its values
 // at the L-th roots of i, in bit-reversed order. Real polynomials of length 2L are multiplied modulo x^{2L} + 1 by it: coefficients j and
-// j + L are real and imaginary part. Each pass splits x^n - c into x^{n/4} - c_0, ..., c_3, so that one block has one constant (Fiduccia
+// j + L are real and imaginary part. Each pass splits x^{2n} - r^2 into x^n - r and x^n + r, so that one block has one constant (Fiduccia
 // 1972), nothing is permuted, and one table of roots serves every length.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "hilger/fourier/pass.hpp"
 #include "hilger/scalar.hpp"
+#include "hilger/simd.hpp"
 
 namespace hilger::detail::memory {
-
-/// exp(i theta_b / 4), theta_b = 2 pi (the bits of b behind the binary point in reversed order): the first quadrant.
-template <class S>
-class roots_of_unity {
-public:
-    S const* cosine() const { return cos_.data(); }
-    S const* sine() const { return sin_.data(); }
-    /// Computes the table for transforms of this length.
-    void reserve(std::size_t length) {
-        using std::atan;
-        std::size_t const needed = length < 4 ? 4 : length;
-        if (cos_.size() >= needed) return;
-        // Each entry is one product of two correctly rounded factors: of the low bits of b, and of the others.
-        std::vector<S> low_cos, low_sin;
-        for (std::size_t b = 0; b < std::min(block, needed); ++b) exact(b, low_cos, low_sin);
-        cos_.resize(needed);
-        sin_.resize(needed);
-        for (std::size_t high = 0; high < needed; high += block) {
-            std::vector<S> c, s;
-            exact(high, c, s);
-            for (std::size_t b = 0; b < block and high + b < needed; ++b) {
-                cos_[high + b] = low_cos[b] * c[0] - low_sin[b] * s[0];
-                sin_[high + b] = low_sin[b] * c[0] + low_cos[b] * s[0];
-            }
-        }
-    }
-
-private:
-    static constexpr std::size_t block = 1024;
-    static void exact(std::size_t b, std::vector<S>& c, std::vector<S>& s) {
-        using std::atan, std::cos, std::sin;
-        S turn(0), bit = S(1) / S(2);
-        for (; b > 0; b /= 2, bit = bit / S(2))
-            if (b % 2 == 1) turn = turn + bit;
-        S const angle = turn * S(2) * atan(S(1)); // pi/2 turn, below pi/2
-        c.push_back(cos(angle));
-        s.push_back(sin(angle));
-    }
-    line_vector<S> cos_, sin_;
-};
 
 /// The arrays of a transform: L real and L imaginary parts.
 template <class S>
@@ -64,26 +24,21 @@ template <class S>
 class fourier {
 public:
     /// Computes the roots for transforms of this length, to be called before the first: const transforms may be shared by threads.
-    void reserve(std::size_t length) { roots_.reserve(length); }
+    void reserve(std::size_t length) {
+        using std::atan, std::cos, std::sin;
+        for (std::size_t m = cosine_.size(); m < length; ++m) {
+            S turn(0), bit = S(1) / S(2); // the bits of m behind the binary point in reversed order
+            for (std::size_t rest = m; rest > 0; rest /= 2, bit = bit / S(2))
+                if (rest % 2 == 1) turn = turn + bit;
+            S const angle = turn * S(2) * atan(S(1)); // below pi/2
+            cosine_.push_back(cos(angle));
+            sine_.push_back(sin(angle));
+        }
+    }
     /// In place, length a power of two.
-    void forward(spectrum<S>& x, std::size_t length) const {
-        std::size_t n = length;
-        if (odd_power(length)) {
-            halve(x.re.data(), x.im.data(), n /= 2);
-            for (std::size_t k = 0; k < 2; ++k) split(x.re.data() + k * n, x.im.data() + k * n, n, 4 + k);
-        } else
-            split(x.re.data(), x.im.data(), n, 2);
-    }
+    void forward(spectrum<S>& x, std::size_t length) const { split(x.re.data(), x.im.data(), length, 2); }
     /// `length` times the inverse.
-    void backward(spectrum<S>& x, std::size_t length) const {
-        std::size_t n = length;
-        if (odd_power(length)) {
-            n /= 2;
-            for (std::size_t k = 0; k < 2; ++k) join(x.re.data() + k * n, x.im.data() + k * n, n, 4 + k);
-            unite(x.re.data(), x.im.data(), n);
-        } else
-            join(x.re.data(), x.im.data(), n, 2);
-    }
+    void backward(spectrum<S>& x, std::size_t length) const { join(x.re.data(), x.im.data(), length, 2); }
     /// x <- x y
     static void multiply(spectrum<S>& x, spectrum<S> const& y, std::size_t length) {
         S *const a = x.re.data(), *const b = x.im.data();
@@ -97,30 +52,34 @@ public:
 
 private:
     static constexpr std::size_t in_cache = 1024; // larger blocks are finished one part after the other
-    static bool odd_power(std::size_t length) {
-        bool odd = false;
-        for (; length > 1; length /= 2) odd = not odd;
-        return odd;
+    /// The constant r = c + i s of block b, whose parts are the blocks 2b and 2b + 1; sqrt(r) and sqrt(-r) are theirs. Block 2 is the
+    /// first.
+    std::pair<S, S> root(std::size_t b) const {
+        S const c = cosine_[b / 2], s = sine_[b / 2];
+        return b % 2 == 0 ? std::pair(c, s) : std::pair(S(-s), c);
     }
-    void split(S* re, S* im, std::size_t n, std::size_t b) const {
-        if (n > in_cache) {
-            passes_.split(re, im, n, 1, b, roots_.cosine(), roots_.sine());
-            for (std::size_t k = 0; k < 4; ++k) split(re + k * (n / 4), im + k * (n / 4), n / 4, 4 * b + k);
+    void split(S* re, S* im, std::size_t length, std::size_t b) const {
+        if (length > in_cache) {
+            std::size_t const n = length / 2;
+            split_block(re, im, n, b);
+            split(re, im, n, 2 * b);
+            split(re + n, im + n, n, 2 * b + 1);
         } else
-            for (std::size_t count = 1; n >= 4; n /= 4, count *= 4, b *= 4)
-                passes_.split(re, im, n, count, b, roots_.cosine(), roots_.sine());
+            for (std::size_t n = length / 2, count = 1; n > 0; n /= 2, count *= 2)
+                for (std::size_t k = 0; k < count; ++k) split_block(re + 2 * n * k, im + 2 * n * k, n, b * count + k);
     }
-    void join(S* re, S* im, std::size_t n, std::size_t b) const {
-        if (n > in_cache) {
-            for (std::size_t k = 0; k < 4; ++k) join(re + k * (n / 4), im + k * (n / 4), n / 4, 4 * b + k);
-            passes_.join(re, im, n, 1, b, roots_.cosine(), roots_.sine());
+    void join(S* re, S* im, std::size_t length, std::size_t b) const {
+        if (length > in_cache) {
+            std::size_t const n = length / 2;
+            join(re, im, n, 2 * b);
+            join(re + n, im + n, n, 2 * b + 1);
+            join_block(re, im, n, b);
         } else
-            for (std::size_t part = 4; part <= n; part *= 4)
-                passes_.join(re, im, part, n / part, b * (n / part), roots_.cosine(), roots_.sine());
+            for (std::size_t n = 1, count = length / 2; count > 0; n *= 2, count /= 2)
+                for (std::size_t k = 0; k < count; ++k) join_block(re + 2 * n * k, im + 2 * n * k, n, b * count + k);
     }
-    /// Splits x^{2n} - i into x^n -+ sqrt(i), the second table entry.
-    void halve(S* re, S* im, std::size_t n) const {
-        S const c = roots_.cosine()[1], s = roots_.sine()[1];
+    void split_block(S* re, S* im, std::size_t n, std::size_t b) const {
+        auto const [c, s] = root(b);
         for (std::size_t j = 0; j < n; ++j) {
             S const p = c * re[j + n] - s * im[j + n], q = c * im[j + n] + s * re[j + n];
             re[j + n] = re[j] - p;
@@ -129,8 +88,8 @@ private:
             im[j] = im[j] + q;
         }
     }
-    void unite(S* re, S* im, std::size_t n) const {
-        S const c = roots_.cosine()[1], s = roots_.sine()[1];
+    void join_block(S* re, S* im, std::size_t n, std::size_t b) const {
+        auto const [c, s] = root(b);
         for (std::size_t j = 0; j < n; ++j) {
             S const p = re[j] - re[j + n], q = im[j] - im[j + n];
             re[j] = re[j] + re[j + n];
@@ -139,8 +98,7 @@ private:
             im[j + n] = c * q - s * p;
         }
     }
-    roots_of_unity<S> roots_;
-    fourier_passes<S> passes_;
+    std::vector<S> cosine_, sine_; ///< exp(2 pi i t / 4), t the bits of the index behind the binary point in reversed order
 };
 
 } // namespace hilger::detail::memory

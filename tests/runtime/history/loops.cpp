@@ -16,21 +16,15 @@ template <class S>
 struct loops {
     std::string name;
     detail::memory::sums<S> sum;
-    detail::memory::fourier_passes<S> pass;
 };
 /// What a user of an older processor runs is tested here as well.
 template <class S>
 std::vector<loops<S>> all_loops() {
     using sums = detail::memory::sums<S>;
-    using passes = detail::memory::fourier_passes<S>;
-    using split = typename passes::template pass_for<detail::memory::split_pass>;
-    using join = typename passes::template pass_for<detail::memory::join_pass>;
     loops<S> baseline;
     baseline.name = "baseline";
     baseline.sum.product_sum = sums::for_product_sum::baseline;
     baseline.sum.relax = sums::for_relax::baseline;
-    baseline.pass.split = split::baseline;
-    baseline.pass.join = join::baseline;
     std::vector<loops<S>> all{baseline};
 #ifdef HILGER_DETAIL_X86
     if (detail::memory::available_instructions() >= detail::memory::instructions::avx2) {
@@ -38,8 +32,6 @@ std::vector<loops<S>> all_loops() {
         avx2.name = "AVX2";
         avx2.sum.product_sum = sums::for_product_sum::avx2;
         avx2.sum.relax = sums::for_relax::avx2;
-        avx2.pass.split = split::avx2;
-        avx2.pass.join = join::avx2;
         all.push_back(avx2);
     }
 #endif
@@ -91,38 +83,8 @@ void check_sums() {
         for (std::size_t i = 0; i < n; ++i) CHECK(std::abs(state[i] - expected) <= 2 * eps * expected);
     }
 }
-
-template <class S>
-void check_passes() {
-    std::size_t const length = 1024;
-    detail::memory::roots_of_unity<S> roots;
-    roots.reserve(length);
-    for (auto const& loop : all_loops<S>())
-        for (std::size_t const n : {4, 16, 64, 256, 1024}) {
-            CAPTURE(loop.name);
-            CAPTURE(n);
-            std::size_t const count = length / n, b = 2 * count;
-            detail::memory::spectrum<S> x;
-            noise source;
-            for (std::size_t j = 0; j < length; ++j) x.re.push_back(source.next<S>()), x.im.push_back(source.next<S>());
-            auto expected = x;
-            auto const before = x;
-            detail::memory::split_pass::in<S, S>(expected.re.data(), expected.im.data(), n, count, b, roots.cosine(), roots.sine());
-            loop.pass.split(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
-            for (std::size_t j = 0; j < length; ++j) {
-                REQUIRE(std::abs(x.re[j] - expected.re[j]) <= S(8) * epsilon<S>());
-                REQUIRE(std::abs(x.im[j] - expected.im[j]) <= S(8) * epsilon<S>());
-            }
-            loop.pass.join(x.re.data(), x.im.data(), n, count, b, roots.cosine(), roots.sine());
-            for (std::size_t j = 0; j < length; ++j) {
-                REQUIRE(std::abs(x.re[j] / S(4) - before.re[j]) <= S(8) * epsilon<S>());
-                REQUIRE(std::abs(x.im[j] / S(4) - before.im[j]) <= S(8) * epsilon<S>());
-            }
-        }
-}
 } // namespace
 
 TEST_CASE_TEMPLATE("sums of products and exponentials", S, float, double) { check_sums<S>(); }
-TEST_CASE_TEMPLATE("passes of the transform", S, float, double) { check_passes<S>(); }
 
 } // namespace history_loops_tests
