@@ -158,38 +158,24 @@ private:
         }
         return done;
     }
-    /// @returns false if it converges too slowly
+    /// @returns false if it converges too slowly, or U has branches
     template <class U>
     bool iterate(U const& potential, state<S, V> const& x) {
-        S previous(-1);
-        branch_path before;
-        bool is_last = false;
+        contraction<S> convergence(epsilon<S>() * magnitude(v_), small());
+        branch_watch const watch;
         for (int round = 0; round < most_iterations<S>; ++round) {
             next_ = x.q + c_ * v_;
-            branch_watch const watch;
             force(potential, next_);
-            // A conclusion from one force holds for another one on the same branch only.
-            bool const same = round > 0 and watch.path() == before;
-            if (is_last and same) return true;
-            before = watch.path();
+            if (watch.saw_any()) return false; // the rate on one branch says nothing about another one
             mass_.solve(start(x) - f_ * g_, next_);
-            S const size = (next_ - v_).cwiseAbs().maxCoeff(), floor = epsilon<S>() * next_.cwiseAbs().maxCoeff();
+            S const size = (next_ - v_).cwiseAbs().maxCoeff();
             std::swap(next_, v_);
-            // The remainder is the rate times this correction; the rate is the ratio of two corrections.
-            is_last = size <= floor * S(8) or (round > 8 and size <= floor * S(64)) or
-                      (previous > S(0) and (size * (size / previous) <= floor * small() or is_rounding_of(x, size, previous)));
-            if (is_last and before.made == 0) return true;
-            // the rate means nothing among rounding errors
-            if (not is_last and previous > S(0) and not(S(4) * size < previous) and S(1024) * floor < size and
-                S(1024) * epsilon<S>() * magnitude(x.q) < magnitude(w_) * size)
-                return false;
-            previous = size;
+            progress const end = convergence.after(size);
+            bool const is_rounding = magnitude(w_) * size <= S(64) * epsilon<S>() * magnitude(x.q);
+            if (end == progress::done or (end == progress::lost and is_rounding)) return true;
+            if (end == progress::lost) return false;
         }
         return false;
-    }
-    /// Whether corrections have stopped shrinking at the rounding of a position.
-    [[nodiscard]] bool is_rounding_of(state<S, V> const& x, S const& size, S const& previous) const {
-        return not(size < previous) and magnitude(w_) * size <= S(16) * epsilon<S>() * magnitude(x.q);
     }
     static S small() { return Compensated ? S(1) / S(256) : S(1) / S(2); }
 
