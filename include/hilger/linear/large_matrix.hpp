@@ -15,24 +15,16 @@
 
 namespace hilger::detail {
 
-/// Factors of a sparse matrix. Eigen's cannot be copied: a copied matrix makes its own, an assigned one keeps the analysed pattern only.
+/// Factors of a sparse matrix. Eigen's cannot be copied: a copied matrix makes its own.
 template <class S>
-struct sparse_factors {
-    struct factors {
-        Eigen::SparseLU<Eigen::SparseMatrix<S>> of_pattern;
-        std::shared_ptr<int const> pattern; ///< the analysed pattern
-        bool are_those_of_the_numbers = false;
-    };
-    std::unique_ptr<factors> made{};
-
+struct sparse_factors : std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<S>>> {
     sparse_factors() = default;
-    sparse_factors(sparse_factors const&) {}
-    sparse_factors(sparse_factors&&) = default;
-    sparse_factors& operator=(sparse_factors const&) {
-        if (made) made->are_those_of_the_numbers = false;
+    sparse_factors(sparse_factors const&) : sparse_factors() {}
+    sparse_factors(sparse_factors&&) noexcept = default;
+    sparse_factors& operator=(sparse_factors from) noexcept {
+        this->swap(from);
         return *this;
     }
-    sparse_factors& operator=(sparse_factors&&) = default;
 };
 
 template <class S>
@@ -54,7 +46,7 @@ public:
         sparse_.resize(d, d);
         sparse_.setFromTriplets(all.begin(), all.end());
         sparse_.makeCompressed();
-        pattern_ = std::make_shared<int const>(d);
+        factors_.reset();
     }
     [[nodiscard]] int place(int j, int k) const {
         if (not is_sparse_) return k * d_ + j;
@@ -85,10 +77,10 @@ public:
         return is_regular(dense_factors_);
     }
     /// False for a copied sparse matrix that is not factorized itself.
-    [[nodiscard]] bool has_factors() const { return not is_sparse_ or (factors_.made and factors_.made->are_those_of_the_numbers); }
+    [[nodiscard]] bool has_factors() const { return not is_sparse_ or factors_ != nullptr; }
     [[nodiscard]] vector solution(vector const& r) const {
         vector const weighed = weight_.cwiseProduct(r);
-        if (is_sparse_) return factors_.made->of_pattern.solve(weighed);
+        if (is_sparse_) return factors_->solve(weighed);
         return dense_factors_.solve(weighed);
     }
 
@@ -97,19 +89,16 @@ private:
         Eigen::SparseMatrix<S> weighed = sparse_;
         for (int k = 0; k < d_; ++k)
             for (typename Eigen::SparseMatrix<S>::InnerIterator x(weighed, k); x; ++x) x.valueRef() = x.value() * weight_(x.row());
-        auto& made = factors_.made;
-        if (not made or made->pattern != pattern_) {
-            made = std::make_unique<typename sparse_factors<S>::factors>();
-            made->of_pattern.analyzePattern(weighed);
-            made->pattern = pattern_;
+        if (not factors_) {
+            factors_.reset(new Eigen::SparseLU<Eigen::SparseMatrix<S>>);
+            factors_->analyzePattern(weighed);
         }
-        made->of_pattern.factorize(weighed);
-        made->are_those_of_the_numbers = true;
-        if (made->of_pattern.info() != Eigen::Success) return false;
+        factors_->factorize(weighed);
+        if (factors_->info() != Eigen::Success) return false;
         // Its pivots are not accessible; a pivot without correct digits makes the inverse too large.
         vector x(d_);
         for (int k = 0; k < d_; ++k) x(k) = S(1) + S(k % 7) / S(7);
-        x = made->of_pattern.solve(x);
+        x = factors_->solve(x);
         return x.cwiseAbs().maxCoeff() * S(d_) * epsilon<S>() < S(1);
     }
 
@@ -119,7 +108,6 @@ private:
     Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> dense_;
     Eigen::PartialPivLU<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> dense_factors_;
     Eigen::SparseMatrix<S> sparse_;
-    std::shared_ptr<int const> pattern_; ///< identifies the pattern
     sparse_factors<S> factors_;
 };
 
