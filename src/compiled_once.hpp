@@ -10,7 +10,7 @@
 #define HILGER_ENGINES(how, S)                                                                                                             \
     how template class large_matrix<S>;                                                                                                    \
     how template class patterned_matrix<S>;                                                                                                \
-    how template bool solve_positive_definite(Eigen::Matrix<S, -1, -1> const&, Eigen::Matrix<S, -1, 1>&);                                  \
+    how template class mass_solver<Eigen::Matrix<S, -1, -1>, Eigen::Matrix<S, -1, 1>>;                                                     \
     how template class evaluation<S>;                                                                                                      \
     how template traced_formula<S> derivatives_in(formula_graph<S>&, int, traced<S> const&, std::vector<traced<S>> const&, std::uint8_t);
 

@@ -9,9 +9,8 @@
 
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "hilger/inlining.hpp"
+#include "hilger/models/mass_solver.hpp"
 #include "hilger/models/pairs.hpp"
 
 namespace hilger {
@@ -101,14 +100,6 @@ struct dense_potential {
             for (index_type k = 0; k <= j; ++k) put(j, k, e.qq(j, k));
     }
 };
-/// Replaces x by A^-1 x. @returns false if A is not positive definite
-template <class S>
-bool solve_positive_definite(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& A, Eigen::Matrix<S, Eigen::Dynamic, 1>& x) {
-    Eigen::LDLT<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const factors(A); // no square roots: for rationals too
-    if (factors.info() != Eigen::Success or not(factors.vectorD().array() > S(0)).all()) return false;
-    x = factors.solve(x);
-    return true;
-}
 template <class U>
 concept structured_potential = requires(U const& u) {
     u.check(index_type{});
@@ -178,17 +169,9 @@ public:
     /// The inverse of the Legendre map. @throws error::mismatch; error::singular if a mass matrix is not positive definite
     template <class V>
     [[nodiscard]] V velocity(V const& q, V const& p) const {
-        require_size(q.size());
-        if constexpr (is_matrix) {
-            using S = scalar_of<V>;
-            Eigen::Matrix<S, Eigen::Dynamic, 1> v = p;
-            if (not detail::solve_positive_definite<S>(mass_.template cast<S>(), v))
-                error::raise<error::singular>("the mass matrix is not positive definite");
-            return v;
-        } else if constexpr (requires { mass_.size(); })
-            return p.cwiseQuotient(mass_.template cast<scalar_of<V>>());
-        else
-            return p / scalar_of<V>(mass_);
+        V v = p;
+        detail::mass_solver<Mass, V>(mass_, q.size()).solve(p, v);
+        return v;
     }
     /// M, symmetric if it is a matrix.
     [[nodiscard]] Mass const& mass() const { return mass_; }

@@ -15,7 +15,6 @@
 #include "hilger/newton/past_steps.hpp"
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/equation.hpp"
-#include "hilger/step/explicit_node.hpp"
 #include "hilger/step/summation.hpp"
 #include "hilger/step/tableau.hpp"
 
@@ -29,18 +28,16 @@ class many_nodes {
     using u = shape<unknown>;
     using matrix = typename equation::matrix;
     using vector = typename equation::vector;
-    static constexpr bool looks_for_explicit = Controls == 2 and not has_step_force<Extra> and is_traced_state<V>;
 
 public:
     many_nodes(tableau<S> const& t, S const& h, V const& like, Extra extra = {})
         : e_(like, std::move(extra)), velocity_(zero_like(like)), past_(e_.moved), correction_(vector::Zero(e_.unknowns())),
-          weighed_(correction_), explicit_(like), sums_(s::dimension(like)) {
+          weighed_(correction_), sums_(s::dimension(like)) {
         prepare(t, h);
     }
     void prepare(tableau<S> const& t, S const& h) {
         if (steps_ > 0) velocity_ = e_.end() / e_.h();
         e_.prepare(t, h);
-        if constexpr (looks_for_explicit) explicit_.prepare(t, e_.adds_up);
         steps_ = 0;
         stiff_ = not iterates_;
     }
@@ -76,11 +73,6 @@ public:
     /// Solves the equation: moved() is q_{i+1} - q_i, and gained() is p_{i+1} - p_i for embeddings that reproduce constants. Leaves the
     /// state unchanged; advance makes the step.
     void solve(given_problem<V> const& problem, state<S, V> const& x) {
-        if constexpr (looks_for_explicit)
-            if (explicit_.steps(problem, x, e_.moved, e_.increment)) {
-                ++steps_;
-                return;
-            }
         branch_watch const watch;
         if (not e_.is_prepared) {
             unknown const last = e_.moved;
@@ -281,7 +273,6 @@ private:
     past_steps<unknown, S, 8> past_;
     vector correction_;
     weighed_corrections<unknown, S, vector> weighed_;
-    [[no_unique_address]] std::conditional_t<looks_for_explicit, explicit_node<S, V>, no_explicit_node> explicit_;
     [[no_unique_address]] state_sums<Compensated, S, V> sums_;
 };
 

@@ -10,7 +10,6 @@
 #include "hilger/newton/stop.hpp"
 #include "hilger/step/force.hpp"
 #include "hilger/step/many_nodes.hpp"
-#include "hilger/step/mass_solver.hpp"
 #include "hilger/step/summation.hpp"
 
 namespace hilger::detail {

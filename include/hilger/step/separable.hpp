@@ -11,7 +11,6 @@
 #include "hilger/linear/elimination.hpp"
 #include "hilger/linear/patterned_matrix.hpp"
 #include "hilger/newton/stop.hpp"
-#include "hilger/step/mass_solver.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/nodes/gradients.hpp"
 #include "hilger/variational/nodes/node_derivatives.hpp"
@@ -97,7 +96,7 @@ private:
 };
 
 /// For a traced Lagrangian, which has these parts if its formula has no second derivatives by q and v, constant ones by v twice, no
-/// branches and no time. A force f(q, v) beside it is part of dL/dq.
+/// branches and no time.
 template <class S, class V>
 class separable_formula {
     using s = shape<V>;
@@ -112,16 +111,6 @@ public:
     void velocity(R const& p, V& v) {
         solve(p - at_rest_, v);
     }
-    /// moved = w v; in one pass that leaves v unchanged if no force reads v and M is diagonal.
-    template <class R, class Moved>
-    void way(R const& p, S const& w, V& v, Moved& moved) {
-        if (is_diagonal_ and not reads_velocity())
-            moved = w * inverse_.cwiseProduct(p - at_rest_);
-        else {
-            velocity(p, v);
-            moved = w * v;
-        }
-    }
     /// M^-1 f, for f other than v.
     template <class F>
     void solve(F const& f, V& v) {
@@ -132,58 +121,14 @@ public:
             mass_.solve(v);
         }
     }
-    /// Calls use(c, component c of dL/dq at q), with a force at the v set last, initially 0.
-    template <class Use>
-    void force(given_problem<V> const& what, V const& q, Use const& use) {
-        evaluate(what, q);
-        S const* const values = node_.values().data();
-        int const* const place = node_.places().by_q.data();
-        for (int c = 0, d = s::dimension(q); c < d; ++c) use(c, values[place[c]]);
-    }
-    /// f = w dL/dq
-    template <class F>
-    void force(given_problem<V> const& what, V const& q, S const& w, F& f) {
-        evaluate(what, q);
-        node_.put_by_q(w, f);
-    }
-    template <class F>
-    void force(given_problem<V> const& what, V const& q, V const& v, S const& w, F& f) {
-        if (reads_velocity()) Eigen::Map<V>(node_.arguments() + v.size(), v.size()) = v;
-        force(what, q, w, f);
-    }
-    [[nodiscard]] V const& at_rest() const { return at_rest_; }
-    /// Derivatives of a force by the velocity, at the places of the formula.
-    [[nodiscard]] auto const& frictions() const { return node_.places().entries[block_qv]; }
-    [[nodiscard]] S const& value(derivative_places::second const& e) const { return node_.value(e.place); }
-    [[nodiscard]] bool reads_velocity() const { return not frictions().empty(); }
-    [[nodiscard]] bool has_constant_friction() const { return node_.places().constant[block_qv]; }
-    /// Factorizes K = M + c df/dv. @returns false if it is singular
-    template <class Matrix>
-    bool factorize(Matrix& K, S const& c) const {
-        auto const for_each = [&](auto const& use) {
-            for (auto const& e : node_.places().entries[block_vv]) use(e, S(1));
-            if (c == S(0)) return;
-            for (auto const& e : frictions()) use(e, c);
-        };
-        std::vector<std::pair<int, int>> pattern;
-        for_each([&](auto const& e, S const&) { pattern.emplace_back(e.row, e.column); });
-        K.prepare(static_cast<int>(at_rest_.size()), pattern);
-        K.set_zero();
-        for_each([&](auto const& e, S const& by) {
-            S& entry = K[K.place(e.row, e.column)];
-            entry = entry + by * value(e);
-        });
-        return K.factorize();
-    }
-    [[nodiscard]] bool is_diagonal() const { return is_diagonal_; }
-    /// Component c of M^-1 (p - a), where M is diagonal.
-    [[nodiscard]] S velocity(int c, S const& p) const { return inverse_(c) * (p - at_rest_(c)); }
-
-private:
-    void evaluate(given_problem<V> const& what, V const& q) {
+    /// f = dL/dq at q
+    void force(given_problem<V> const& what, V const& q, V& f) {
         Eigen::Map<V>(node_.arguments(), q.size()) = q;
         (void)node_.evaluate_here(what, S(0), s::dimension(q), wanted::forces_only);
+        node_.put_by_q(S(1), f);
     }
+
+private:
     /// Traces the formula at v = 0, which remains its argument.
     void learn(given_problem<V> const& what, V const& q) {
         is_known_ = true;
@@ -206,7 +151,12 @@ private:
             }
             return static_cast<int>(entries.size()) == d;
         }
-        return factorize(mass_, S(0));
+        std::vector<std::pair<int, int>> pattern;
+        for (auto const& e : entries) pattern.emplace_back(e.row, e.column);
+        mass_.prepare(d, pattern);
+        mass_.set_zero();
+        for (auto const& e : entries) mass_[mass_.place(e.row, e.column)] = node_.value(e.place);
+        return mass_.factorize();
     }
     traced_node<V> node_;
     bool is_known_ = false, has_parts_ = false, is_diagonal_ = false;
@@ -224,7 +174,7 @@ public:
     static constexpr bool has_forces = false;
     bool inspect(what_type const& what, state<S, V> const& x) { return formula::inspect(given<what_type, V>(what), x.q); }
     bool force(what_type const& what, S const&, V const& q, V& f) {
-        formula::force(given<what_type, V>(what), q, S(1), f);
+        formula::force(given<what_type, V>(what), q, f);
         return true;
     }
 };
