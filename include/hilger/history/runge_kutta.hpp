@@ -2,8 +2,9 @@
 // A Runge-Kutta method (A, b, c) as an integral on any T: on a step of length nu that begins with the value z, the integral of g has at the
 // stages t + c_i nu the values
 //   G_i = z + nu sum_j a_ij g_j,   and z <- z + nu sum_j b_j g_j at the end of the step.
-// A stiffly accurate method ends its last stage there, c_s = 1 and b the last row of A. If A is regular too, the integral has an inverse,
-// which is a difference quotient, and powers of it (history/stages.hpp; Lubich, Ostermann 1993). This file has the matrices of stages.
+// A stiffly accurate method ends its last stage there: c_s = 1 and b is the last row of A. If A is regular too, the integral has an
+// inverse, a difference quotient, and powers of it (history/stages.hpp). This file has functions of A, by
+//   (1 + x A)^{-1} = sum_k x^k B_k / sum_k x^k d_k   (Faddeev, LeVerrier).
 #pragma once
 
 #include <cmath>
@@ -27,50 +28,13 @@ namespace detail::memory {
 template <class W>
 using stage_matrix = std::vector<std::vector<W>>;
 
+/// sum + y a b
 template <class W>
-stage_matrix<W> scaled_identity(std::size_t n, W const& x) {
-    stage_matrix<W> m(n, std::vector<W>(n, W(0)));
-    for (std::size_t i = 0; i < n; ++i) m[i][i] = x;
-    return m;
-}
-/// x + y a b
-template <class W>
-stage_matrix<W> multiply_add(stage_matrix<W> x, W const& y, stage_matrix<W> const& a, stage_matrix<W> const& b) {
+stage_matrix<W> multiply_add(stage_matrix<W> sum, W const& y, stage_matrix<W> const& a, stage_matrix<W> const& b) {
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t k = 0; k < a.size(); ++k)
-            for (std::size_t j = 0; j < a.size(); ++j) x[i][j] = x[i][j] + y * (a[i][k] * b[k][j]);
-    return x;
-}
-/// The inverse by elimination with row pivots, whose sizes are compared in S. @throws error::invalid_parameter if it is singular to
-/// rounding
-template <class S, class W>
-stage_matrix<W> inverse(stage_matrix<W> a) {
-    std::size_t const n = a.size();
-    auto x = scaled_identity(n, W(1));
-    auto const size = [](W const& entry) { return magnitude(static_cast<S>(entry)); };
-    S largest(0);
-    for (auto const& row : a)
-        for (auto const& entry : row) largest = std::max(largest, size(entry));
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t best = k;
-        for (std::size_t i = k + 1; i < n; ++i)
-            if (size(a[best][k]) < size(a[i][k])) best = i;
-        std::swap(a[k], a[best]);
-        std::swap(x[k], x[best]);
-        if (not(S(static_cast<int>(n)) * epsilon<S>() * largest < size(a[k][k])))
-            error::raise<error::invalid_parameter>("the matrix A of a Runge-Kutta method with powers is regular, and this one is singular");
-        W const pivot = W(1) / a[k][k];
-        for (std::size_t j = 0; j < n; ++j) a[k][j] = a[k][j] * pivot, x[k][j] = x[k][j] * pivot;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (i == k) continue;
-            W const factor = a[i][k];
-            for (std::size_t j = 0; j < n; ++j) {
-                a[i][j] = a[i][j] - factor * a[k][j];
-                x[i][j] = x[i][j] - factor * x[k][j];
-            }
-        }
-    }
-    return x;
+            for (std::size_t j = 0; j < a.size(); ++j) sum[i][j] = sum[i][j] + y * (a[i][k] * b[k][j]);
+    return sum;
 }
 /// e^y - 1 by its series, |y| <= 1.
 template <class W>
@@ -83,104 +47,135 @@ W series_of_expm1(W const& y) {
     return sum;
 }
 
-/// A^-beta, 0 <= beta < 1, for eigenvalues in the right half plane: by the trapezoidal rule in ln x,
-///   A^-beta = (sin(pi beta) / pi) Int_0^inf x^{beta-1} (1 + x A)^{-1} dx,
-/// with a factor that makes 1^-beta = 1. Beyond the rule's ends (1 + x A)^{-1} is 1 and A^{-1}/x to rounding, and sums are geometric.
+/// Of a matrix of stages, in W, a type with more digits than S if there is one.
 template <class S, class W>
-stage_matrix<W> inverse_power(stage_matrix<W> const& A, S const& beta) {
-    using std::log;
-    std::size_t const s = A.size();
-    if (beta == S(0)) return scaled_identity(s, W(1));
-    double const digits = 10 - (std::is_same_v<S, W> ? 1 : 2) * static_cast<double>(log(epsilon<S>())), step = 9.8 / digits; // pi^2
-    W const h = W(S(step)), ratio = W(1) + series_of_expm1(h), lift = W(1) + series_of_expm1(W(W(beta) * h));
-    auto const one = scaled_identity(s, W(1));
-    auto sum = scaled_identity(s, W(0));
-    W factor(0);
-    auto const add = [&](W const& weight, stage_matrix<W> const& matrix, W const& number) {
-        for (std::size_t i = 0; i < s; ++i)
-            for (std::size_t j = 0; j < s; ++j) sum[i][j] = sum[i][j] + weight * matrix[i][j];
-        factor = factor + weight * number;
-    };
-    auto const add_node = [&](W const& x, W const& weight) { add(weight, inverse<S>(multiply_add(one, x, A, one)), W(W(1) / (W(1) + x))); };
-    add_node(W(1), W(1));
-    W low(1), high(1), low_weight(1), high_weight(1);
-    for (double at = step; at < digits; at += step) {
-        add_node(low = low / ratio, low_weight = low_weight / lift);
-        add_node(high = high * ratio, high_weight = high_weight * lift);
-    }
-    add(low_weight / (lift - W(1)), one, W(1));
-    add(high_weight / high / series_of_expm1(W((W(1) - W(beta)) * h)), inverse<S>(A), W(1));
-    for (auto& row : sum)
-        for (W& entry : row) entry = entry / factor;
-    return sum;
-}
+struct stage_resolvent {
+    std::vector<stage_matrix<W>> B;
+    std::vector<W> d; ///< d_0 = 1, ..., d_s, the determinant of A
 
-/// (1 + x A)^{-1} 1 and x b (1 + x A)^{-1} as quotients of polynomials in x with one denominator (Faddeev, LeVerrier).
+    /// @throws error::invalid_parameter if A is singular to rounding
+    explicit stage_resolvent(stage_matrix<W> const& A) : d{W(1)} {
+        std::size_t const s = A.size();
+        for (std::size_t k = 0; k < s; ++k) { // B_k = d_k - A B_{k-1}, and k d_k is the trace of A B_{k-1}
+            stage_matrix<W> next(s, std::vector<W>(s, W(0)));
+            for (std::size_t i = 0; i < s; ++i) next[i][i] = d[k];
+            B.push_back(k == 0 ? next : multiply_add(next, W(-1), A, B[k - 1]));
+            W trace(0);
+            for (std::size_t i = 0; i < s; ++i)
+                for (std::size_t j = 0; j < s; ++j) trace = trace + A[i][j] * B[k][j][i];
+            d.push_back(trace / W(static_cast<int>(k + 1)));
+        }
+        auto const size = [this](std::size_t k) { return magnitude(static_cast<S>(d[k])); };
+        if (not(S(static_cast<int>(s)) * epsilon<S>() * size(s - 1) < size(s)))
+            error::raise<error::invalid_parameter>(
+                "powers of an integral need a regular matrix A of the Runge-Kutta method, and this one is "
+                "singular");
+    }
+    /// sum_k factor_k B_k
+    stage_matrix<W> combination(std::vector<W> const& factor) const {
+        stage_matrix<W> sum(B.size(), std::vector<W>(B.size(), W(0)));
+        for (std::size_t k = 0; k < B.size(); ++k) sum = multiply_add(sum, factor[k], B[0], B[k]); // B_0 = 1
+        return sum;
+    }
+    stage_matrix<W> inverse() const {
+        std::vector<W> factor(B.size(), W(0));
+        factor.back() = W(1) / d.back();
+        return combination(factor);
+    }
+    /// A^-beta, 0 <= beta < 1, for eigenvalues in the right half plane: by the trapezoidal rule in ln x,
+    ///   A^-beta = (sin(pi beta) / pi) Int_0^inf x^{beta-1} (1 + x A)^{-1} dx,
+    /// with a factor that makes 1^-beta = 1. Beyond the rule's ends (1 + x A)^{-1} is 1 and A^{-1}/x to rounding, and sums are geometric.
+    stage_matrix<W> inverse_power(S const& beta) const {
+        using std::log;
+        if (beta == S(0)) return B[0];
+        std::size_t const s = B.size();
+        std::vector<W> factor(s, W(0));
+        W of_one(0);
+        auto const add_node = [&](W const& y, W const& weight, bool is_far) { // at x = y, or far away at 1/y
+            W determinant(0), power(1);
+            for (std::size_t k = s + 1; k-- > 0;) determinant = determinant * y + d[is_far ? s - k : k];
+            for (std::size_t k = 0; k < s; ++k) {
+                std::size_t const at = is_far ? s - 1 - k : k;
+                factor[at] = factor[at] + weight * (is_far ? power * y : power) / determinant;
+                power = power * y;
+            }
+            of_one = of_one + weight * (is_far ? y : W(1)) / (W(1) + y);
+        };
+        double const digits = 10 - (std::is_same_v<S, W> ? 1 : 2) * static_cast<double>(log(epsilon<S>())), step = 9.8 / digits; // pi^2
+        W const h = W(S(step)), down = W(1) / (W(1) + series_of_expm1(h));
+        W const lift = series_of_expm1(W(W(beta) * h)), drop = series_of_expm1(W((W(1) - W(beta)) * h));
+        W y(1), near(1), far(1);
+        add_node(y, near, false);
+        for (double at = step; at < digits; at += step) {
+            y = y * down;
+            add_node(y, near = near / (W(1) + lift), false);
+            add_node(y, far = far * (W(1) + lift), true);
+        }
+        factor.front() = factor.front() + near / lift;
+        factor.back() = factor.back() + far * y / drop / d.back();
+        of_one = of_one + near / lift + far * y / drop;
+        for (W& f : factor) f = f / of_one;
+        return combination(factor);
+    }
+};
+
+/// (1 + x A)^{-1} 1 and x b (1 + x A)^{-1} in numbers S.
 template <class S>
 class stage_functions {
 public:
-    template <class W>
-    explicit stage_functions(runge_kutta<W> const& method) : stages_(method.stages()) {
-        auto const zero = scaled_identity(stages_, W(0));
-        auto adjugate = scaled_identity(stages_, W(1)); // of 1 + x A is the sum of x^k times these
-        W coefficient(1);                               // of x^k in the determinant
-        for (std::size_t k = 0; k < stages_; ++k) {
-            denominator_.push_back(static_cast<S>(coefficient));
+    template <class T, class W>
+    stage_functions(stage_resolvent<T, W> const& of, std::vector<W> const& b) : stages_(b.size()) {
+        for (W const& d : of.d) determinant_.push_back(static_cast<S>(static_cast<T>(d)));
+        for (auto const& B : of.B)
             for (std::size_t i = 0; i < stages_; ++i) {
                 W row(0), column(0);
                 for (std::size_t j = 0; j < stages_; ++j) {
-                    row = row + adjugate[i][j];
-                    column = column + method.b[j] * adjugate[j][i];
+                    row = row + B[i][j];
+                    column = column + b[j] * B[j][i];
                 }
-                answer_.push_back(static_cast<S>(row));
-                gain_.push_back(static_cast<S>(column));
+                answer_.push_back(static_cast<S>(static_cast<T>(row)));
+                gain_.push_back(static_cast<S>(static_cast<T>(column)));
             }
-            auto const product = multiply_add(zero, W(1), method.A, adjugate);
-            coefficient = W(0);
-            for (std::size_t i = 0; i < stages_; ++i) coefficient = coefficient + product[i][i];
-            coefficient = coefficient / W(static_cast<int>(k + 1));
-            adjugate = multiply_add(scaled_identity(stages_, coefficient), W(-1), product, scaled_identity(stages_, W(1)));
-        }
-        denominator_.push_back(static_cast<S>(coefficient));
     }
-    /// answer and gain: arrays of s numbers.
+    /// answer and gain: arrays of s numbers. In powers of 1/x beyond 1, which do not overflow.
     void evaluate(S const& x, S* answer, S* gain) const {
+        bool const is_far = S(1) < x;
+        S const y = is_far ? S(S(1) / x) : x;
+        S determinant = determinant_[is_far ? 0 : stages_];
         for (std::size_t i = 0; i < stages_; ++i) answer[i] = gain[i] = S(0);
-        S determinant = denominator_[stages_];
-        for (std::size_t k = stages_; k-- > 0;) {
-            determinant = determinant * x + denominator_[k];
+        for (std::size_t m = 0; m < stages_; ++m) {
+            std::size_t const k = is_far ? m : stages_ - 1 - m;
+            determinant = determinant * y + determinant_[is_far ? k + 1 : k];
             for (std::size_t i = 0; i < stages_; ++i) {
-                answer[i] = answer[i] * x + answer_[k * stages_ + i];
-                gain[i] = gain[i] * x + gain_[k * stages_ + i];
+                answer[i] = answer[i] * y + answer_[k * stages_ + i];
+                gain[i] = gain[i] * y + gain_[k * stages_ + i];
             }
         }
+        S const inverse = S(1) / determinant, small = y * inverse;
         for (std::size_t i = 0; i < stages_; ++i) {
-            answer[i] = answer[i] / determinant;
-            gain[i] = x * gain[i] / determinant;
+            answer[i] = answer[i] * (is_far ? small : inverse);
+            gain[i] = gain[i] * (is_far ? inverse : small);
         }
     }
     [[nodiscard]] std::size_t stages() const { return stages_; }
-    /// The determinant of A.
-    [[nodiscard]] S const& determinant() const { return denominator_[stages_]; }
+    [[nodiscard]] S const& determinant() const { return determinant_.back(); } ///< of A
 
 private:
     std::size_t stages_;
-    std::vector<S> denominator_, answer_, gain_;
+    std::vector<S> determinant_, answer_, gain_;
 };
 
 /// The method in numbers W. @throws error::mismatch for A, b and c of several sizes, error::invalid_parameter if it is not stiffly accurate
 template <class S, class W, class Given>
 runge_kutta<W> require_stiffly_accurate(runge_kutta<Given> const& given) {
     std::size_t const s = given.stages();
-    runge_kutta<W> method;
+    runge_kutta<W> method{{}, {given.b.begin(), given.b.end()}, {given.c.begin(), given.c.end()}};
     for (auto const& row : given.A) {
         if (row.size() != s or given.b.size() != s or given.c.size() != s)
             error::raise<error::mismatch>("a Runge-Kutta method has s x s, s and s numbers, and this one has a row of ", row.size(), " in ",
                                           s, ", then ", given.b.size(), " and ", given.c.size());
         method.A.emplace_back(row.begin(), row.end());
     }
-    method.b.assign(given.b.begin(), given.b.end());
-    method.c.assign(given.c.begin(), given.c.end());
     auto const same = [](W const& x, W const& y) { return magnitude(static_cast<S>(x - y)) <= S(16) * epsilon<S>(); };
     bool is = s > 0 and same(method.c[s - 1], W(1));
     for (std::size_t j = 0; is and j < s; ++j) is = same(method.A[s - 1][j], method.b[j]);
