@@ -88,8 +88,8 @@ public:
         if (not(nu == nu_)) prepare(nu);
         for (index_type i = 0; i < past_.rows(); ++i)
             for (index_type c = 0; c < past_.cols(); ++c)
-                of_modes_(i, c) = sums_.product_sum(mean(c), answer_.data() + static_cast<std::size_t>(i) * rate_.size(), rate_.size());
-        past_ = of_modes_;
+                past_(i, c) = sums_.product_sum(mean(c), answer_.data() + static_cast<std::size_t>(i) * rate_.size(), rate_.size());
+        if (last_.rows() > 0) of_modes_ = past_;
         for (index_type k = 0; k < last_.rows(); ++k) past_ = derivative(past_, k);
         begun_ = 1;
     }

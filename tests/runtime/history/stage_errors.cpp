@@ -107,6 +107,7 @@ TEST_CASE("from a checkpoint, within a step too, everything goes on bit for bit,
         restored.visit(from_between);
         restored_within.visit(from_within);
         CHECK(restored.count() == 5);
+        CHECK_THROWS_AS(restored.begin(2.0), error::outside_domain); // the time is known too
         CHECK(restored_within.past(0) == history.past(0));
         std::vector<double> const F{1, -2};
         restored_within.push(F); // which is in the step already
