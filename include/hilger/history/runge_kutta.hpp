@@ -12,6 +12,7 @@
 
 #include "hilger/error.hpp"
 #include "hilger/operator/double_double.hpp"
+#include "hilger/scalar.hpp"
 
 namespace hilger {
 
@@ -137,24 +138,36 @@ public:
                 gain_.push_back(static_cast<S>(static_cast<T>(column)));
             }
     }
-    /// answer and gain: arrays of s numbers. In powers of 1/x beyond 1, which do not overflow.
-    void evaluate(S const& x, S* answer, S* gain) const {
-        bool const is_far = S(1) < x;
-        S const y = is_far ? S(S(1) / x) : x;
-        S determinant = determinant_[is_far ? 0 : stages_];
-        for (std::size_t i = 0; i < stages_; ++i) answer[i] = gain[i] = S(0);
-        for (std::size_t m = 0; m < stages_; ++m) {
-            std::size_t const k = is_far ? m : stages_ - 1 - m;
-            determinant = determinant * y + determinant_[is_far ? k + 1 : k];
+    /// At nu x for all x, stage after stage: answer[i n + j] at stage i and x_j. In powers of 1/(nu x) beyond 1, which do not overflow.
+    /// Loops over x, for compilers that make packs.
+    void evaluate(std::vector<S> const& x, S const& nu, std::vector<S>& answer, std::vector<S>& gain) const {
+        std::size_t const n = x.size(), last = stages_ - 1;
+        std::vector<S> at(n), y(n), determinant(n);
+        for (std::size_t j = 0; j < n; ++j) {
+            at[j] = nu * x[j];
+            y[j] = S(1) < at[j] ? S(S(1) / at[j]) : at[j];
+            determinant[j] = S(1) < at[j] ? determinant_[0] : determinant_[stages_];
+        }
+        answer.assign(n * stages_, S(0));
+        gain.assign(n * stages_, S(0));
+        auto const horner = [&at, &y, n](S* value, S far, S near) {
+            for (std::size_t j = 0; j < n; ++j) value[j] = value[j] * y[j] + (S(1) < at[j] ? far : near);
+        };
+        for (std::size_t k = 0; k < stages_; ++k) {
+            horner(determinant.data(), determinant_[k + 1], determinant_[last - k]);
             for (std::size_t i = 0; i < stages_; ++i) {
-                answer[i] = answer[i] * y + answer_[k * stages_ + i];
-                gain[i] = gain[i] * y + gain_[k * stages_ + i];
+                horner(answer.data() + i * n, answer_[k * stages_ + i], answer_[(last - k) * stages_ + i]);
+                horner(gain.data() + i * n, gain_[k * stages_ + i], gain_[(last - k) * stages_ + i]);
             }
         }
-        S const inverse = S(1) / determinant, small = y * inverse;
+        for (std::size_t j = 0; j < n; ++j) determinant[j] = S(1) / determinant[j];
         for (std::size_t i = 0; i < stages_; ++i) {
-            answer[i] = answer[i] * (is_far ? small : inverse);
-            gain[i] = gain[i] * (is_far ? inverse : small);
+            S *const a = answer.data() + i * n, *const g = gain.data() + i * n;
+            for (std::size_t j = 0; j < n; ++j) {
+                S const small = y[j] * determinant[j];
+                a[j] = a[j] * (S(1) < at[j] ? small : determinant[j]);
+                g[j] = g[j] * (S(1) < at[j] ? determinant[j] : small);
+            }
         }
     }
     [[nodiscard]] std::size_t stages() const { return stages_; }

@@ -103,14 +103,14 @@ private:
     /// the next where either or both have the length longest, longest/2, ...
     std::vector<kernel> kernels(quadrature<W> const& rule) const {
         std::size_t const s = functions_.stages(), count = rule.node.size();
-        std::vector<W> answer(count * s), gain(count * s), far_answer(count * s), far_gain(count * s), decay(rule.weight);
+        std::vector<W> answer, gain, far_answer, far_gain, decay(rule.weight);
         std::vector<kernel> result;
         auto const pair = [&](std::vector<W> const& weights, std::vector<W> const& a, std::vector<W> const& g) {
             for (std::size_t i = 0; i < s; ++i)
                 for (std::size_t j = 0; j < s; ++j) {
                     kernel sum{W(0), W(0)};
                     for (std::size_t k = 0; k < count; ++k) {
-                        W const term = weights[k] * (a[k * s + i] * g[k * s + j]);
+                        W const term = weights[k] * (a[i * count + k] * g[j * count + k]);
                         sum.value = sum.value + term;
                         sum.size = sum.size + magnitude(term);
                     }
@@ -118,13 +118,13 @@ private:
                 }
         };
         std::vector<W> rate(count, W(0)), left(count, W(1)); // 1 - rate is left of a mode after 1, 2, 4, ... short steps
-        evaluate(rule, shortest_, answer, gain);
+        functions_.evaluate(rule.node, shortest_, answer, gain);
         for (std::size_t k = 0; k < count; ++k) {
-            left[k] = answer[k * s + s - 1]; // which is the stability function
-            for (std::size_t j = 0; j < s; ++j) rate[k] = rate[k] + gain[k * s + j];
+            left[k] = answer[(s - 1) * count + k]; // which is the stability function
+            for (std::size_t j = 0; j < s; ++j) rate[k] = rate[k] + gain[j * count + k];
         }
         for (W time = longest_; shortest_ <= time; time = time / W(2)) {
-            evaluate(rule, time, far_answer, far_gain);
+            functions_.evaluate(rule.node, time, far_answer, far_gain);
             for (std::size_t k = 0; k < count; ++k) decay[k] = rule.weight[k] * left[k];
             pair(decay, answer, gain);
             pair(rule.weight, far_answer, far_gain);
@@ -137,10 +137,6 @@ private:
             }
         }
         return result;
-    }
-    void evaluate(quadrature<W> const& rule, W const& nu, std::vector<W>& answer, std::vector<W>& gain) const {
-        for (std::size_t k = 0, s = functions_.stages(); k < rule.node.size(); ++k)
-            functions_.evaluate(W(nu * rule.node[k]), answer.data() + k * s, gain.data() + k * s);
     }
     static W distance(std::vector<kernel> const& a, std::vector<kernel> const& b) {
         W worst(0);

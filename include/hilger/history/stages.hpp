@@ -201,18 +201,15 @@ private:
         nu_ = nu;
         leading_ = power_ * S(pow(nu, S(-alpha_)));
         of_beta_ = power_of_beta_ * S(pow(nu, S(-beta_)));
-        std::size_t const stages = functions_.stages(), all = rate_.size();
-        std::vector<M> answer(stages), gain(stages);
-        for (std::size_t j = 0; j < all; ++j) {
-            functions_.evaluate(M(M(nu) * node_[j]), answer.data(), gain.data());
-            M rate(0);
-            for (std::size_t i = 0; i < stages; ++i) {
-                rate = rate + gain[i];
-                answer_[i * all + j] = static_cast<S>(M(-weight_[j] * answer[i]));
-                gain_[i * all + j] = static_cast<S>(gain[i]);
+        std::vector<M> answer, gain, rate(rate_.size(), M(0));
+        functions_.evaluate(node_, M(nu), answer, gain);
+        for (std::size_t i = 0, n = rate.size(); i < functions_.stages(); ++i)
+            for (std::size_t j = 0; j < n; ++j) {
+                answer_[i * n + j] = static_cast<S>(M(-weight_[j] * answer[i * n + j]));
+                gain_[i * n + j] = static_cast<S>(gain[i * n + j]);
+                rate[j] = rate[j] + gain[i * n + j];
             }
-            rate_[j] = static_cast<S>(rate);
-        }
+        for (std::size_t j = 0; j < rate.size(); ++j) rate_[j] = static_cast<S>(rate[j]);
     }
     S* mean(index_type component) { return mean_.data() + static_cast<std::size_t>(component) * (2 * rate_.size() - brief_); }
     /// (nu A)^-1 (G - g), with g the last stage of the step before, of the k-th derivative.

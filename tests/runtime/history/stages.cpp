@@ -39,7 +39,7 @@ std::vector<V> apply(stage_history<V>& history, double nu, std::vector<V> const&
 TEST_CASE("each past is within the tolerance of the direct one: equal, graded, uneven steps, and steps that grow by 10^6") {
     for (bool const is_radau : {true, false})
         for (int s = is_radau ? 1 : 2; s <= 4; ++s)
-            for (auto const& steps : steps_of_scales(32 / s)) {
+            for (auto const& steps : steps_of_scales(24 / s)) {
                 stage_judge const judge(method_of<float50>(is_radau, s), steps);
                 double longest = 0, shortest = 1;
                 for (double const nu : steps) longest += nu, shortest = std::min(shortest, nu);
@@ -103,7 +103,7 @@ TEST_CASE("D^1/2 D^1/2 = D, and whole orders are exact") {
 }
 
 TEST_CASE("a mean that grows for a long time does not stop at its last digit: 400 000 equal values") {
-    // The rounding errors of slow modes are kept: without them the distance is UNKNOWN here.
+    // Without the rounding errors of slow modes the distance is 2.5e-14 here, and grows with the number of values.
     for (double const alpha : {0.05, 0.5}) {
         CAPTURE(alpha);
         double const tolerance = 64 * epsilon<double>();
