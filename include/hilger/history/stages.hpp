@@ -63,6 +63,7 @@ public:
     using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// For times up to t_0 + longest and steps from `shortest` on: a value's contribution to later ones is right to `tolerance`.
+    /// Above order 1 that holds for D^{alpha-1}, of which differences are taken.
     /// @throws error::mismatch, error::invalid_parameter for a method that is not stiffly accurate, an order that is not between 0 and 2, a
     /// tolerance that the scalar cannot hold, and lengths that are not positive
     template <class Given>
