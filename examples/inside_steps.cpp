@@ -8,23 +8,24 @@
 
 using namespace hilger;
 
-/// Radau's rule with two nodes, the second at the end of the step: exact up to degree 2.
-struct radau {
-    static constexpr char const* name = "Radau";
+/// Radau's rule with two nodes, the first at the beginning of the step: exact up to degree 2.
+struct radau_left {
+    static constexpr char const* name = "Radau I";
     static constexpr bool is_symmetric = false;
     template <class S>
     static quadrature<S> on_unit_interval(int) {
-        return {{S(1) / S(3), S(1)}, {S(3) / S(4), S(1) / S(4)}};
+        return {{S(0), S(2) / S(3)}, {S(1) / S(4), S(3) / S(4)}};
     }
 };
 
 int main() {
-    auto const mine = make_embedding<step_weight>(polynomial_value<2, radau, 2>{}, polynomial_slope<2, radau, 2>{}, "quadratic, Radau");
+    auto const mine =
+        make_embedding<step_weight>(polynomial_value<2, radau_left, 2>{}, polynomial_slope<2, radau_left, 2>{}, "quadratic, Radau I");
 
     lagrangian const pendulum = [](auto const& q, auto const& v) { return v * v / 2 - (1 - cos(q)); };
     auto const T = uniform(0.0, 0.1, 100);
     constexpr unknown<"q", subdivided<2>> q; // a function on T with the middle of each step
-    auto const EL = variation(integral(pendulum(mine.position[q], mine.velocity[q]), at_nodes<radau, 2>(T)));
+    auto const EL = variation(integral(pendulum(mine.position[q], mine.velocity[q]), at_nodes<radau_left, 2>(T)));
     std::cout << EL;
 
     auto const x = solve(EL, T, {.q0 = 1.0, .v0 = 0.0});

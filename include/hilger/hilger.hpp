@@ -15,6 +15,7 @@
 #include "hilger/calculus.hpp"
 
 // Embeddings of a Lagrangian on a scale: order one, mid-point, theta, Galerkin, your own
+#include "hilger/embedding/collocation.hpp"
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/galerkin.hpp"
 
@@ -46,6 +47,7 @@
 #include "hilger/fractional/of_variation.hpp"
 #include "hilger/fractional/zener.hpp"
 #include "hilger/history/history.hpp"
+#include "hilger/history/stages.hpp"
 
 // Trajectories recorded, interpolated, stopped at events, checkpointed, and measured
 #include "hilger/fractional/residual.hpp"

@@ -14,7 +14,8 @@ constexpr bool is_consistent() {
 }
 template <int... Stages>
 constexpr bool are_consistent(std::integer_sequence<int, Stages...>) {
-    return (is_consistent<Stages + 1, gauss>() and ...) and (is_consistent<Stages + 2, lobatto>() and ...);
+    return (is_consistent<Stages + 1, gauss>() and ...) and (is_consistent<Stages + 2, lobatto>() and ...) and
+           (is_consistent<Stages + 1, radau>() and ...);
 }
 static_assert(are_consistent(std::make_integer_sequence<int, 6>{}));
 

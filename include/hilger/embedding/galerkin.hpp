@@ -3,6 +3,7 @@
 // together with its derivative at the nodes of a quadrature, which is the integral. They are three operators as every embedding:
 //   galerkin<s, gauss>     degree s, s Gauss nodes: order 2s; s = 1 is mid-point, and s is the Gauss collocation method
 //   galerkin<s, lobatto>   degree s - 1, s Lobatto nodes: order 2s - 2; s = 2 is Stoermer-Verlet for a separable Lagrangian
+//   galerkin<s, radau>     degree s, s Radau nodes, the last one at the end of the step: order 2s - 1
 #pragma once
 
 #include "hilger/embedding/embedding.hpp"
@@ -22,11 +23,15 @@ template <int Degree, int Count>
 inline constexpr bool
     is_consistent_by_construction<polynomial_value<Degree, lobatto, Count>, polynomial_slope<Degree, lobatto, Count>, step_weight> =
         Count >= Degree;
+template <int Degree, int Count>
+inline constexpr bool
+    is_consistent_by_construction<polynomial_value<Degree, radau, Count>, polynomial_slope<Degree, radau, Count>, step_weight> =
+        Count >= Degree;
 
 template <int Stages, class Quadrature>
 constexpr auto make_galerkin() {
     static_assert(Stages >= (std::is_same_v<Quadrature, lobatto> ? 2 : 1),
-                  "a Galerkin embedding has one Gauss node or more, or two Lobatto nodes or more");
+                  "a Galerkin embedding has one Gauss or Radau node or more, or two Lobatto nodes or more");
     constexpr int degree = Quadrature::degree(Stages);
     return make_embedding<step_weight>(polynomial_value<degree, Quadrature, Stages>{}, polynomial_slope<degree, Quadrature, Stages>{},
                                        Quadrature::name);

@@ -6,6 +6,7 @@
 // rounded once.
 //   quadrature_nodes<gauss, n>     Gauss, exact up to degree 2n - 1; one node is T_half
 //   quadrature_nodes<lobatto, n>   Lobatto, both ends among them, exact up to degree 2n - 3
+//   quadrature_nodes<radau, n>     Radau IIA, the end of the step among them, exact up to degree 2n - 2
 // A user's quadrature has a name, `on_unit_interval<S>(n)`, a quadrature<S> or one in more digits, and is_symmetric, true for symmetric
 // nodes.
 #pragma once
@@ -114,6 +115,36 @@ struct lobatto {
     }
 };
 
+/// Radau quadrature, with a node at the end of the step: that of the Radau IIA methods.
+struct radau {
+    static constexpr char const* name = "Radau";
+    static constexpr fixed_text letter{"R"};
+    static constexpr bool is_symmetric = false;
+    static constexpr int degree(int stages) { return stages; }
+    /// n nodes, the last one 1, exact up to degree 2n - 2, for numbers S.
+    template <class S>
+    static auto on_unit_interval(int n) {
+        using W = typename detail::wider<S>::type;
+        quadrature<W> q;
+        auto const last = static_cast<std::size_t>(n);
+        for (int i = 0; i < n; ++i) {
+            // The inner nodes are the roots of f = (P_n - P_{n-1}) / (x - 1), and (x - 1) f' = P_n' - P_{n-1}' - f.
+            W x(1);
+            if (i + 1 < n)
+                x = detail::polished<S>(std::cos(3.14159265358979 * (n - i - 0.75) / n), [n, last](W const& y) {
+                    auto const p = detail::legendre(n, y);
+                    W const f = (p[last] - p[last - 1]) / (y - W(1));
+                    W const slope = (detail::legendre_slope(n, y, p) - detail::legendre_slope(n - 1, y, p) - f) / (y - W(1));
+                    return W(f / slope);
+                });
+            W const p = detail::legendre(n, x)[last - 1];
+            q.node.push_back((W(1) + x) / W(2));
+            q.weight.push_back((W(1) + x) / (W(2 * n * n) * (p * p)));
+        }
+        return q;
+    }
+};
+
 namespace detail {
 
 /// Nodes and weights of a quadrature as residues: rational ones exactly, irrational ones as generic elements, which suffices: an identity
@@ -131,6 +162,12 @@ constexpr auto residues_of_quadrature() {
             q.node[static_cast<std::size_t>(k)] = prime_field(k) / prime_field(Count - 1);
             q.weight[static_cast<std::size_t>(k)] =
                 k == 1 and Count == 3 ? prime_field(2) / prime_field(3) : prime_field(1) / prime_field(Count == 2 ? 2 : 6);
+        }
+    } else if constexpr (std::same_as<Quadrature, radau> and Count <= 2) {
+        for (int k = 0; k < Count; ++k) { // 1; 1/3 and 1
+            bool const inner = k + 1 < Count;
+            q.node[static_cast<std::size_t>(k)] = prime_field(1) / prime_field(inner ? 3 : 1);
+            q.weight[static_cast<std::size_t>(k)] = prime_field(inner ? 3 : 1) / prime_field(Count == 1 ? 1 : 4);
         }
     } else {
         std::uint64_t letter = 0;

@@ -4,6 +4,7 @@
 //   direct{}                  the sum over everything; exact in exact scalars
 //   blocks{}                  the same in O(N log^2 N), for many values that must be exact or whose generating function has no modes
 //   exponentials{tolerance}   a constant cost per value and a few kB, for Gruenwald-Letnikov and the BDF
+// stage_history (history/stages.hpp) has the values at the stages of a Runge-Kutta method, on any T.
 // toeplitz_triangle(first_weights<G>(alpha, n)) computes all sums of a known sequence.
 #pragma once
 

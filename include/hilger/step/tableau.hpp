@@ -191,6 +191,8 @@ template <int Degree, int Count>
 inline constexpr bool integrates_slopes<polynomial_reading<Degree, gauss, Count, true>> = 1 < Degree and Degree <= 2 * Count;
 template <int Degree, int Count>
 inline constexpr bool integrates_slopes<polynomial_reading<Degree, lobatto, Count, true>> = 1 < Degree and Degree <= 2 * Count - 2;
+template <int Degree, int Count>
+inline constexpr bool integrates_slopes<polynomial_reading<Degree, radau, Count, true>> = 1 < Degree and Degree <= 2 * Count - 1;
 } // namespace detail
 
 /// The tableau of e for steps of length h. @throws error::invalid_parameter if numbers known at run time only are not consistent

@@ -10,7 +10,7 @@
 namespace polynomial_tests {
 
 using namespace hilger;
-using testing::radau;
+using testing::own_radau;
 
 namespace {
 
@@ -80,12 +80,12 @@ TEST_CASE("over the nodes of a quadrature it is the quadrature that integrates")
     auto const there = at_nodes<lobatto, 3>(uneven); // Simpson's rule
     CHECK(there.size() == 12);
     CHECK(integral(function_on(there, cube), there) == Q(16 - 1 + 3));
-    auto const one_sided = at_nodes<radau, 2>(uneven);
+    auto const one_sided = at_nodes<own_radau, 2>(uneven);
     CHECK(one_sided.element(3) == 0);
     CHECK(one_sided.element(2) == Q(-1, 3) + Q(1, 9));
     CHECK(integral(function_on(one_sided, [](Q const& t) { return Q(3 * t * t); }), one_sided) == 9);
     CHECK(integral(function_on(one_sided, cube), one_sided) != 18);
-    auto const too_many = at_nodes<radau, 3>(uneven);
+    auto const too_many = at_nodes<own_radau, 3>(uneven);
     CHECK_THROWS_WITH_AS(static_cast<void>(too_many.element(0)),
                          "the quadrature Radau was asked for 3 nodes and weights, and gives 2 and 2", error::mismatch const&);
     // between points of T, in either order
@@ -98,17 +98,17 @@ TEST_CASE("integration by parts is exact, with the end terms, on uneven steps") 
     is_integrated_by_parts<1, gauss, 1>();
     is_integrated_by_parts<1, lobatto, 2>();
     is_integrated_by_parts<2, lobatto, 3>();
-    is_integrated_by_parts<2, radau, 2>();
-    is_integrated_by_parts<3, radau, 2>();
+    is_integrated_by_parts<2, own_radau, 2>();
+    is_integrated_by_parts<3, own_radau, 2>();
     is_integrated_by_parts<4, lobatto, 3>();
 }
 
 TEST_CASE("polynomials of their degree are read exactly, and no others") {
     for (int n = 0; n <= 3; ++n) {
-        CHECK(reads_powers<3, radau, 2>(n));
+        CHECK(reads_powers<3, own_radau, 2>(n));
         CHECK(reads_powers<2, lobatto, 3>(n) == (n <= 2));
     }
-    CHECK_FALSE(reads_powers<3, radau, 2>(4));
+    CHECK_FALSE(reads_powers<3, own_radau, 2>(4));
     CHECK(reads_powers<1, lobatto, 2>(1));
 }
 

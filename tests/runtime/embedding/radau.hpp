@@ -6,7 +6,7 @@
 
 namespace hilger::testing {
 
-struct radau {
+struct own_radau {
     static constexpr char const* name = "Radau";
     static constexpr bool is_symmetric = false;
     template <class S>
@@ -16,6 +16,6 @@ struct radau {
 };
 /// Quadratic polynomials, read at these.
 inline constexpr auto radau_galerkin =
-    make_embedding<step_weight>(polynomial_value<2, radau, 2>{}, polynomial_slope<2, radau, 2>{}, "Radau");
+    make_embedding<step_weight>(polynomial_value<2, own_radau, 2>{}, polynomial_slope<2, own_radau, 2>{}, "Radau");
 
 } // namespace hilger::testing

@@ -132,13 +132,13 @@ TEST_CASE("vectors: the residual of a plane system is the derivative of its acti
 }
 
 TEST_CASE("at the nodes of a quadrature weights differ on a uniform T too") {
-    using B = quadrature_nodes<testing::radau, 2>;
+    using B = quadrature_nodes<testing::own_radau, 2>;
     constexpr unknown<"q", subdivided<2>> x;
     constexpr lagrangian L{[](auto const& y, auto const& v) { return v * v / 2 - y * y / 3 + y * v / 5 + y; }};
     auto const T = uniform(Q(0), Q(1), 4);
-    auto const S =
-        integral(L((shift<B, side::plus>{} * polynomial_value<2, testing::radau, 2>{})[x], polynomial_slope<2, testing::radau, 2>{}[x]),
-                 at_nodes<testing::radau, 2>(T));
+    auto const S = integral(
+        L((shift<B, side::plus>{} * polynomial_value<2, testing::own_radau, 2>{})[x], polynomial_slope<2, testing::own_radau, 2>{}[x]),
+        at_nodes<testing::own_radau, 2>(T));
     std::vector<Q> values;
     for (int i = 0; i <= 8; ++i) values.push_back(some_value<Q>(i, 1));
     auto const residual = variation(S).residual(function_on(subdivide<2>(T), values));
