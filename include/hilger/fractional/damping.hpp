@@ -81,27 +81,17 @@ auto checked_damping(Given const& given, Order const& beta, Policy policy, initi
     return fractional_damping<G, Rho, decltype(order), Policy>{std::move(rho), std::move(order), std::move(policy), history};
 }
 
-/// The components of states V that a damping acts on, and their history along one trajectory with steps h.
+/// The components of states V that a damping acts on.
 template <class Damping, class S, class V>
-class damped_components {
+class damped_places {
     using s = shape<V>;
     static constexpr bool same_for_all = shape<decltype(Damping::coefficient)>::is_scalar;
 
 public:
     using kept = std::conditional_t<s::is_scalar, V, Eigen::Matrix<S, Eigen::Dynamic, 1>>;
-    using memory = fractional_memory<typename Damping::generating, decltype(Damping::order), decltype(Damping::policy), S, kept>;
 
-    damped_components(Damping const& d, S const& h, V const& like)
-        : damped_(components(d, like)), taken_(shape<kept>::zero(count())), history_(d.order, d.policy, d.history, h, taken_) {}
+    damped_places(Damping const& d, V const& like) : damped_(components(d, like)), taken_(shape<kept>::zero(count())) {}
     [[nodiscard]] int count() const { return static_cast<int>(damped_.size()); }
-    [[nodiscard]] memory& history() { return history_; }
-    [[nodiscard]] memory const& history() const { return history_; }
-    [[nodiscard]] bool needs_velocity() const { return count() > 0 and history_.needs_velocity(); }
-    /// Everything that later derivatives depend on, for checkpoints.
-    template <class Visit>
-    void visit(Visit& each) {
-        if (count() > 0) history_.visit(each);
-    }
     /// These components of q.
     kept const& of(V const& q) {
         for (int k = 0; k < count(); ++k) shape<kept>::component(taken_, k) = s::component(q, at(k));
@@ -144,6 +134,28 @@ private:
     }
     std::vector<int> damped_;
     kept taken_;
+};
+/// The same, and their history along one trajectory with steps h.
+template <class Damping, class S, class V>
+class damped_components : public damped_places<Damping, S, V> {
+    using places = damped_places<Damping, S, V>;
+
+public:
+    using typename places::kept;
+    using memory = fractional_memory<typename Damping::generating, decltype(Damping::order), decltype(Damping::policy), S, kept>;
+
+    damped_components(Damping const& d, S const& h, V const& like)
+        : places(d, like), history_(d.order, d.policy, d.history, h, shape<kept>::zero(places::count())) {}
+    [[nodiscard]] memory& history() { return history_; }
+    [[nodiscard]] memory const& history() const { return history_; }
+    [[nodiscard]] bool needs_velocity() const { return places::count() > 0 and history_.needs_velocity(); }
+    /// Everything that later derivatives depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        if (places::count() > 0) history_.visit(each);
+    }
+
+private:
     memory history_;
 };
 

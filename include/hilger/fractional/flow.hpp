@@ -2,18 +2,27 @@
 // The flow of a Lagrangian with fractional damping under an embedding. Each step is one of the undamped flow; the reading of the damping
 // defines what the history adds before and after it, and to its equation: a mean over the step (with_fractional_damping,
 // fractional/mean.hpp) or impulses at the points (with_fractional_impulses, fractional/impulses.hpp).
+// At the nodes of galerkin<s, radau> it is the force there (fractional/stages.hpp), on any T; the others take steps of one length.
 //   auto const flow = embed(with_fractional_damping(L, rho, fraction<1, 2>{}), mid_point);
 //   for (auto const& x : flow.along(uniform(0.0, h, N), q0, p0)) ...
-// A step depends on all steps before it, of one length: there is no single step, no adjoint, and no composition.
+// A step depends on all steps before it: there is no single step, no adjoint, and no composition.
 #pragma once
 
 #include "hilger/fractional/impulses.hpp"
 #include "hilger/fractional/mean.hpp"
+#include "hilger/fractional/stages.hpp"
 #include "hilger/integrator/flow.hpp"
 
 namespace hilger {
 
-/// A flow with a reading of fractional damping; see embed(). Exists on uniform T only.
+namespace detail {
+template <class Reading>
+inline constexpr bool takes_any_steps = requires {
+    requires Reading::any_steps;
+};
+} // namespace detail
+
+/// A flow with a reading of fractional damping; see embed().
 template <class Flow, class Reading>
 class damped_flow : public stepping<damped_flow<Flow, Reading>> {
 public:
@@ -46,7 +55,9 @@ public:
             move(f, x);
         }
         void begin(damped_flow const& f, state<S, V> const& x, S const& h) {
-            if (not(h == h_))
+            if constexpr (detail::takes_any_steps<Reading>)
+                h_ = h;
+            else if (not(h == h_))
                 error::raise<error::mismatch>("fractional damping remembers steps of one length, ", h_, ", and this step has ", h);
             if (begun_) return;
             V v0 = zero_like(x.q);
@@ -87,9 +98,9 @@ public:
         void move(damped_flow const& f, state<S, V>& x) {
             before_ = x;
             undo guard{x, before_};
-            history_.before_step(x, step_.extra());
+            history_.before_step(x, step_.extra(), h_);
             step_.advance(f.undamped_, x, h_);
-            history_.after_step(x);
+            history_.after_step(x, step_.extra());
             guard.done = true;
         }
         history history_;
@@ -100,13 +111,17 @@ public:
         bool begun_ = false;
     };
 
-    /// Only on scales with equal steps: differences of fractional order are defined there.
+    /// Only on scales with equal steps, unless the reading takes any.
     /// @throws error::not_finite, error::mismatch when rho is a vector of another dimension than q0; during iteration, a step_failure.
     template <time_scale_like Scale, class V>
     auto start(Scale const& T, V q0, V p0) const {
-        detail::require_equal_steps<Scale>();
         damping_.require_dimension(q0);
-        return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
+        if constexpr (detail::takes_any_steps<Reading>)
+            return damped_flow(undamped_, damping_.on(T)).stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
+        else {
+            detail::require_equal_steps<Scale>();
+            return stepping<damped_flow>::start(T, std::move(q0), std::move(p0));
+        }
     }
     /// Refused: one step has no history.
     template <class S, class V>
@@ -132,17 +147,35 @@ private:
     Reading damping_;
 };
 
+namespace detail {
+/// How an embedding reads a damping: as it is, or at the nodes of Radau's quadrature.
+template <class E, class Reading>
+Reading const& reading_for(E const&, Reading const& reading) {
+    return reading;
+}
+template <int Degree, int Count, bool Checked, class Damping>
+at_stages<Damping, Count>
+reading_for(embedding<polynomial_value<Degree, radau, Count>, polynomial_slope<Degree, radau, Count>, step_weight, Checked> const&,
+            mean_over_step<Damping> const& reading) {
+    static_assert(std::same_as<typename Damping::generating, grunwald_letnikov> and std::same_as<decltype(Damping::policy), exponentials>,
+                  "at Radau's nodes a fractional damping is a power of Delta, with a history exponentials{tolerance}");
+    return {reading.dampings};
+}
+} // namespace detail
+
 /// The flow of a Lagrangian with damping under an embedding, embed(damped, mid_point). Sums are compensated where the damping is a mean
 /// over each step, unless by its type no order is above 1: near 2 the rounding of positions enters the force with h^-2.
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
     auto flow = embed(damped.mechanics, how, compensation);
-    return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
+    auto const reading = detail::reading_for(how, damped.damping);
+    return damped_flow<decltype(flow), std::remove_const_t<decltype(reading)>>(std::move(flow), reading);
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::plain>) {
     auto flow = embed(damped.mechanics, how);
-    return damped_flow<decltype(flow), Reading>(std::move(flow), damped.damping);
+    auto const reading = detail::reading_for(how, damped.damping);
+    return damped_flow<decltype(flow), std::remove_const_t<decltype(reading)>>(std::move(flow), reading);
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how) {

@@ -56,11 +56,11 @@ public:
         take(x.q);
         before_ = now_;
     }
-    void before_step(state<S, V>& x, extra const&) {
+    void before_step(state<S, V>& x, extra const&, S const&) {
         if (at_ != damping_at::end) damp(x.p);
     }
     /// @throws error::not_finite, also where impulses alternate and grow
-    void after_step(state<S, V>& x) {
+    void after_step(state<S, V>& x, extra const&) {
         if (on_.count() > 0) {
             std::swap(before_, now_);
             take(x.q);

@@ -128,11 +128,11 @@ struct mean_over_step {
         void begin(state<S, V> const& x, V const& v0) {
             for (auto& m : means_) m.begin(x.q, v0);
         }
-        void before_step(state<S, V>& x, extra& force) {
+        void before_step(state<S, V>& x, extra& force, S const&) {
             for (int j = 0; j < detail::shape<V>::dimension(x.q); ++j) detail::shape<V>::component(force.constant, j) = S(0);
             for (auto& m : means_) m.add_constant(x.q, force.constant);
         }
-        void after_step(state<S, V>& x) {
+        void after_step(state<S, V>& x, extra const&) {
             for (auto& m : means_) m.arrive(x.q);
         }
         /// Everything that later steps depend on, for checkpoints.

@@ -86,9 +86,11 @@ public:
     template <class S, class V, class Extra = detail::no_step_force>
     class stepper {
         using s = detail::shape<V>;
-        static constexpr bool small = facts_of<E>.one_node and s::size != Eigen::Dynamic and s::size <= detail::one_evaluation;
+        static constexpr bool small =
+            facts_of<E>.one_node and not detail::is_node_force<Extra> and s::size != Eigen::Dynamic and s::size <= detail::one_evaluation;
         static constexpr bool carried = Sums == sums::compensated;
-        static constexpr bool known = is_mechanical<F> and facts_of<E>.one_node and std::same_as<Force, no_force>;
+        static constexpr bool known =
+            is_mechanical<F> and not detail::is_node_force<Extra> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
         /// Whether there are control values inside the step and perhaps only the forces at the nodes to iterate.
         static constexpr bool inner =

@@ -2,6 +2,7 @@
 // An arbitrary discrete time scale: any strictly increasing finite set of points (Cresson-Safi, definition 6). Copies share the points.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -94,6 +95,33 @@ template <ordered_scalar S>
 time_scale<S> harmonic_numbers(index_type n) {
     std::vector<S> points{S(0)};
     for (index_type k = 1; k <= n; ++k) points.push_back(points.back() + S(1) / S(static_cast<long long>(k)));
+    return time_scale<S>(std::move(points));
+}
+
+/// t_i = a + (b - a) (i/N)^gamma, i = 0, ..., N: steps that grow from a on, for functions that begin like a broken power of t - a. a = 0
+/// keeps all digits of small steps. @throws error::invalid_scale unless a < b, 1 <= gamma and N >= 1, or where steps are lost in rounding
+template <ordered_scalar S>
+time_scale<S> graded(S const& a, S const& b, index_type N, std::type_identity_t<S> const& gamma) {
+    static_assert(not std::numeric_limits<S>::is_exact, "graded points are powers, and exact scalars have whole ones only");
+    using std::pow;
+    if (not(a < b) or not(S(1) <= gamma) or not is_finite(gamma) or N < 1)
+        error::raise<error::invalid_scale>("graded(a, b, N, gamma) needs a < b, one step or more and gamma >= 1, and was given ", a, ", ",
+                                           b, ", ", N, " and ", gamma);
+    std::vector<S> points;
+    for (index_type i = 0; i <= N; ++i) points.push_back(S(a + (b - a) * pow(S(S(i) / S(N)), gamma)));
+    points.back() = b;
+    return time_scale<S>(std::move(points));
+}
+/// Graded in the first unit of time, up to steps of about h, and equal afterwards. @throws as above, and unless 0 < h
+template <ordered_scalar S>
+time_scale<S> graded_start(S const& a, S const& b, std::type_identity_t<S> const& h, std::type_identity_t<S> const& gamma) {
+    using std::ceil;
+    if (not(S(0) < h) or not is_finite(h)) error::raise<error::invalid_scale>("a graded start needs steps 0 < h, and they are ", h);
+    S const end = b < a + S(1) ? b : S(a + S(1));
+    auto const first = graded(a, end, static_cast<index_type>(ceil(S(gamma * (end - a) / h))), gamma); // the last step is gamma/N
+    std::vector<S> points(first.begin(), first.end());
+    auto const rest = static_cast<index_type>(ceil(S((b - end) / h)));
+    for (index_type i = 1; i <= rest; ++i) points.push_back(i == rest ? b : S(end + (b - end) * (S(i) / S(rest))));
     return time_scale<S>(std::move(points));
 }
 

@@ -91,7 +91,11 @@ public:
             for (int c = 0; c < dimension(); ++c) f = std::max(f, S(magnitude(nodes_[at(k)].by_q(c))));
             sum = sum + magnitude(t_.w(k)) * f;
         }
-        if constexpr (has_step_force<Extra>) sum = sum + magnitude(h_) * magnitude(extra.constant);
+        if constexpr (has_step_force<Extra>) {
+            S f(0);
+            for (int c = 0; c < dimension(); ++c) f = std::max(f, size_of_extra(c));
+            sum = sum + f;
+        }
         return sum;
     }
     /// Magnitude of the terms of the residual.
@@ -117,7 +121,7 @@ public:
                     for (int c = 0; c < dimension(); ++c) size(c) = size(c) + wb * magnitude(nodes_[at(k)].by_v(c));
             }
             if constexpr (has_step_force<Extra>)
-                for (int c = 0; c < dimension(); ++c) size(c) = size(c) + magnitude(S(h_ * s::component(extra.constant, c)));
+                for (int c = 0; c < dimension(); ++c) size(c) = size(c) + size_of_extra(c);
         }
     }
     /// Largest weight of dL/dq in the equation over that in the momentum after the step, at most 1: the momentum changes by its inverse
@@ -222,6 +226,65 @@ protected:
         S sum(0);
         for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * t_.a(k, j);
         return sum;
+    }
+    /// Component c of the extra force at node k.
+    [[nodiscard]] S extra_at(int k, int c) const {
+        S force = s::component(extra.constant[at(k)], c);
+        for (auto const& term : extra.terms)
+            for (int m = 0; m < t_.nodes; ++m) force = force - s::component(term.factor, c) * term.slope(k, m) * moved_at(m, c);
+        return force;
+    }
+    /// A_k - q_i, component c, for embeddings that reproduce constants.
+    [[nodiscard]] S moved_at(int k, int c) const {
+        S by(0);
+        for (int m = 1; m <= U; ++m) by = by + t_.a(k, m) * component_of_moved(m, c);
+        return by;
+    }
+    /// Component c of the impulse of the extra force in row j.
+    [[nodiscard]] S impulse_of_extra(int j, int c) const {
+        if constexpr (is_node_force<Extra>) {
+            S sum(0);
+            for (int k = 0; k < t_.nodes; ++k)
+                if (S const by = t_.w(k) * t_.a(k, j); not(by == S(0))) sum = sum + by * extra_at(k, c);
+            return sum;
+        } else
+            return share(j) * extra.at(end(c), c);
+    }
+    /// The whole of it, which the momentum gains.
+    [[nodiscard]] S impulse_of_extra(int c) const {
+        if constexpr (is_node_force<Extra>) {
+            S sum(0);
+            for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * extra_at(k, c);
+            return sum;
+        } else
+            return h_ * extra.at(end(c), c);
+    }
+    /// The derivative of the impulse in row j by the displacement of U_m, with the sign changed.
+    [[nodiscard]] S resistance(int j, int m, int c) const {
+        if constexpr (is_node_force<Extra>) {
+            S sum(0);
+            for (auto const& term : extra.terms)
+                for (int k = 0; k < t_.nodes; ++k)
+                    for (int l = 0; l < t_.nodes; ++l)
+                        sum = sum + s::component(term.factor, c) * (t_.w(k) * t_.a(k, j) * term.slope(k, l) * t_.a(l, m));
+            return sum;
+        } else
+            return m == last ? S(share(j) * s::component(extra.slope, c)) : S(0);
+    }
+    /// Magnitude of the terms of the whole impulse, without the small one of `slope`.
+    [[nodiscard]] S size_of_extra(int c) const {
+        if constexpr (is_node_force<Extra>) {
+            S sum(0);
+            for (int k = 0; k < t_.nodes; ++k) {
+                S size = magnitude(s::component(extra.constant[at(k)], c));
+                for (auto const& term : extra.terms)
+                    for (int m = 0; m < t_.nodes; ++m)
+                        size = size + magnitude(S(s::component(term.factor, c) * term.slope(k, m) * moved_at(m, c)));
+                sum = sum + magnitude(t_.w(k)) * size;
+            }
+            return sum;
+        } else
+            return magnitude(S(h_ * s::component(extra.constant, c)));
     }
     int d_;
     tableau<S> t_;

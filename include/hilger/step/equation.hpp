@@ -25,7 +25,7 @@ class step_equation : public step_controls<S, V, Extra, Controls> {
     using s = shape<V>;
     using controls = step_controls<S, V, Extra, Controls>;
     using controls::at, controls::compute, controls::d_, controls::h_, controls::last, controls::nodes_, controls::place_of, controls::t_,
-        controls::U, controls::row_of, controls::factor, controls::share;
+        controls::U, controls::row_of, controls::factor;
 
 public:
     using controls::adds_up, controls::dimension, controls::end, controls::displacement, controls::extra, controls::moved,
@@ -81,7 +81,7 @@ public:
             for (int j = 0; j < U; ++j)
                 for (int c = 0; c < dimension(); ++c) {
                     S& r = residual(place_of(j + 1, c));
-                    r = r + share(j) * extra.at(end(c), c);
+                    r = r + controls::impulse_of_extra(j, c);
                 }
     }
     /// Factorizes the constant part. @returns false if it is singular
@@ -164,10 +164,14 @@ public:
         }
         if constexpr (has_step_force<Extra>)
             for (int c = 0; c < dimension(); ++c) {
-                S const force = extra.at(end(c), c);
-                increment(c) = increment(c) + h_ * force;
-                whole(c) = whole(c) + share(last) * force;
+                increment(c) = increment(c) + controls::impulse_of_extra(c);
+                whole(c) = whole(c) + controls::impulse_of_extra(last, c);
             }
+        if constexpr (is_node_force<Extra>) {
+            extra.moved.assign(at(t_.nodes), zero_like(x.q));
+            for (int k = 0; k < t_.nodes; ++k)
+                for (int c = 0; c < dimension(); ++c) s::component(extra.moved[at(k)], c) = controls::moved_at(k, c);
+        }
     }
 
 private:
@@ -241,10 +245,11 @@ private:
     void put_resistance(matrix& K) {
         if constexpr (has_step_force<Extra>)
             for (int c = 0; c < dimension(); ++c)
-                for (int j = 0; j < U; ++j) {
-                    S& entry = K[K.place(place_of(j + 1, c), place_of(last, c))];
-                    entry = entry - share(j) * s::component(extra.slope, c);
-                }
+                for (int j = 0; j < U; ++j)
+                    for (int m = is_node_force<Extra> ? 1 : last; m <= last; ++m) {
+                        S& entry = K[K.place(place_of(j + 1, c), place_of(m, c))];
+                        entry = entry - controls::resistance(j, m, c);
+                    }
     }
     S factors_are_of_{0};                                                         ///< step length of the factors of the constant part
     std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of each node's block entries in the matrix

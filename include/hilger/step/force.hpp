@@ -5,7 +5,13 @@
 //   no control values inside the step    p_i + h F / 2 = -d_1 L_h,   p_{i+1} = d_2 L_h + h F / 2,   whatever the embedding
 //   control values inside                F is added to dL/dq at every node
 // Both change the momentum by h F. They coincide for mid-point.
+// And forces at the nodes of a step, affine in the displacements A_m - q_i of all nodes: those of a memory with stages
+// (fractional/stages.hpp). They are added to dL/dq there, as any force is.
 #pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "hilger/shape.hpp"
 
@@ -26,6 +32,22 @@ struct step_force {
     }
 };
 
+/// F_k = constant_k - factor sum_m slope_km (A_m - q_i) at node k, summed over the terms, component by component.
+template <class V>
+struct node_force {
+    struct term {
+        V factor;
+        Eigen::Matrix<scalar_of<V>, Eigen::Dynamic, Eigen::Dynamic> slope;
+    };
+    std::vector<V> constant;
+    std::vector<term> terms;
+    std::vector<V> moved; ///< A_m - q_i at the end of the last step
+};
+
+template <class Extra>
+inline constexpr bool is_node_force = false;
+template <class V>
+inline constexpr bool is_node_force<node_force<V>> = true;
 template <class Extra>
 inline constexpr bool has_step_force = not std::is_same_v<Extra, no_step_force>;
 

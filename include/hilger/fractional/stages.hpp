@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSL-1.0
+// Fractional damping -rho D^beta q at the nodes of a Galerkin embedding whose nodes are Radau's, on any T: D^beta is the power of the
+// difference quotient of Radau IIA with these stages (history/stages.hpp), and its force is added to dL/dq at each node, as Lagrange and
+// d'Alembert's principle has it. With s stages the undamped part is of order 2s - 1, and so is the whole on a T that is graded enough at
+// its start; on equal steps the order is that of the solution there, which begins like t^{3 - beta}.
+//   embed(with_fractional_damping(L, rho, fraction<1, 2>{}, exponentials{1e-12}), galerkin<4, radau>)
+// D^beta is Caputo's. Only increments are differentiated: for beta > 1 it is D^{beta-1} of D[q] - v_0.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "hilger/embedding/collocation.hpp"
+#include "hilger/fractional/damping.hpp"
+#include "hilger/history/exponentials.hpp"
+#include "hilger/history/stages.hpp"
+#include "hilger/step/force.hpp"
+
+namespace hilger {
+
+namespace detail {
+
+/// The forces of one damping at the stages, along one trajectory.
+template <class Damping, class S, class V>
+class stage_damping {
+    using places = damped_places<Damping, S, V>;
+    using kept = typename places::kept;
+    using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+    static constexpr int least = std::is_floating_point_v<memory::modes_scalar<S>> ? 64 : 1024; // as in history/exponentials.hpp
+
+public:
+    template <class W>
+    stage_damping(Damping const& d, runge_kutta<W> const& method, S const& longest, S const& shortest, V const& like)
+        : on_(d, like), rho_(zero_like(like)), beta_(d.order.template as<S>()), since_(on_.of(rho_)), v0_(since_), now_(since_),
+          before_(since_), values_(method.stages(), since_), is_velocity_(not(beta_ < S(1))),
+          inverse_(static_cast<index_type>(method.stages()), static_cast<index_type>(method.stages())), slope_(inverse_) {
+        require_order(beta_);
+        for (int j = 0; j < shape<V>::dimension(like); ++j) shape<V>::component(rho_, j) = places::coefficient(d, j);
+        auto const inverse = memory::stage_resolvent<S, W>(method.A).inverse();
+        for (index_type i = 0; i < inverse_.rows(); ++i)
+            for (index_type j = 0; j < inverse_.cols(); ++j)
+                inverse_(i, j) = static_cast<S>(inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+        S const tolerance = d.policy.tolerance == 0 ? S(least) * epsilon<S>() : S(d.policy.tolerance);
+        if (S const rest = is_velocity_ ? S(beta_ - S(1)) : beta_; not(rest == S(0)) and on_.count() > 0)
+            history_.emplace(method, rest, tolerance, longest, shortest, since_);
+    }
+    [[nodiscard]] bool needs_velocity() const { return on_.count() > 0 and S(1) < beta_; }
+    void begin(V const& v0) {
+        if (needs_velocity()) v0_ = on_.of(v0);
+    }
+    /// Adds the force of a step of length h that does not move to its constants, and sets its slope.
+    void begin_step(S const& h, std::vector<V>& constant, typename node_force<V>::term& term) {
+        nu_ = h;
+        term.factor = rho_;
+        slope_ = is_velocity_ ? matrix(inverse_ / h) : matrix(matrix::Identity(inverse_.rows(), inverse_.cols()));
+        if (history_) {
+            history_->begin(h);
+            slope_ = history_->leading() * slope_;
+        }
+        term.slope = slope_;
+        kept const rest = is_velocity_ ? kept(-v0_) : since_;
+        for (index_type k = 0; k < slope_.rows(); ++k) {
+            kept force = rest - rest;
+            if (history_) force = history_->past(k) + rest * S(history_->leading().row(k).sum());
+            for (int c = 0; c < on_.count(); ++c) {
+                int const j = on_.at(c);
+                S& to = shape<V>::component(constant[static_cast<std::size_t>(k)], j);
+                to = to - shape<V>::component(rho_, j) * shape<kept>::component(force, c);
+            }
+        }
+    }
+    /// The displacements A_k - q_i of the step that has begun, which ends it.
+    void arrive(std::vector<V> const& moved) {
+        before_ = now_;
+        now_ = since_ - since_;
+        std::vector<kept> step;
+        for (V const& x : moved) step.push_back(on_.of(x));
+        for (std::size_t k = 0; k < step.size(); ++k) {
+            values_[k] = is_velocity_ ? kept(-v0_) : since_;
+            for (std::size_t m = 0; m < step.size(); ++m) {
+                auto const i = static_cast<index_type>(k), j = static_cast<index_type>(m);
+                if (is_velocity_)
+                    values_[k] = values_[k] + step[m] * S(inverse_(i, j) / nu_);
+                else if (k == m)
+                    values_[k] = values_[k] + step[m];
+            }
+        }
+        if (history_) {
+            index_type const last = slope_.rows() - 1;
+            now_ = history_->past(last);
+            for (std::size_t m = 0; m < step.size(); ++m)
+                now_ = now_ + values_[m] * S(history_->leading()(last, static_cast<index_type>(m)));
+            history_->push(values_);
+        } else
+            now_ = values_.back();
+        since_ = since_ + step.back();
+    }
+    /// Everything that later forces depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        for (kept* x : {&since_, &v0_, &now_, &before_}) memory::visit_components("damped", *x, each);
+        if (history_) history_->visit(each);
+    }
+    /// -rho D^beta q at the point reached last, or with `back` at the one before.
+    void add_force(V& f, bool back) const {
+        for (int c = 0; c < on_.count(); ++c) {
+            int const j = on_.at(c);
+            S& to = shape<V>::component(f, j);
+            to = to - shape<V>::component(rho_, j) * shape<kept>::component(back ? before_ : now_, c);
+        }
+    }
+
+private:
+    places on_;
+    V rho_;
+    S beta_, nu_{0};
+    kept since_, v0_, now_, before_; ///< q - q_0; the velocity at t_0, where the order asks for it; D^beta q at the last points
+    std::vector<kept> values_;       ///< the argument of the history: q - q_0, or D[q] - v_0
+    bool is_velocity_;
+    matrix inverse_, slope_;                     ///< A^-1; the derivative of D^beta q at the stages by the displacements
+    std::optional<stage_history<kept>> history_; ///< of an order that is not whole
+};
+
+} // namespace detail
+
+/// The sum of the dampings at the s stages of each step.
+template <class Damping, int Stages>
+struct at_stages {
+    std::vector<Damping> dampings;
+    double longest = 0, shortest = 0; ///< the length of T and its shortest step, which the histories are made for
+    static constexpr bool needs_compensation = detail::may_exceed_one<Damping>, any_steps = true;
+
+    /// Along one trajectory of states V.
+    template <class S, class V>
+    class history {
+    public:
+        using extra = detail::node_force<V>;
+        history(at_stages const& of, S const& h, V const& like) : zero_(zero_like(like)) {
+            auto const method = collocation<S, radau>(Stages);
+            S const shortest = of.longest > 0 ? S(of.shortest) : h, longest = of.longest > 0 ? S(of.longest) : S(h * S(1'000'000));
+            for (Damping const& d : of.dampings) terms_.emplace_back(d, method, longest, shortest, like);
+        }
+        [[nodiscard]] extra extra_force(V const& like) const {
+            typename extra::term const none{zero_like(like), decltype(extra::term::slope)::Zero(Stages, Stages)};
+            return {std::vector<V>(Stages, zero_like(like)), std::vector(terms_.size(), none), {}};
+        }
+        [[nodiscard]] bool needs_velocity() const {
+            return std::any_of(terms_.begin(), terms_.end(), [](auto const& d) { return d.needs_velocity(); });
+        }
+        void begin(state<S, V> const&, V const& v0) {
+            for (auto& d : terms_) d.begin(v0);
+        }
+        void before_step(state<S, V>&, extra& force, S const& h) {
+            force.constant.assign(Stages, zero_);
+            for (std::size_t k = 0; k < terms_.size(); ++k) terms_[k].begin_step(h, force.constant, force.terms[k]);
+        }
+        void after_step(state<S, V>&, extra const& force) {
+            for (auto& d : terms_) d.arrive(force.moved);
+        }
+        /// Everything that later steps depend on, for checkpoints.
+        template <class Visit>
+        void visit(Visit& each) {
+            for (auto& d : terms_) d.visit(each);
+        }
+        void add_force(V& force, bool back) const {
+            for (auto const& d : terms_) d.add_force(force, back);
+        }
+
+    private:
+        V zero_;
+        std::vector<detail::stage_damping<Damping, S, V>> terms_;
+    };
+    /// @throws error::mismatch
+    template <class V>
+    void require_dimension(V const& q) const {
+        for (Damping const& d : dampings) detail::damped_places<Damping, scalar_of<V>, V>::require_dimension(d, q);
+    }
+    /// The same for the steps of T.
+    template <class Scale>
+    [[nodiscard]] at_stages on(Scale const& T) const {
+        at_stages bound = *this;
+        bound.longest = static_cast<double>(T.max() - T.min());
+        bound.shortest = bound.longest;
+        for (index_type i = T.first(); i < T.last(); i = Scale::root_type::is_uniform ? T.last() : i + 1)
+            bound.shortest = std::min(bound.shortest, static_cast<double>(T.domain().base.step(T.root(), i)));
+        return bound;
+    }
+};
+
+} // namespace hilger
