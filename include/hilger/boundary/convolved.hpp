@@ -22,6 +22,13 @@ using fractional_action = action<F, identity_on<nodes, delta_weight>, fractional
 
 namespace detail {
 
+/// Refuses an uneven T, where the weights of each point are others.
+template <class Root>
+constexpr void require_two_sided_weights() {
+    static_assert(Root::is_uniform,
+                  "the two-sided problem of a fractional action is solved with the weights of one step h, on a uniform T");
+}
+
 enum class direction { forward, backward };
 
 /// A triangular Toeplitz matrix on values of type V, component by component; backward: its transpose.

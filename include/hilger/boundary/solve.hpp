@@ -22,6 +22,7 @@ namespace hilger {
 template <class F, generating_function G, class Order, class Root, class V>
 auto solve(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, Root const& T, boundary_values<V> const& ends,
            boundary_options const& options) {
+    detail::require_two_sided_weights<Root>();
     auto const [q0, qN] = detail::given_ends<typename Root::scalar_type>(ends);
     fractional_action<F, G, Order, Root> action = equation.action();
     action.T = T; // as for local equations, which are solved on any scale
