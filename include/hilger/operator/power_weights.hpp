@@ -8,43 +8,79 @@
 #pragma once
 
 #include <algorithm>
+#include <deque>
+#include <map>
 #include <optional>
 
 #include "hilger/operator/weights.hpp"
 
 namespace hilger::detail {
 
-/// The integral as the sum over nodes 1/x: in ln x by the trapezoidal rule, with positive terms.
+/// The trapezoidal rule in ln x for one alpha: nodes 1/x from the largest on, and values (sin(pi alpha)/pi) x^alpha dx/x, kept.
 template <class S>
-struct power_rule {
-    std::vector<S> node, value; ///< 1/x; (sin(pi alpha)/pi) x^alpha dx/x, divided by the factors 1 + x w_m so far
+class power_nodes {
+    using wide = typename wider<S>::type;
 
-    /// For products of at least three factors 1 + x w_m, with w_m >= smallest and their sum `total`. 1/prod (1 + x w_m) is the mean of
-    /// e^{-x t} over a positive t, so that steps of length 2 pi/y miss the integral by its share 2 |Gamma(1 + alpha + iy)| / Gamma(1 +
-    /// alpha) < 6 y^{3/2} e^{-pi y/2} at most, whatever T is.
-    power_rule(S const& alpha, S const& smallest, S const& total) {
-        using std::atan, std::exp, std::log, std::pow, std::sin;
-        using wide = typename wider<S>::type;
-        S const pi = S(4) * atan(S(1)), digits = -log(epsilon<S>());
-        S const ratio = exp(S(pi * pi / (digits + S(12)))), step = log(ratio);
-        // Below 1/total the integrand grows like x^{1+alpha}; above 1/smallest it falls like x^{alpha-2} or faster.
-        S const first = total * exp(S((digits + S(1)) / (S(1) + alpha))), last = smallest * exp(S(-(digits + S(4)) / (S(2) - alpha)));
-        S const factor = sin(S(pi * std::min(alpha, S(S(1) - alpha)))) / pi * step;
-        for (wide s(first); last < static_cast<S>(s); s = s / wide(ratio)) {
-            node.push_back(static_cast<S>(s));
-            value.push_back(S(factor * pow(node.back(), S(-alpha))));
+public:
+    struct node {
+        S at, value;
+    };
+    /// 1/prod (1 + x w_m) is the mean of e^{-x t} over a positive t, so that steps of length 2 pi/y miss the integral by its share
+    /// 2 |Gamma(1 + alpha + iy)| / Gamma(1 + alpha) < 6 y^{3/2} e^{-pi y/2} at most, whatever T is.
+    explicit power_nodes(S const& alpha) : alpha_(alpha) {
+        using std::atan, std::exp, std::log, std::sin;
+        S const pi = S(4) * atan(S(1)), ratio = exp(S(pi * pi / (S(12) - log(epsilon<S>()))));
+        ratio_ = wide(ratio);
+        factor_ = sin(S(pi * std::min(alpha, S(S(1) - alpha)))) / pi * log(ratio);
+        nodes_.push_back(weighted(wide(1)));
+    }
+    /// At least those between two numbers.
+    std::deque<node> const& covering(S const& smallest, S const& largest) {
+        while (nodes_.front().at < largest) nodes_.push_front(weighted(first_ = first_ * ratio_));
+        while (smallest < nodes_.back().at) nodes_.push_back(weighted(last_ = last_ / ratio_));
+        return nodes_;
+    }
+
+private:
+    node weighted(wide const& at) const {
+        using std::pow;
+        return {static_cast<S>(at), S(factor_ * pow(static_cast<S>(at), S(-alpha_)))};
+    }
+    S alpha_, factor_;
+    wide ratio_, first_{1}, last_{1};
+    std::deque<node> nodes_;
+};
+
+/// The integral over products of at least three factors 1 + x w_m, one more at a time, as a sum of positive terms.
+template <class S>
+struct power_integral {
+    std::vector<S> node, value; ///< 1/x; the values above, divided by the factors so far
+
+    /// For steps >= smallest with the sum `total`. Below 1/total the integrand grows like x^{1+alpha}; above 1/smallest it falls like
+    /// x^{alpha-2} or faster.
+    power_integral(S const& alpha, S const& smallest, S const& total) {
+        using std::exp, std::log;
+        thread_local std::map<S, power_nodes<S>> kept;
+        using limits = std::numeric_limits<S>;
+        S const digits = -log(epsilon<S>()), margin = S(1) / epsilon<S>(); // from what is no longer a number
+        S const above = total * exp(S((digits + S(1)) / (S(1) + alpha))), first = std::min(above, S((limits::max)() / margin));
+        S const below = smallest * exp(S(-(digits + S(4)) / (S(2) - alpha))), last = std::max(below, S((limits::min)() * margin));
+        for (auto const& x : kept.try_emplace(alpha, alpha).first->second.covering(last, first)) {
+            if (x.at < last or first < x.at) continue;
+            node.push_back(x.at);
+            value.push_back(x.value);
         }
     }
     /// The integral times w with one more factor 1 + x w.
     S next(S const& w) {
         S sum(0);
         for (std::size_t i = 0; i < node.size(); ++i) {
-            S const each = value[i] / (node[i] + w); // no x w, which may be too large
-            sum = sum + w * each;
-            value[i] = node[i] * each;
+            S const inverse = S(1) / (node[i] + w); // x w may be too large a number, and value[i] times this
+            sum = sum + value[i] * (w * inverse);
+            value[i] = value[i] * (node[i] * inverse);
         }
-        // The share of the largest x falls with each factor.
-        while (node.size() > 1 and value.back() * S(1024) < epsilon<S>() * sum) {
+        // The share of the largest x in all later entries is at most that of value/node, and falls with each factor.
+        while (node.size() > 1 and S(1024) * w * value.back() < epsilon<S>() * sum * node.back()) {
             node.pop_back();
             value.pop_back();
         }
@@ -73,9 +109,9 @@ std::vector<S> power_row(S const& alpha, index_type count, Steps const& w) {
         smallest = std::min(smallest, S(w(n)));
         total = total + w(n);
     }
-    power_rule<S> rule(alpha, smallest, total);
+    power_integral<S> integral(alpha, smallest, total);
     for (index_type n = 0; n < count; ++n) {
-        S const entry = rule.next(w(n));
+        S const entry = integral.next(w(n));
         if (n >= 2) row.push_back(-entry);
     }
     return row;
