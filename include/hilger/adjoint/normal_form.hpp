@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Equality of operators, decided at compile time. The normal form of a linear operator is its value at one generic function on one generic
-// scale: steps and values are fixed random elements of a field with 2^60 elements. Operators that are equal have equal normal forms.
-// Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of it with probability below
-// degree / 2^60 (Schwartz and Zippel): for a composition of ten operators, less than 1e-15.
+// scale: values are fixed random elements of a field with 2^60 elements, and steps random squares there, so that they have roots.
+// Operators that are equal have equal normal forms. Different ones differ by a non-zero rational function of values and steps, or of roots
+// of steps for fractional powers, and a random point is a zero of it with probability below degree / 2^59 (Schwartz and Zippel): for a
+// composition of ten operators, less than 1e-15.
 //   A == B             on every scale
 //   uniformly(A) == B  on every uniform scale
 #pragma once
@@ -31,8 +32,8 @@ constexpr prime_field field_power(prime_field x, int n) {
         if (n % 2 == 1) y = y * x;
     return y;
 }
-/// The steps of generic scales are powers of other elements, with an exponent that many numbers divide, so that they have roots, which
-/// multiply as roots do.
+/// The steps of generic scales are powers of other elements with an exponent that many numbers divide, so that they have roots, which
+/// multiply as roots do. These powers are all squares: the exponent and prime - 1 have the common divisor 2.
 inline constexpr int root_exponent = 27720;
 template <bool Uniform>
 constexpr prime_field root_of_step(index_type i) {
