@@ -25,6 +25,12 @@ static_assert(is_semigroup<adjoint(minus_Delta_plus_alpha<1, 4>), adjoint(minus_
 static_assert(after<Delta_minus_alpha<3, 4>, Delta_minus_alpha<3, 4>> == Delta_minus_alpha<1, 2> * Delta_minus_alpha<1, 1>);
 static_assert(after<Delta_minus_alpha<1, 3>, Delta_minus_alpha<1, 4>> == Delta_minus_alpha<7, 12>);
 
+// Any order, in both directions.
+static_assert(after<Delta_minus_alpha<1, 2>, Delta_minus_alpha<-1, 2>> == identity_T);
+static_assert(after<Delta_plus_alpha<-5, 3>, Delta_plus_alpha<2, 3>> == Delta_plus_alpha<-1, 1>);
+static_assert(after<minus_Delta_plus_alpha<5, 2>, minus_Delta_plus_alpha<1, 2>> == minus_Delta_plus_alpha<3, 1>);
+static_assert(Delta_minus * Delta_minus_alpha<-1, 1> == Delta_minus * antiderivative_nabla);
+
 // The adjoint has the same graininess and the other side. On equal steps the four operators are two.
 static_assert(adjoint(Delta_minus_alpha<2, 3>) == Delta_plus_alpha<2, 3> and adjoint(Delta_plus_alpha<2, 3>) == Delta_minus_alpha<2, 3>);
 static_assert(adjoint(adjoint(minus_Delta_plus_alpha<2, 3>)) == minus_Delta_plus_alpha<2, 3>);

@@ -27,6 +27,7 @@ constexpr prime_field random_element(std::uint64_t n) { // splitmix64
 
 /// x^n.
 constexpr prime_field field_power(prime_field x, int n) {
+    if (n < 0) return prime_field(1) / field_power(x, -n);
     prime_field y(1);
     for (; n > 0; n /= 2, x = x * x)
         if (n % 2 == 1) y = y * x;

@@ -28,6 +28,13 @@ constexpr void require_two_sided_weights() {
     static_assert(Root::is_uniform,
                   "the two-sided problem of a fractional action is solved with the weights of one step h, on a uniform T");
 }
+/// @throws error::invalid_parameter outside ]0, 1]
+template <class S>
+void require_two_sided_order(S const& alpha) {
+    if (not(S(0) < alpha and alpha <= S(1)))
+        error::raise<error::invalid_parameter>("the order of the difference of a two-sided problem lies in ]0, 1], and this one is ",
+                                               alpha);
+}
 
 enum class direction { forward, backward };
 

@@ -8,8 +8,8 @@
 // false); the power has those of Gruenwald and Letnikov, and the other generating functions need a uniform T.
 //   Delta_minus_alpha<1, 2>      order 1/2 in the type          Delta_minus(alpha)        order known at run time
 //   minus_alpha<bdf<2>, 1, 2>    another generating function    caputo_minus_alpha<1, 2>  of f - f(a)
-//   minus_Delta_plus_alpha<1, 2> (-Delta_+)^(1/2), the mirror image of Delta_-^(1/2): with the graininess mu. On a uniform T it is
-//   Delta_+^(1/2)
+//   Delta_minus_alpha<-1, 2>     the inverse, a sum
+//   minus_Delta_plus_alpha<1, 2> (-Delta_+)^(1/2), the mirror image of Delta_-^(1/2), with the graininess mu: Delta_+^(1/2) on a uniform T
 // Orders of one generating function, side and graininess add up in the type; a whole order is a local difference. The adjoint is between
 // the sums of nu over T^- and T^+, on a uniform T the nabla and the Delta sum (Bourdin et al., lemma 2; here with its boundary form).
 #pragma once
@@ -48,7 +48,7 @@ constexpr auto leading_factor(Root const& T, Order const& order) {
     if constexpr (requires { T.template leading_factor<G>(order); })
         return T.template leading_factor<G>(order);
     else if constexpr (not ordered_scalar<S>) { // a finite field has whole powers only
-        static_assert(Order::denominator == 1);
+        static_assert(Order::denominator == 1 and Order::numerator >= 0);
         S const once = G::template numerator<S>()[0] / G::template denominator<S>()[0] / T.step(0);
         S factor(1);
         for (int k = 0; k < Order::numerator; ++k) factor = factor * once;
@@ -72,7 +72,12 @@ struct order_name {
 };
 template <int P, int Q>
 struct order_name<fraction<P, Q>> {
-    static constexpr auto name() { return digits<P>() + "/" + digits<Q>(); }
+    static constexpr auto name() {
+        if constexpr (P < 0)
+            return "-" + order_name<fraction<-P, Q>>::name();
+        else
+            return digits<P>() + "/" + digits<Q>();
+    }
 };
 
 template <class A, class Domain>
@@ -136,8 +141,11 @@ struct fractional_difference : linear_operator<fractional_difference<G, Order, S
         else if constexpr (needs_uniform)
             return detail::needs_one_step<fractional_difference, root>();
         else {
-            auto const [whole, rest] = detail::whole_and_rest(order);
-            return detail::powers_of_difference<W, Side>::value(whole, rest, f, k);
+            using powers = detail::powers_of_difference<W, Side>;
+            if constexpr (ordered_scalar<typename root::scalar_type>)
+                return powers::value(order, f, k);
+            else
+                return powers::generic_value(order, f, k);
         }
     }
     constexpr auto adjoint() const { return fractional_difference<G, Order, opposite<Side>, W>{{}, order}; }
@@ -166,26 +174,28 @@ private:
 
 namespace detail {
 
-template <long long P, long long Q>
-inline constexpr bool is_order = P >= 0 and Q > 0 and P <= 2 * Q;
+/// @throws error::invalid_parameter beyond 100, where powers of steps are hardly numbers
+template <class S>
+constexpr void require_order_of_difference(S const& alpha) {
+    if (not(S(-100) <= alpha and alpha <= S(100)))
+        error::raise<error::invalid_parameter>("the order of a fractional difference lies in [-100, 100], and this one is ", alpha);
+}
 
-/// The sum of two orders. @throws error::invalid_parameter above 2
+/// The sum of two orders. @throws error::invalid_parameter beyond 100
 template <int P, int Q, int R, int T>
 constexpr auto sum_of_orders(fraction<P, Q>, fraction<R, T>) {
     constexpr long long above = static_cast<long long>(P) * T + static_cast<long long>(R) * Q, below = static_cast<long long>(Q) * T;
     constexpr long long divisor = std::gcd(above, below), p = above / divisor, q = below / divisor;
-    static_assert(is_order<p, q>, "orders of fractional differences add up to 2 at most");
-    static_assert(
-        q <= std::numeric_limits<int>::max() and p <= std::numeric_limits<int>::max(),
-        "the sum of these two orders of fractional differences has a denominator beyond the range of int; take orders with a common "
-        "denominator, or the order as a number, Delta_minus(alpha)");
+    static_assert(q <= std::numeric_limits<int>::max() and (p < 0 ? -p : p) <= std::numeric_limits<int>::max(),
+                  "the sum of these two orders of fractional differences has a denominator beyond the range of int; take orders with a "
+                  "common denominator, or the order as a number, Delta_minus(alpha)");
+    static_assert(-100 * q <= p and p <= 100 * q, "the order of a fractional difference lies in [-100, 100]");
     return fraction<static_cast<int>(p), static_cast<int>(q)>{};
 }
 template <class O, class R>
 constexpr auto sum_of_orders(O const& x, R const& y) {
     auto const add = [](auto const& a, auto const& b) {
-        if (b + a > decltype(b + a)(2))
-            error::raise<error::invalid_parameter>("orders of fractional differences add up to 2 at most, and these are ", a, " and ", b);
+        require_order_of_difference(b + a);
         return run_time<std::remove_cvref_t<decltype(a + b)>>{a + b};
     };
     if constexpr (requires { x.value; })
@@ -237,17 +247,19 @@ inline constexpr from_start minus_start{};
 namespace detail {
 template <int P, int Q>
 struct order_of_difference {
-    static_assert(Q > 0 and P > 0 and P <= Q,
-                  "the order P/Q of a fractional difference lies in ]0, 1] (Bourdin et al. (7)); orders up to 2 are products, as "
-                  "Delta_minus_alpha<3, 4> * Delta_minus_alpha<3, 4>, and order 0 is identity_T");
-    static constexpr bool valid = Q > 0 and P > 0 and P <= Q;
+    static constexpr bool valid = Q > 0 and -100LL * Q <= P and P <= 100LL * Q;
+    static_assert(valid, "the order P/Q of a fractional difference has a positive denominator and lies in [-100, 100]");
     using type = reduced<valid ? P : 1, valid ? Q : 1>;
 };
 template <int P, int Q>
 using order_in_type = typename order_of_difference<P, Q>::type;
+template <int P, int Q>
+struct order_of_caputo : order_of_difference<P, Q> {
+    static_assert(0 < P and P <= Q, "the order P/Q of a Caputo difference lies in ]0, 1]: it is of f - f(a), without a derivative at a");
+};
 } // namespace detail
 
-/// Delta_-^alpha and Delta_+^alpha (Gruenwald-Letnikov; of Riemann and Liouville's kind), 0 < alpha = P/Q <= 1.
+/// Delta_-^alpha and Delta_+^alpha (Gruenwald-Letnikov; of Riemann and Liouville's kind), alpha = P/Q; sums of order -alpha for alpha < 0.
 template <int P, int Q>
 inline constexpr fractional_difference<grunwald_letnikov, detail::order_in_type<P, Q>, side::minus> Delta_minus_alpha{};
 template <int P, int Q>
@@ -260,22 +272,25 @@ template <generating_function G, int P, int Q>
 inline constexpr fractional_difference<G, detail::order_in_type<P, Q>, side::minus> minus_alpha{};
 /// Delta_-^alpha[f - f(a)], of Caputo's kind: zero for constants.
 template <int P, int Q>
-inline constexpr auto caputo_minus_alpha = Delta_minus_alpha<P, Q>* minus_start;
+inline constexpr auto caputo_minus_alpha =
+    fractional_difference<grunwald_letnikov, typename detail::order_of_caputo<P, Q>::type, side::minus>{} * minus_start;
 
 /// The order known at run time: Delta_minus(alpha); the integer 1 is exact in every scalar. @throws error::invalid_parameter when it is
-/// outside ]0, 1].
+/// outside [-100, 100].
 template <class Base, side Side>
 template <scalar S>
 constexpr auto derivative<Base, Side>::operator()(S alpha) const {
     static_assert(std::same_as<Base, nodes>, "fractional differences act on functions on T");
-    if (not(S(0) < alpha) or S(1) < alpha)
-        error::raise<error::invalid_parameter>("the order of a fractional difference lies in ]0, 1], and this one is ", alpha);
+    detail::require_order_of_difference(alpha);
     return fractional_difference<grunwald_letnikov, run_time<S>, Side>{{}, {std::move(alpha)}};
 }
 template <class Base, side Side>
 constexpr auto derivative<Base, Side>::operator()(int alpha) const {
     static_assert(std::same_as<Base, nodes>, "fractional differences act on functions on T");
-    if (alpha != 1) error::raise<error::invalid_parameter>("the order of a fractional difference lies in ]0, 1], and this one is ", alpha);
+    if (alpha != 1)
+        error::raise<error::invalid_parameter>("a whole order of a fractional difference that is not 1 is in the type, as "
+                                               "Delta_minus_alpha<2, 1>, or a number of the scalar, and this one is ",
+                                               alpha);
     return fractional_difference<grunwald_letnikov, fraction<1>, Side>{};
 }
 

@@ -62,7 +62,8 @@ std::vector<S> uneven_steps(std::size_t n, S const& ratio) {
 } // namespace
 
 TEST_CASE_TEMPLATE("entries against divided differences", S, float, double, long double, float50) {
-    for (S const& alpha : {S(1) / S(1000), S(1) / S(4), S(1) / S(2), S(3) / S(4), S(999) / S(1000)})
+    for (S const& alpha :
+         {S(1) / S(1000), S(1) / S(4), S(1) / S(2), S(3) / S(4), S(999) / S(1000), S(-1) / S(1000), S(-1) / S(2), S(-999) / S(1000)})
         for (S const& ratio : {S(2), S(1000), S(1'000'000)}) {
             auto const w = uneven_steps(24, ratio);
             CHECK(worst_error(row_of(alpha, w), by_divided_differences(alpha, w)) <= 1);
@@ -75,15 +76,17 @@ TEST_CASE_TEMPLATE("steps that grow by a million, and equal steps among others",
     for (int i = 0; i < 40; ++i) repeated.push_back(S(i % 3 == 0 ? 4 : i % 7 == 0 ? 1 : 9));
     std::vector<wide> roots;
     for (S const& w : repeated) roots.push_back(1 / sqrt(wide(w)));
-    for (S const& alpha : {S(1) / S(4), S(1) / S(2), S(7) / S(8)})
+    for (S const& alpha : {S(1) / S(4), S(1) / S(2), S(7) / S(8), S(-1) / S(3), S(-7) / S(8)})
         for (auto const& w : {growing, falling}) {
             CHECK(worst_error(row_of(alpha, w), by_divided_differences(alpha, w)) <= 1);
         }
     CHECK(worst_error(row_of(S(S(1) / S(2)), repeated), detail::row_of_root(roots, 1, 2)) <= 1);
+    for (wide& r : roots) r = 1 / r;
+    CHECK(worst_error(row_of(S(S(-1) / S(2)), repeated), detail::row_of_root(roots, 1, 2, true)) <= 1);
 }
 TEST_CASE_TEMPLATE("equal steps have the weights of Gruenwald and Letnikov", S, float, double, long double) {
     std::vector<S> const w(2000, S(1));
-    for (S const& alpha : {S(1) / S(1000), S(1) / S(2), S(999) / S(1000)})
+    for (S const& alpha : {S(1) / S(1000), S(1) / S(2), S(999) / S(1000), S(-1) / S(2)})
         CHECK(worst_error(row_of(alpha, w), first_weights<grunwald_letnikov>(wide(alpha), 2000)) <= 1);
 }
 
@@ -146,8 +149,9 @@ TEST_CASE("steps at the ends of the range of a double") {
     auto const f = function_on(T, std::vector{1.0, 2.0, 5.0, 4.0, 3.0, 7.0});
     auto const minus = Delta_minus(0.5)[f];
     auto const plus = Delta_plus(0.9)[f];
+    auto const sums = Delta_plus(-0.9)[f];
     for (hilger::index_type k = 0; k <= 5; ++k) CHECK(is_finite(minus[k]));
-    for (hilger::index_type k = 0; k <= 5; ++k) CHECK(is_finite(plus[k]));
+    for (hilger::index_type k = 0; k <= 5; ++k) CHECK((is_finite(plus[k]) and is_finite(sums[k])));
 }
 
 } // namespace power_weights_tests

@@ -62,7 +62,8 @@ TEST_CASE("the rows of a root, by hand") {
 }
 
 TEST_CASE("orders add up, to the local differences") {
-    auto const f = some_f(squares), g = some_f(fourth_powers);
+    auto const f = some_f(squares);
+    auto const g = some_f(fourth_powers);
     check_semigroup(Delta_minus_alpha<1, 2>, Delta_minus_alpha<1, 2>, f);
     check_semigroup(Delta_plus_alpha<1, 2>, Delta_plus_alpha<1, 2>, f);
     check_semigroup(minus_Delta_plus_alpha<1, 2>, minus_Delta_plus_alpha<1, 2>, f);
@@ -84,6 +85,26 @@ TEST_CASE("orders add up, to the local differences") {
     for (hilger::index_type k = 1; k <= 7; ++k) CHECK(first[k] == back[k]);
     for (hilger::index_type k = 2; k <= 7; ++k) CHECK(second[k] == twice[k]);
     for (hilger::index_type k = 0; k < 7; ++k) CHECK(ahead[k] == -next[k]);
+}
+
+TEST_CASE("orders above 2 and below 0") {
+    auto const f = some_f(squares);
+    auto const g = some_f(fourth_powers);
+    check_semigroup(Delta_minus_alpha<1, 2>, Delta_minus_alpha<-1, 2>, f);
+    check_semigroup(Delta_plus_alpha<-1, 2>, Delta_plus_alpha<5, 2>, f);
+    check_semigroup(Delta_minus_alpha<-3, 2>, Delta_minus_alpha<-1, 1>, f);
+    check_semigroup(minus_Delta_plus_alpha<-3, 4>, minus_Delta_plus_alpha<11, 4>, g);
+    check_semigroup(Delta_minus(Q(-3, 4)), Delta_minus(Q(11, 4)), g);
+    CHECK(values((Delta_minus_alpha<1, 2> * Delta_minus_alpha<-1, 2>)[f]) == values(f));
+    CHECK(values(Delta_minus_alpha<3, 1>[f]) == values(Delta_minus_alpha<1, 1>[Delta_minus_alpha<2, 1>[f]]));
+    auto const sums = Delta_minus_alpha<-1, 1>[f];
+    auto const integral = antiderivative_nabla[f];
+    CHECK(sums[0] == f[0]);
+    for (hilger::index_type k = 0; k <= 7; ++k) CHECK(sums[k] - sums[0] == integral[k]);
+    check_by_parts(Delta_minus_alpha<-1, 2>, squares);
+    check_by_parts(minus_Delta_plus_alpha<5, 2>, squares);
+    time_scale<Q> const given(uniform(Q(0), Q(1), 6));
+    CHECK(values(Delta_minus_alpha<-2, 5>[some_f(given)]) == values(Delta_minus_alpha<-2, 5>[some_f(uniform(Q(0), Q(1), 6))]));
 }
 
 TEST_CASE("equal steps have the weights of Gruenwald and Letnikov") {
@@ -151,8 +172,7 @@ TEST_CASE("steps and orders without an exact root are refused") {
     CHECK_THROWS_AS((void)(Delta_minus_alpha<1, 4>[some_f(squares)][2]), error::invalid_parameter);
     CHECK_THROWS_WITH_AS(
         (void)(Delta_minus(Q(1, 1001))[f][1]),
-        "in an exact scalar the order of a fractional difference on uneven steps has a denominator up to 1000, and this one "
-        "is 1001",
+        "in an exact scalar the order of a fractional difference on uneven steps has a denominator up to 1000, and this one is 1001",
         error::invalid_parameter);
     CHECK((Delta_minus_alpha<1, 1>[f][2]) == (f[2] - f[1]) / 2);
 }
