@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect 1: bdf<2>_minus_alpha<1/2> has the weights of one step h, and this function lives on
-// expect 2: the two-sided problem of a fractional action is solved with the weights of one step h, on a uniform T
-// expect 3: Delta_minus_alpha<1/2> has the weights of one step h, and this integral is over
+// expect 2: Delta_minus_alpha<1/2> has the weights of one step h, and this integral is over
 // Gruenwald and Letnikov's differences are powers of the difference on every T; other generating functions are not, and neither are
 // histories.
 #include "hilger/calculus.hpp"
@@ -12,7 +11,6 @@ using namespace hilger;
 int main() {
     constexpr unknown q;
     constexpr unknown<"y"> y;
-    lagrangian const L{[](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; }};
     auto const equal = uniform(0.0, 1.0, 2);
     time_scale<double> const given{0.0, 1.0, 2.0};
     [[maybe_unused]] auto const on_every_scale = Delta_minus_alpha<1, 2>[function_on(given, [](double t) { return t; })];
@@ -28,9 +26,6 @@ int main() {
     (void)minus_alpha<bdf<2>, 1, 2>[function_on(T, [](double t) { return t; })];
 #endif
 #if not defined(MUST_NOT_COMPILE) || MUST_NOT_COMPILE == 2
-    (void)solve(variation(nabla_integral(L(q, Delta_minus_alpha<3, 4>[q]), T)), T, {.q0 = 0.0, .qN = 1.0});
-#endif
-#if not defined(MUST_NOT_COMPILE) || MUST_NOT_COMPILE == 3
     (void)integral(Delta_minus_alpha<1, 2>[q] * Delta_plus_alpha<1, 2>[y], T);
 #endif
     (void)equal;

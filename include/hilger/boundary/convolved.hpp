@@ -23,10 +23,10 @@ using fractional_action = action<F, identity_on<nodes, delta_weight>, fractional
 namespace detail {
 
 /// Refuses an uneven T, where the weights of each point are others.
-template <class Root>
+template <linear_map A, class Root>
 constexpr void require_two_sided_weights() {
-    static_assert(Root::is_uniform,
-                  "the two-sided problem of a fractional action is solved with the weights of one step h, on a uniform T");
+    if constexpr (not Root::is_uniform)
+        does_not_compile<A::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
 }
 /// @throws error::invalid_parameter outside ]0, 1]
 template <class S>

@@ -22,7 +22,7 @@ namespace hilger {
 template <class F, generating_function G, class Order, class Root, class V>
 auto solve(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, Root const& T, boundary_values<V> const& ends,
            boundary_options const& options) {
-    detail::require_two_sided_weights<Root>();
+    detail::require_two_sided_weights<fractional_difference<G, Order, side::minus>, Root>();
     detail::require_two_sided_order(equation.action().velocity.order.template as<typename Root::scalar_type>());
     auto const [q0, qN] = detail::given_ends<typename Root::scalar_type>(ends);
     fractional_action<F, G, Order, Root> action = equation.action();
