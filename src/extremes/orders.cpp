@@ -101,8 +101,8 @@ rows orders(scope) {
         all.push_back(kept(std::string("Delta_-^alpha[f] at 201 points, order ") + name, worst_difference(alpha), of_difference));
     flows(all);
     all.push_back(refused<error::invalid_parameter>("order 0 of a damping", [] { (void)damped(0.0, direct{}, initial_history::caputo); }));
-    all.push_back(refused<error::invalid_parameter>("order 0 of a difference", [] { (void)Delta_minus(0.0); }));
-    all.push_back(refused<error::invalid_parameter>("order 1 + eps of a difference", [] { (void)Delta_minus(1 + epsilon<double>()); }));
+    all.push_back(refused<error::invalid_parameter>("order 101 of a difference", [] { (void)Delta_minus(101.0); }));
+    all.push_back(refused<error::invalid_parameter>("order NaN of a difference", [] { (void)Delta_minus(std::nan("")); }));
     return all;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect: has the weights of one step h, and this integral is over a scale of given points
-// Fractional differences are convolutions; on unequal steps they are none.
+// lines-clang: 26
+// The method of two-sided problems is made of convolutions; on unequal steps fractional differences are none.
 #include "hilger/boundary/solve.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"

@@ -142,10 +142,10 @@ constexpr auto boundary_form(operator_sum<A, B> const& ab, F const& f, G const& 
 }
 
 /// Gruenwald-Letnikov and its siblings: their adjoint lives on the end points too, where the two sums have different weights. The boundary
-/// form has those terms: on all of T, h^(1-alpha) omega(0)^alpha times f(b)g(b) - f(a)g(a) for the side minus.
-template <class G, class Order, side Side, discrete_function F, discrete_function H>
-constexpr auto boundary_form(fractional_difference<G, Order, Side> const& a, F const& f, H const& g) {
-    using A = fractional_difference<G, Order, Side>;
+/// form has those terms: on all of T, nu^(1-alpha) omega(0)^alpha f g at b minus at a for the side minus.
+template <class G, class Order, side Side, class W, discrete_function F, discrete_function H>
+constexpr auto boundary_form(fractional_difference<G, Order, Side, W> const& a, F const& f, H const& g) {
+    using A = fractional_difference<G, Order, Side, W>;
     using S = typename F::root_type::scalar_type;
     auto const b = a.adjoint();
     auto const& T = f.root();
@@ -166,7 +166,7 @@ constexpr auto boundary_form(from_start const&, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;
     S total(0);
     for (index_type i = g.domain().first(g.root()); i <= g.domain().last(g.root()); ++i)
-        total = total - weight_at<delta_weight>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
+        total = total - weight_at<from_start::to_weight>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
     return total;
 }
 

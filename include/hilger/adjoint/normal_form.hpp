@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Equality of operators, decided at compile time. The normal form of a linear operator is its value at one generic function on one generic
-// scale: steps and values are fixed random elements of a field with 2^60 elements. Operators that are equal have equal normal forms.
-// Different ones differ by a non-zero rational function of the steps and values, and a random point is a zero of it with probability below
-// degree / 2^60 (Schwartz and Zippel): for a composition of ten operators, less than 1e-15.
+// scale: values are fixed random elements of a field with 2^60 elements, and steps random squares there, so that they have roots.
+// Operators that are equal have equal normal forms. Different ones differ by a non-zero rational function of values and steps, or of roots
+// of steps for fractional powers, and a random point is a zero of it with probability below degree / 2^59 (Schwartz and Zippel): for a
+// composition of ten operators, less than 1e-15.
 //   A == B             on every scale
 //   uniformly(A) == B  on every uniform scale
 #pragma once
@@ -24,38 +25,87 @@ constexpr prime_field random_element(std::uint64_t n) { // splitmix64
     return prime_field::residue((z ^ (z >> 31)) >> 3);
 }
 
+/// x^n.
+constexpr prime_field field_power(prime_field x, int n) {
+    if (n < 0) return prime_field(1) / field_power(x, -n);
+    prime_field y(1);
+    for (; n > 0; n /= 2, x = x * x)
+        if (n % 2 == 1) y = y * x;
+    return y;
+}
+/// The steps of generic scales are powers of other elements with an exponent that many numbers divide, so that they have roots, which
+/// multiply as roots do. These powers are all squares: the exponent and prime - 1 have the common divisor 2.
+inline constexpr int root_exponent = 27720;
+template <bool Uniform>
+constexpr prime_field root_of_step(index_type i) {
+    return random_element(Uniform ? 1 : 2 * static_cast<std::uint64_t>(i) + 3);
+}
+template <bool Uniform, index_type Steps>
+inline constexpr auto steps_with_roots = [] {
+    std::array<prime_field, static_cast<std::size_t>(Steps + 2)> steps{}; // families between the points ask for one or two more
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = field_power(root_of_step<Uniform>(static_cast<index_type>(i)), root_exponent);
+    return steps;
+}();
+template <int Q>
+constexpr int exponent_of_root() {
+    static_assert(root_exponent % Q == 0, "operators are compared for orders whose denominators divide 27720");
+    return root_exponent / Q;
+}
+
 /// A scale without order whose steps are independent variables, or one variable when it is uniform.
 template <bool Uniform, index_type Steps>
 struct generic_scale {
     using scalar_type = prime_field;
     static constexpr bool is_uniform = Uniform;
     static constexpr index_type steps() { return Steps; }
-    static constexpr prime_field step(index_type i) {
-        return Uniform ? power(root_of_step, whole) : random_element(2 * static_cast<std::uint64_t>(i) + 3);
-    }
-    /// omega(0)^alpha h^-alpha. The step h of the uniform scale is a power of another element, so that it has roots; roots of omega(0) are
-    /// formal: they multiply as roots do, and whole powers are exact.
+    static constexpr prime_field step(index_type i) { return steps_with_roots<Uniform, Steps>[static_cast<std::size_t>(i)]; }
+    /// omega(0)^alpha h^-alpha of the uniform scale. Roots of omega(0) are formal: they multiply as roots do, and whole powers are exact.
     template <class G, int P, int Q>
     static constexpr prime_field leading_factor(fraction<P, Q>) {
-        static_assert(whole % Q == 0, "operators are compared for orders whose denominators divide 27720");
+        constexpr int exponent = exponent_of_root<Q>() * P;
         constexpr prime_field base = G::template numerator<prime_field>()[0] / G::template denominator<prime_field>()[0];
-        prime_field const leading = Q == 1                   ? power(base, P)
+        prime_field const leading = Q == 1                   ? field_power(base, P)
                                     : base == prime_field(1) ? base
-                                                             : power(random_element(3) + base, static_cast<std::uint64_t>(whole / Q * P));
-        return leading / power(root_of_step, static_cast<std::uint64_t>(whole / Q * P));
+                                                             : field_power(random_element(3) + base, exponent);
+        return leading / field_power(root_of_step<true>(0), exponent);
     }
+    /// The weight of point j in the value at k of the power P/Q of the difference with the graininess of W (operator/power.hpp).
+    template <class W, int P, int Q>
+        requires(not Uniform)
+    static constexpr prime_field power_entry(fraction<P, Q>, index_type k, index_type j);
     static constexpr bool same_points(generic_scale) { return true; }
-
-private:
-    static constexpr int whole = 27720;
-    static constexpr prime_field root_of_step = random_element(1);
-    static constexpr prime_field power(prime_field x, std::uint64_t n) {
-        prime_field y(1);
-        for (; n > 0; n /= 2, x = x * x)
-            if (n % 2 == 1) y = y * x;
-        return y;
-    }
 };
+
+/// The entries of the power P/Q divided by w_j, by Opitz's divided differences of z^{P/Q} at z_m = 1/w_m: the same for both sides.
+template <index_type Steps, class W, int P, int Q>
+inline constexpr auto generic_power = [] {
+    constexpr auto size = static_cast<std::size_t>(Steps + 1);
+    std::array<std::array<prime_field, size>, size> entries{};
+    std::array<prime_field, size> z{}, difference{}; // difference[i]: [z_i, ..., z_n]
+    for (std::size_t n = 0; n < size; ++n) {
+        auto const at = continued_weight<W>::step_number(generic_scale<false, Steps>{}, static_cast<index_type>(n));
+        z[n] = prime_field(1) / generic_scale<false, Steps>::step(at);
+        difference[n] = prime_field(1) / field_power(root_of_step<false>(at), exponent_of_root<Q>() * P);
+        prime_field before(0), product = z[n];
+        entries[n][n] = difference[n] * product;
+        for (std::size_t i = n; i-- > 0;) {
+            std::swap(before, difference[i]);
+            // T continues with its first or last step: only there two neighbours are equal, and the difference is a derivative.
+            difference[i] = z[i] == z[n] ? fraction<P, Q>::template as<prime_field>() * difference[n] / z[n]
+                                         : (difference[i + 1] - before) / (z[n] - z[i]);
+            product = -product * z[i];
+            entries[n][i] = entries[i][n] = product * difference[i];
+        }
+    }
+    return entries;
+}();
+template <bool Uniform, index_type Steps>
+template <class W, int P, int Q>
+    requires(not Uniform)
+constexpr prime_field generic_scale<Uniform, Steps>::power_entry(fraction<P, Q>, index_type k, index_type j) {
+    return generic_power<Steps, W, P, Q>[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] *
+           step(continued_weight<W>::step_number(generic_scale{}, j));
+}
 
 template <bool Uniform, index_type Steps, class Base>
 struct generic_function : discrete_function_tag {

@@ -22,6 +22,20 @@ using fractional_action = action<F, identity_on<nodes, delta_weight>, fractional
 
 namespace detail {
 
+/// Refuses an uneven T, where the weights of each point are others.
+template <linear_map A, class Root>
+constexpr void require_two_sided_weights() {
+    if constexpr (not Root::is_uniform)
+        does_not_compile<A::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
+}
+/// @throws error::invalid_parameter outside ]0, 1]
+template <class S>
+void require_two_sided_order(S const& alpha) {
+    if (not(S(0) < alpha and alpha <= S(1)))
+        error::raise<error::invalid_parameter>("the order of the difference of a two-sided problem lies in ]0, 1], and this one is ",
+                                               alpha);
+}
+
 enum class direction { forward, backward };
 
 /// A triangular Toeplitz matrix on values of type V, component by component; backward: its transpose.

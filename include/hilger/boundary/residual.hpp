@@ -11,6 +11,7 @@ namespace hilger {
 /// As for local equations; N steps cost N^2 products.
 template <class F, generating_function G, class Order, class Root, discrete_function X>
 auto relative_residual(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, X const& x) {
+    detail::require_two_sided_weights<fractional_difference<G, Order, side::minus>, Root>();
     using V = value_of<X>;
     using S = scalar_of<V>;
     auto const& action = equation.action();

@@ -16,12 +16,14 @@ namespace hilger {
 /// The solution with x(t_0) = ends.q0 and x(t_N) = ends.qN, with a report. Boundary values are numbers or vectors of one length, or convert
 /// to such exactly (hilger/variational/given_state.hpp). O(N log N) time and O(N) memory; exact scalars in O(N^2) for L = v.M v / 2 and
 /// O(N^3) else.
-/// @throws error::invalid_parameter when h^alpha is no number of an exact scalar; error::mismatch when the
-///         boundary values have different lengths; error::not_finite; error::singular where d^2 L / dv dv is;
+/// @throws error::invalid_parameter when the order lies outside ]0, 1], or h^alpha is no number of an exact scalar; error::mismatch when
+///         the boundary values have different lengths; error::not_finite; error::singular where d^2 L / dv dv is;
 ///         newton_failure<std::vector<V>>, an error::no_convergence with the last iterate and its residual.
 template <class F, generating_function G, class Order, class Root, class V>
 auto solve(euler_lagrange<fractional_action<F, G, Order, Root>> const& equation, Root const& T, boundary_values<V> const& ends,
            boundary_options const& options) {
+    detail::require_two_sided_weights<fractional_difference<G, Order, side::minus>, Root>();
+    detail::require_two_sided_order(equation.action().velocity.order.template as<typename Root::scalar_type>());
     auto const [q0, qN] = detail::given_ends<typename Root::scalar_type>(ends);
     fractional_action<F, G, Order, Root> action = equation.action();
     action.T = T; // as for local equations, which are solved on any scale

@@ -68,12 +68,13 @@ struct trapezoid {
 
 namespace detail {
 
-/// x^alpha for alpha >= 0. In an exact scalar x is 1 or alpha a whole number; else `refuse` throws.
+/// x^alpha. In an exact scalar x is 1 or alpha a whole number; else `refuse` throws.
 template <class S, class Refuse>
 constexpr S power_or(S const& x, S const& alpha, Refuse const& refuse) {
     if (x == S(1)) return S(1);
     if (alpha == S(1)) return x;
     if constexpr (std::numeric_limits<S>::is_exact) {
+        if (alpha < S(0)) return S(1) / power_or(x, S(-alpha), refuse);
         S result(1), left = alpha;
         for (; not(left < S(1)); left = left - S(1)) result = result * x;
         if (not(left == S(0))) refuse();

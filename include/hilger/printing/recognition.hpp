@@ -32,8 +32,8 @@ inline std::optional<small_ratio> ratio_of_residue(prime_field x) {
 /// True when an operator works over a finite field: all of it is known at compile time, and it has no fractional power of the step.
 template <class A>
 inline constexpr bool is_algebraic = true;
-template <class G, class Order, side Side>
-inline constexpr bool is_algebraic<fractional_difference<G, Order, Side>> = (weights_end<G, Order> > 0);
+template <class G, class Order, side Side, class W>
+inline constexpr bool is_algebraic<fractional_difference<G, Order, Side, W>> = (weights_end<G, Order> > 0);
 template <class C, class A>
 inline constexpr bool is_algebraic<multiple<C, A>> = is_algebraic<A>;
 template <class A, class B>

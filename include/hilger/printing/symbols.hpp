@@ -100,6 +100,8 @@ template <int P, int Q>
 struct written_weight<mean_weight<fraction<P, Q>>> {
     static constexpr linear_weight value{Q - P, P, Q};
 };
+template <class W>
+struct written_weight<continued_weight<W>> : written_weight<W> {};
 template <>
 struct written_weight<step_weight> {
     static constexpr linear_weight value{0, 0, 1, "h"};

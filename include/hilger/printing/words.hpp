@@ -140,8 +140,8 @@ expression written_alone(tail_integral_at<Lambda> const&, expression const& f) {
     return f.in_brackets({"∫ₜᵇ(", "\\int_t^b\\left("}, {")∇", "\\right)\\nabla"});
 }
 inline expression written_alone(from_start const&, expression const& f) { return f + f.marked({"(a)", "(a)"}).times(-1, 1); }
-template <class G, class Order, side Side>
-expression written_alone(fractional_difference<G, Order, Side> const& a, expression const& f) {
+template <class G, class Order, side Side, class W>
+expression written_alone(fractional_difference<G, Order, Side, W> const& a, expression const& f) {
     std::string name(G::name().text().view());
     if (name.starts_with("bdf<")) name = "BDF" + name.substr(4, 1);
     bool const plain = name == "Delta", up = Side == side::plus;
@@ -151,6 +151,10 @@ expression written_alone(fractional_difference<G, Order, Side> const& a, express
     else
         shown = written_number(a.order.value);
     order = shown.size() > 1 ? "(" + shown + ")" : shown;
+    if (std::same_as<W, delta_weight>) { // (-Delta_+)^alpha, or its adjoint
+        notation const power{"(−Δ₊)^" + order, "(-\\Delta_{+})^{" + shown + "}"};
+        return with_symbol(f, up ? power : notation{"(" + power.terminal + ")*", "\\left(" + power.latex + "\\right)^{*}"});
+    }
     return with_symbol(f, {(plain ? "Δ" : name) + (up ? "₊" : "₋") + "^" + order,
                            (plain ? std::string("\\Delta") : "\\mathrm{" + name + "}") + "_{" + (up ? "+" : "-") + "}^{" + shown + "}"});
 }

@@ -33,6 +33,25 @@ struct mean_weight {
 using delta_weight = mean_weight<fraction<0>>;
 using nabla_weight = mean_weight<fraction<1>>;
 
+/// The graininess of W = delta_weight or nabla_weight with T continued by its own first or last step, nu(t_0) = nu(t_1) and mu(t_N) =
+/// mu(t_{N-1}), in a sum without the other end. On equal steps continued_weight<nabla_weight> is delta_weight, and the other way round.
+template <class W>
+struct continued_weight {
+    static constexpr bool vanishes_first = W::vanishes_last;
+    static constexpr bool vanishes_last = W::vanishes_first;
+    static constexpr auto name() { return "continued<" + W::name() + ">"; }
+    /// The number of the step that is the graininess at point i.
+    template <class Root>
+    static constexpr index_type step_number(Root const& T, index_type i) {
+        return W::vanishes_first ? std::max<index_type>(i - 1, 0) : std::min(i, T.steps() - 1);
+    }
+    template <class Root>
+    static constexpr auto at(Root const& T, nodes const&, index_type i) {
+        using S = typename Root::scalar_type;
+        return i == (vanishes_last ? T.steps() : 0) ? S(0) : S(T.step(step_number(T, i)));
+    }
+};
+
 /// The weights of the lambda-integral, on T_lambda: t_{i+1} - t_i at t_{i,lambda} (Cresson-Safi (32)); at the nodes of a quadrature those
 /// of the quadrature, which add up to it in each step.
 struct step_weight {

@@ -168,6 +168,10 @@ TEST_CASE("what is no boundary value problem is refused") {
     CHECK_THROWS_WITH_AS((void)solve(two_sided(dirichlet, Q(1, 2), exact), exact, boundary_values{0, 1}),
                          "in an exact scalar a fractional difference of order 1/2 takes steps of length 1, and this one is 1/2",
                          error::invalid_parameter);
+    auto const integrals = testing::two_sided(dirichlet, fraction<-1, 2>{}, uniform(0.0, 0.1, 10));
+    CHECK_THROWS_WITH_AS((void)solve(integrals, uniform(0.0, 0.1, 10), {.q0 = 0.0, .qN = 1.0}),
+                         "the order of the difference of a two-sided problem lies in ]0, 1], and this one is -0.5",
+                         error::invalid_parameter);
 }
 
 } // namespace boundary_tests

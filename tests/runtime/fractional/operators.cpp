@@ -116,13 +116,37 @@ TEST_CASE("of Riemann and Liouville's kind, and of Caputo's") {
     CHECK(std::abs(order(minus_alpha<bdf<2>, 1, 2>) - 2) < 0.02);
 }
 
+TEST_CASE("orders above 1 and below 0") {
+    auto const third = Delta_minus_alpha<7, 3>[f];
+    auto const twice = Delta_minus_alpha<1, 1>[tabulate(Delta_minus_alpha<4, 3>[f])];
+    auto const sums = Delta_minus_alpha<-1, 1>[f];
+    auto const back = Delta_minus_alpha<1, 3>[tabulate(Delta_minus_alpha<-1, 3>[f])];
+    auto const run_time = (Delta_minus(Q(5, 2)) * Delta_minus(Q(-3, 2)))[f];
+    Q sum(0);
+    for (hilger::index_type k = 0; k <= 6; ++k) {
+        sum += f[k];
+        CHECK(third[k] == twice[k]);
+        CHECK(sums[k] == sum);
+        CHECK(back[k] == f[k]);
+        CHECK(run_time[k] == Delta_minus_alpha<1, 1>[f][k]);
+    }
+    static_assert(Delta_minus_alpha<1, 2> * Delta_minus_alpha<-1, 2> == identity_T);
+    static_assert(uniformly(minus_alpha<bdf<2>, 1, 3> * minus_alpha<bdf<2>, -1, 3>) == identity_T);
+    static_assert(adjoint(Delta_minus_alpha<-3, 2>) == Delta_plus_alpha<-3, 2>);
+    check_by_parts(Delta_minus_alpha<-1, 2>, f, g);
+    check_by_parts(Delta_minus_alpha<5, 2>, f, g);
+    auto const halves = function_on(uniform(Q(0), Q(1, 2), 4), [](Q const& t) { return t; });
+    CHECK((Delta_minus_alpha<-1, 1>[halves][2]) == Q(3, 4));
+    CHECK((Delta_minus_alpha<3, 1>[halves][2]) == -4); // halves is 0 before t_0
+}
+
 TEST_CASE("orders out of range are refused") {
-    CHECK_THROWS_WITH_AS((void)Delta_minus(0.0), "the order of a fractional difference lies in ]0, 1], and this one is 0",
+    CHECK_THROWS_WITH_AS((void)Delta_minus(100.5), "the order of a fractional difference lies in [-100, 100], and this one is 100.5",
                          error::invalid_parameter);
-    CHECK_THROWS_AS((void)Delta_plus(1.5), error::invalid_parameter);
+    CHECK_THROWS_AS((void)Delta_plus(-101.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)Delta_plus(2), error::invalid_parameter);
     CHECK_THROWS_AS((void)Delta_plus(std::nan("")), error::invalid_parameter);
-    CHECK_THROWS_AS((void)(Delta_minus(0.75) * Delta_minus(0.75) * Delta_minus(0.75)), error::invalid_parameter);
+    CHECK_THROWS_AS((void)(Delta_minus(75.0) * Delta_minus(75.0)), error::invalid_parameter);
     auto const coarse = uniform(Q(0), Q(1, 2), 4);
     auto const x = function_on(coarse, [](Q const& t) { return t; });
     CHECK_THROWS_WITH_AS((void)(Delta_minus_alpha<1, 2>[x][2]),
