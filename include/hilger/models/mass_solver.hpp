@@ -20,11 +20,15 @@ public:
         if constexpr (is_matrix) {
             if (m.rows() != d) wrong(m.rows(), d);
             block_of<V> const matrix = m.template cast<S>();
-            factors_.compute(matrix); // no square roots: for rationals too
-            auto const pivots = factors_.vectorD();
-            V const entries = factors_.transpositionsP() * matrix.diagonal();
+            factors_.compute(matrix);
             bool regular = factors_.info() == Eigen::Success;
-            for (index_type k = 0; regular and k < d; ++k) regular = pivots(k) > S(0) and is_pivot(S(pivots(k)), S(entries(k)), d);
+            if constexpr (exact)
+                regular = regular and (factors_.vectorD().array() > S(0)).all();
+            else
+                for (index_type k = 0; regular and k < d; ++k) {
+                    S const pivot = S(factors_.matrixLLT()(k, k)) * S(factors_.matrixLLT()(k, k));
+                    regular = is_pivot(pivot, S(matrix(k, k)), d);
+                }
             if (not regular) error::raise<error::singular>("the mass matrix is not positive definite, or not to the digits of its scalar");
         } else if constexpr (requires { m.size(); }) {
             if (m.size() != d) wrong(m.size(), d);
@@ -41,13 +45,15 @@ public:
     }
 
 private:
+    static constexpr bool exact = std::numeric_limits<S>::is_exact; ///< rationals have no square roots
     static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
     struct nothing {};
     [[noreturn]] static void wrong(index_type m, index_type d) {
         error::raise<error::mismatch>("the mass has dimension ", m, ", and the state has ", d);
     }
     V inverse_;
-    std::conditional_t<is_matrix, Eigen::LDLT<block_of<V>>, nothing> factors_;
+    using factors = std::conditional_t<exact, Eigen::LDLT<block_of<V>>, Eigen::LLT<block_of<V>>>; // exchanged pivots may lose digits
+    std::conditional_t<is_matrix, factors, nothing> factors_;
 };
 
 } // namespace hilger::detail
