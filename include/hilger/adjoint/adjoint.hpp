@@ -103,7 +103,7 @@ constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g
     auto const inner = detail::paired(ab.b, f, A_g);
     auto const ends_of_a = boundary_form(ab.a, Bf, g);
     using P = typename A::from_weight;
-    using Q = typename B::to_weight;
+    using To = typename B::to_weight;
     auto const with_ends_of_b = [&](auto const& reweighted, auto const& not_paired) {
         auto const ends = ends_of_a + boundary_form(ab.b, f, reweighted);
         if constexpr (std::same_as<typename decltype(inner)::domain_type, typename decltype(A_g)::domain_type>)
@@ -114,10 +114,10 @@ constexpr auto boundary_form(composition<A, B> const& ab, F const& f, G const& g
             return ends + inner_product<W>(f, adjoint_of_b[reweighted]) - inner_product<W>(f, adjoint_of_b[not_paired]);
         }
     };
-    if constexpr (std::same_as<P, Q>)
+    if constexpr (std::same_as<P, To>)
         return with_ends_of_b(inner, A_g);
     else {
-        constexpr reweight<typename A::from, P, Q> R{};
+        constexpr reweight<typename A::from, P, To> R{};
         auto const reweighted = R[inner];
         return with_ends_of_b(reweighted, R[A_g]) + detail::sum_outside<P>(Bf, inner, reweighted.domain());
     }
@@ -132,13 +132,13 @@ constexpr auto boundary_form(operator_sum<A, B> const& ab, F const& f, G const& 
         auto const inner = op.adjoint()[h];
         return boundary_form(op, f, h) + detail::sum_outside<from>(f, inner, common);
     };
-    using Q = typename A::to_weight;
+    using To = typename A::to_weight;
     using Bq = typename B::to_weight;
-    if constexpr (std::same_as<Q, Bq>)
+    if constexpr (std::same_as<To, Bq>)
         return one(ab.a, g) + one(ab.b, g);
     else
-        return one(ab.a, g) + one(ab.b, reweight<typename A::to, Q, Bq>{}[g]) +
-               detail::sum_outside<Q>(ab.b[f], g, reweight<typename A::to, Q, Bq>{}[g].domain());
+        return one(ab.a, g) + one(ab.b, reweight<typename A::to, To, Bq>{}[g]) +
+               detail::sum_outside<To>(ab.b[f], g, reweight<typename A::to, To, Bq>{}[g].domain());
 }
 
 /// Gruenwald-Letnikov and its siblings: their adjoint lives on the end points too, where the two sums have different weights. The boundary

@@ -138,8 +138,8 @@ struct at_stages {
         using extra = detail::node_force<V>;
         history(at_stages const& of, S const& h, V const& like) : zero_(zero_like(like)) {
             auto const method = collocation<S, radau>(Stages);
-            S const shortest = of.longest > 0 ? S(of.shortest) : h, longest = of.longest > 0 ? S(of.longest) : S(h * S(1'000'000));
-            for (Damping const& d : of.dampings) terms_.emplace_back(d, method, longest, shortest, like);
+            S const least = of.longest > 0 ? S(of.shortest) : h, most = of.longest > 0 ? S(of.longest) : S(h * S(1'000'000));
+            for (Damping const& d : of.dampings) terms_.emplace_back(d, method, most, least, like);
         }
         [[nodiscard]] extra extra_force(V const& like) const {
             typename extra::term const none{zero_like(like), decltype(extra::term::slope)::Zero(Stages, Stages)};
