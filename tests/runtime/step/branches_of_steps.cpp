@@ -134,4 +134,30 @@ TEST_CASE("systems with a structure, by iteration and by Newton's method") {
     }
 }
 
+TEST_CASE("a force that jumps between the last corrections of a step is that of the side where the step ends, or there is none") {
+    Eigen::VectorXd const q0 = Eigen::VectorXd::Constant(1, 0.5), p0 = Eigen::VectorXd::Constant(1, 1);
+    double const h = 1.0 / 1024; // the forces of -q^2/2 approach their limit from one side
+    auto const end =
+        embed(mechanical(1.0, [](auto const& q) { return -q.dot(q) / 2; }), mid_point).step(state<double, Eigen::VectorXd>{0.0, q0, p0}, h);
+    double const middle = (q0(0) + end.q(0)) / 2;
+    int solved = 0;
+    for (int quarters = 8; quarters <= 64; ++quarters)
+        for (double const sign : {-1.0, 1.0})
+            for (double const jump : {-1.0, 1.0}) {
+                double const at = middle + sign * std::pow(10.0, -quarters / 4.0);
+                auto const pull = [=](double x) { return (x > at ? jump : 0.0) - x; };
+                auto const U = [=](auto const& q) { return jump * max(q(0) - at, 0.0) - q.dot(q) / 2; };
+                CAPTURE(at);
+                CAPTURE(jump);
+                try {
+                    auto const x = embed(mechanical(1.0, U), mid_point).step(state<double, Eigen::VectorXd>{0.0, q0, p0}, h);
+                    double const v = (x.q(0) - q0(0)) / h;
+                    CHECK(std::abs(p0(0) - v - h / 2 * pull((q0(0) + x.q(0)) / 2)) <= 1e-12);
+                    ++solved;
+                } catch (error::no_convergence const&) { // both sides lead across the jump
+                }
+            }
+    CHECK(solved >= 100);
+}
+
 } // namespace branches_of_steps_tests
