@@ -72,16 +72,16 @@ std::vector<V> damping_along(impulses_at_points<Damping> const& reading, S const
 
 /// Refused.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
-    requires(controls_of<embedding<A, B, W>> != 2)
+    requires(controls_of<embedding<A, B, W>> != 2 or takes_any_steps<Reading>)
 typename Scale::root_type::scalar_type judged(Judge const&,
                                               trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const&) {
-    static_assert(controls_of<embedding<A, B, W>> == 2,
+    static_assert(controls_of<embedding<A, B, W>> == 2 and not takes_any_steps<Reading>,
                   "fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the "
                   "points of T alone that this could be judged by");
 }
 /// As without damping; N steps cost N^2 products.
 template <class Judge, class F, class Force, linear_map A, linear_map B, class W, sums Sums, class Reading, class Scale, class V>
-    requires(controls_of<embedding<A, B, W>> == 2)
+    requires(controls_of<embedding<A, B, W>> == 2 and not takes_any_steps<Reading>)
 auto judged(Judge const&, trajectory<damped_flow<flow<F, Force, embedding<A, B, W>, Sums>, Reading>, Scale, V> const& path) {
     using S = typename Scale::root_type::scalar_type;
     auto const& flow = path.method().undamped();
