@@ -107,4 +107,18 @@ TEST_CASE("there is no limit of stability: far beyond that of impulses the energ
     }
 }
 
+TEST_CASE("with points inside the steps it is one curve by forces and by the equation") {
+    // q v is the derivative of q^2 / 2: the same motion, with momenta p + q, and not by forces alone
+    auto const gauged = [](auto const& q, auto const& v) { return spring(q, v) + q * v; };
+    auto const states = [](auto const& l, double p0) {
+        return record(embed(with_fractional_damping(l, 2.0, fraction<1, 2>{}), galerkin<2, gauss>).along(uniform(0.0, 0.25, 20), 1.0, p0))
+            .states;
+    };
+    auto const by_forces = states(spring, 0.5), by_equation = states(gauged, 1.5);
+    for (std::size_t i = 0; i < by_forces.size(); ++i) {
+        CHECK(std::abs(by_forces[i].q - by_equation[i].q) <= 256 * epsilon<double>());
+        CHECK(std::abs(by_forces[i].p + by_forces[i].q - by_equation[i].p) <= 256 * epsilon<double>());
+    }
+}
+
 } // namespace fractional_mean_tests
