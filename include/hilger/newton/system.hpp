@@ -26,11 +26,11 @@ class factors_of {
     using kept = std::conditional_t<shape<V>::is_scalar or is_patterned, Jacobian, elimination<S, shape<V>::size>>;
 
 public:
-    /// @returns false if J is singular to rounding. An infinite slope of a scalar is accepted at a root.
-    bool factorize(Jacobian&& J, V const& r) {
+    /// @returns false if J is singular to rounding.
+    bool factorize(Jacobian&& J) {
         if constexpr (shape<V>::is_scalar) {
             kept_ = J;
-            return is_divisor(J) or (r == V(0) and J == J and not(J == V(0)));
+            return is_divisor(J);
         } else if constexpr (is_patterned) {
             kept_ = std::move(J);
             return kept_.factorize();
@@ -82,11 +82,11 @@ public:
     auto with(Use const& use) {
         auto const evaluate = [this](V const& y, V& r) {
             auto made = system_(y);
-            r = residual_ = std::move(made.residual);
+            r = std::move(made.residual);
             J_ = std::move(made.jacobian);
             return S(magnitude(given_) + S(shape<V>::dimension(y)) * largest_entry(J_) * magnitude(y));
         };
-        auto const linearize = [this] { return factors_.factorize(std::move(J_), residual_); };
+        auto const linearize = [this] { return factors_.factorize(std::move(J_)); };
         auto const correct = [this](V const& r, V& d) {
             factors_.solve(r, d);
             d = -d;
@@ -97,7 +97,6 @@ public:
 private:
     newton_function<V, Jacobian> const& system_;
     V const& given_;
-    V residual_{};
     Jacobian J_{};
     factors_of<V, Jacobian> factors_{};
 };
