@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Runge-Kutta methods made from quadratures (Hairer, Wanner, Solving Ordinary Differential Equations II, IV.5):
 //   collocation<S, Q>(s)   a_ij = integral of l_j from 0 to c_i, b_j = w_j; Q = radau is Radau IIA, order 2s - 1, stiffly accurate
-//   lobatto_3c<S>(s)       Lobatto's nodes and weights, a_i1 = b_1, polynomials up to degree s - 2 integrated exactly; order 2s - 2,
-//   stiffly
-//                          accurate
+//   lobatto_3c<S>(s)       Lobatto's nodes and weights, a_i1 = b_1, exact up to degree s - 2; order 2s - 2, stiffly accurate
 // The numbers have more digits than S.
 #pragma once
 

@@ -15,17 +15,9 @@ namespace detail {
 /// A polynomial through two points and more is 1 where they are all 1 and t where they are t, and the weights of these quadratures add up
 /// to 1; checking that over the finite field would take half a second for sixteen nodes (tests/static/galerkin_is_consistent.cpp). A slope
 /// of lower degree than the number of nodes is zero when it is zero at all of them.
-template <int Degree, int Count>
+template <int Degree, known_quadrature Quadrature, int Count>
 inline constexpr bool
-    is_consistent_by_construction<polynomial_value<Degree, gauss, Count>, polynomial_slope<Degree, gauss, Count>, step_weight> =
-        Count >= Degree;
-template <int Degree, int Count>
-inline constexpr bool
-    is_consistent_by_construction<polynomial_value<Degree, lobatto, Count>, polynomial_slope<Degree, lobatto, Count>, step_weight> =
-        Count >= Degree;
-template <int Degree, int Count>
-inline constexpr bool
-    is_consistent_by_construction<polynomial_value<Degree, radau, Count>, polynomial_slope<Degree, radau, Count>, step_weight> =
+    is_consistent_by_construction<polynomial_value<Degree, Quadrature, Count>, polynomial_slope<Degree, Quadrature, Count>, step_weight> =
         Count >= Degree;
 
 template <int Stages, class Quadrature>

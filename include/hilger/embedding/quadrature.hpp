@@ -67,6 +67,7 @@ struct gauss {
     static constexpr fixed_text letter{"G"};
     static constexpr bool is_symmetric = true;
     static constexpr int degree(int stages) { return stages; } ///< of the polynomials of galerkin<stages, gauss>
+    static constexpr int exact_up_to(int n) { return 2 * n - 1; }
     /// n nodes, exact up to degree 2n - 1, for numbers S.
     template <class S>
     static auto on_unit_interval(int n) {
@@ -91,6 +92,7 @@ struct lobatto {
     static constexpr fixed_text letter{"L"};
     static constexpr bool is_symmetric = true;
     static constexpr int degree(int stages) { return stages - 1; }
+    static constexpr int exact_up_to(int n) { return 2 * n - 3; }
     /// n >= 2 nodes, both ends among them, exact up to degree 2n - 3, for numbers S.
     template <class S>
     static auto on_unit_interval(int n) {
@@ -121,6 +123,7 @@ struct radau {
     static constexpr fixed_text letter{"R"};
     static constexpr bool is_symmetric = false;
     static constexpr int degree(int stages) { return stages; }
+    static constexpr int exact_up_to(int n) { return 2 * n - 2; }
     /// n nodes, the last one 1, exact up to degree 2n - 2, for numbers S.
     template <class S>
     static auto on_unit_interval(int n) {
@@ -146,6 +149,10 @@ struct radau {
 };
 
 namespace detail {
+
+/// A quadrature of this file.
+template <class Quadrature>
+concept known_quadrature = std::same_as<Quadrature, gauss> or std::same_as<Quadrature, lobatto> or std::same_as<Quadrature, radau>;
 
 /// Nodes and weights of a quadrature as residues: rational ones exactly, irrational ones as generic elements, which suffices: an identity
 /// for any numbers holds for these.

@@ -6,6 +6,7 @@
 // A reading r has a history r.template along<S, V>(h, like), which defines the changes before and after each undamped step.
 #pragma once
 
+#include <algorithm>
 #include <ranges>
 #include <tuple>
 #include <type_traits>
@@ -157,6 +158,28 @@ public:
 
 private:
     memory history_;
+};
+
+/// The dampings of a sum along one trajectory, each with a history of its own.
+template <class Term>
+class sum_of_dampings {
+public:
+    [[nodiscard]] bool needs_velocity() const {
+        return std::any_of(terms_.begin(), terms_.end(), [](Term const& d) { return d.needs_velocity(); });
+    }
+    /// Everything that later steps depend on, for checkpoints.
+    template <class Visit>
+    void visit(Visit& each) {
+        for (Term& d : terms_) d.visit(each);
+    }
+    /// The force at the point reached last, or with `back` at the one before.
+    template <class V>
+    void add_force(V& force, bool back) const {
+        for (Term const& d : terms_) d.add_force(force, back);
+    }
+
+protected:
+    std::vector<Term> terms_;
 };
 
 } // namespace detail

@@ -167,15 +167,11 @@ reading_for(embedding<polynomial_value<Degree, radau, Count>, polynomial_slope<D
 /// over each step, unless by its type no order is above 1: near 2 the rounding of positions enters the force with h^-2.
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::compensated> compensation) {
-    auto flow = embed(damped.mechanics, how, compensation);
-    auto const reading = detail::reading_for(how, damped.damping);
-    return damped_flow<decltype(flow), std::remove_const_t<decltype(reading)>>(std::move(flow), reading);
+    return damped_flow(embed(damped.mechanics, how, compensation), detail::reading_for(how, damped.damping));
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how, std::integral_constant<sums, sums::plain>) {
-    auto flow = embed(damped.mechanics, how);
-    auto const reading = detail::reading_for(how, damped.damping);
-    return damped_flow<decltype(flow), std::remove_const_t<decltype(reading)>>(std::move(flow), reading);
+    return damped_flow(embed(damped.mechanics, how), detail::reading_for(how, damped.damping));
 }
 template <class L, class Reading, class E>
 auto embed(damped_problem<L, Reading> const& damped, E const& how) {

@@ -14,8 +14,6 @@
 //   with_fractional_damping(L, {{rho_1, beta_1}, {rho_2, beta_2}})   several, of orders known at run time
 #pragma once
 
-#include <algorithm>
-
 #include "hilger/fractional/damping.hpp"
 #include "hilger/step/force.hpp"
 
@@ -54,7 +52,7 @@ public:
     mean_damping(Damping const& d, S const& h, V const& like)
         : on_(d, h, like), rho_(on_.coefficients(d)), now_(zero_like(rho_)), before_(now_), earlier_(now_), force_(now_),
           lag_(lag_of<typename Damping::generating, S>() * d.order.template as<S>()), theta_(S(1) / S(2) + lag_) {}
-    [[nodiscard]] on const& components() const { return on_; }
+    [[nodiscard]] bool needs_velocity() const { return on_.needs_velocity(); }
     void begin(V const& q0, V const& v0) {
         if (on_.count() == 0) return;
         kept const velocity = on_.of(v0);
@@ -110,42 +108,30 @@ struct mean_over_step {
 
     /// Along one trajectory of states V with steps h.
     template <class S, class V>
-    class history {
+    class history : public detail::sum_of_dampings<detail::mean_damping<Damping, S, V>> {
+        using detail::sum_of_dampings<detail::mean_damping<Damping, S, V>>::terms_;
+
     public:
         using extra = detail::step_force<V>;
         history(mean_over_step const& of, S const& h, V const& like) {
-            for (Damping const& d : of.dampings) means_.emplace_back(d, h, like);
+            for (Damping const& d : of.dampings) terms_.emplace_back(d, h, like);
         }
         /// The force on the undamped flow, before its constant is known.
         [[nodiscard]] extra extra_force(V const& like) const {
             extra force{zero_like(like), zero_like(like)};
-            for (auto const& m : means_) m.add_slope(force.slope);
+            for (auto const& m : terms_) m.add_slope(force.slope);
             return force;
         }
-        [[nodiscard]] bool needs_velocity() const {
-            return std::any_of(means_.begin(), means_.end(), [](auto const& m) { return m.components().needs_velocity(); });
-        }
         void begin(state<S, V> const& x, V const& v0) {
-            for (auto& m : means_) m.begin(x.q, v0);
+            for (auto& m : terms_) m.begin(x.q, v0);
         }
         void before_step(state<S, V>& x, extra& force, S const&) {
             for (int j = 0; j < detail::shape<V>::dimension(x.q); ++j) detail::shape<V>::component(force.constant, j) = S(0);
-            for (auto& m : means_) m.add_constant(x.q, force.constant);
+            for (auto& m : terms_) m.add_constant(x.q, force.constant);
         }
         void after_step(state<S, V>& x, extra const&) {
-            for (auto& m : means_) m.arrive(x.q);
+            for (auto& m : terms_) m.arrive(x.q);
         }
-        /// Everything that later steps depend on, for checkpoints.
-        template <class Visit>
-        void visit(Visit& each) {
-            for (auto& m : means_) m.visit(each);
-        }
-        void add_force(V& force, bool back) const {
-            for (auto const& m : means_) m.add_force(force, back);
-        }
-
-    private:
-        std::vector<detail::mean_damping<Damping, S, V>> means_;
     };
     /// @throws error::mismatch
     template <class V>

@@ -50,6 +50,16 @@ struct stage_loop {
     }
 };
 
+/// A matrix of stages, rounded.
+template <class S, class W>
+Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> rounded(stage_matrix<W> const& a) {
+    auto const size = static_cast<index_type>(a.size());
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> m(size, size);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < a.size(); ++j) m(static_cast<index_type>(i), static_cast<index_type>(j)) = static_cast<S>(a[i][j]);
+    return m;
+}
+
 } // namespace detail::memory
 
 template <class V>
@@ -155,7 +165,10 @@ private:
     static constexpr int least = std::is_floating_point_v<M> ? 32 : 512;
 
     stage_history(runge_kutta<W> const& method, S const& alpha, S const& longest, S const& shortest, int size)
-        : alpha_(alpha), longest_(longest), shortest_(shortest), functions_(detail::memory::stage_resolvent<S, W>(method.A), method.b) {
+        : stage_history(detail::memory::stage_resolvent<S, W>(method.A), method.b, alpha, longest, shortest, size) {}
+    stage_history(detail::memory::stage_resolvent<S, W> const& resolvent, std::vector<W> const& b, S const& alpha, S const& longest,
+                  S const& shortest, int size)
+        : alpha_(alpha), longest_(longest), shortest_(shortest), functions_(resolvent, b) {
         using std::floor;
         if (not(S(0) <= alpha and alpha <= S(2)))
             error::raise<error::invalid_parameter>("a history of stages has an order from 0 to 2, not ", alpha);
@@ -163,23 +176,16 @@ private:
             error::raise<error::invalid_parameter>(
                 "a history of stages is made for steps above 0 and a time that is not below them, not for ", shortest, " and ", longest);
         beta_ = alpha - floor(alpha);
-        detail::memory::stage_resolvent<S, W> const resolvent(method.A);
         auto const inverse = resolvent.inverse();
         auto power = resolvent.inverse_power(beta_), zero = power;
-        power_of_beta_ = rounded(power);
+        power_of_beta_ = detail::memory::rounded<S>(power);
         for (auto& row : zero) row.assign(row.size(), W(0));
         index_type whole = 0;
         for (S rest = alpha; S(1) <= rest; rest = rest - S(1), ++whole) power = detail::memory::multiply_add(zero, W(1), inverse, power);
-        inverse_ = rounded(inverse);
-        power_ = rounded(power);
+        inverse_ = detail::memory::rounded<S>(inverse);
+        power_ = detail::memory::rounded<S>(power);
         values_ = of_modes_ = past_ = matrix::Zero(power_.rows(), size);
         last_ = matrix::Zero(whole, size);
-    }
-    static matrix rounded(detail::memory::stage_matrix<W> const& a) {
-        matrix m(a.size(), a.size());
-        for (std::size_t i = 0; i < a.size(); ++i)
-            for (std::size_t j = 0; j < a.size(); ++j) m(static_cast<index_type>(i), static_cast<index_type>(j)) = static_cast<S>(a[i][j]);
-        return m;
     }
     /// In whole packs, the slow ones last: a mean is a sum of 1/rate terms, whose rounding grows like a random walk (exponentials.hpp).
     void make_modes(M const& tolerance) {

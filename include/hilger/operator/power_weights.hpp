@@ -160,9 +160,7 @@ template <class S>
 std::vector<S> row_of_root(std::vector<S> const& r, int p, int q, bool inverse = false) {
     std::size_t const count = r.size();
     std::vector<std::vector<std::vector<S>>> R(static_cast<std::size_t>(q) + 1, {count, std::vector<S>(count, S(0))}); // R[i]: R^i
-    std::vector<S> own(R.size()),
-        slope(R.size()); // of an entry of R^i: own + slope times the same entry
-                         // of R
+    std::vector<S> own(R.size()), slope(R.size()); // an entry of R^i is own + slope times the same entry of R
     for (std::size_t d = 0; d < count; ++d)
         for (std::size_t a = 0, b = d; b < count; ++a, ++b) {
             own[1] = d == 0 ? r[a] : S(0);

@@ -240,37 +240,6 @@ protected:
         for (int m = 1; m <= U; ++m) by = by + t_.a(k, m) * component_of_moved(m, c);
         return by;
     }
-    /// Component c of the impulse of the extra force in row j.
-    [[nodiscard]] S impulse_of_extra(int j, int c) const {
-        if constexpr (is_node_force<Extra>) {
-            S sum(0);
-            for (int k = 0; k < t_.nodes; ++k)
-                if (S const by = t_.w(k) * t_.a(k, j); not(by == S(0))) sum = sum + by * extra_at(k, c);
-            return sum;
-        } else
-            return share(j) * extra.at(end(c), c);
-    }
-    /// The whole of it, which the momentum gains.
-    [[nodiscard]] S impulse_of_extra(int c) const {
-        if constexpr (is_node_force<Extra>) {
-            S sum(0);
-            for (int k = 0; k < t_.nodes; ++k) sum = sum + t_.w(k) * extra_at(k, c);
-            return sum;
-        } else
-            return h_ * extra.at(end(c), c);
-    }
-    /// The derivative of the impulse in row j by the displacement of U_m, with the sign changed.
-    [[nodiscard]] S resistance(int j, int m, int c) const {
-        if constexpr (is_node_force<Extra>) {
-            S sum(0);
-            for (auto const& term : extra.terms)
-                for (int k = 0; k < t_.nodes; ++k)
-                    for (int l = 0; l < t_.nodes; ++l)
-                        sum = sum + s::component(term.factor, c) * (t_.w(k) * t_.a(k, j) * term.slope(k, l) * t_.a(l, m));
-            return sum;
-        } else
-            return m == last ? S(share(j) * s::component(extra.slope, c)) : S(0);
-    }
     /// Magnitude of the terms of the whole impulse, without the small one of `slope`.
     [[nodiscard]] S size_of_extra(int c) const {
         if constexpr (is_node_force<Extra>) {

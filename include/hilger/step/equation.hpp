@@ -25,7 +25,7 @@ class step_equation : public step_controls<S, V, Extra, Controls> {
     using s = shape<V>;
     using controls = step_controls<S, V, Extra, Controls>;
     using controls::at, controls::compute, controls::d_, controls::h_, controls::last, controls::nodes_, controls::place_of, controls::t_,
-        controls::U, controls::row_of, controls::factor;
+        controls::U, controls::row_of, controls::factor, controls::share;
 
 public:
     using controls::adds_up, controls::dimension, controls::end, controls::displacement, controls::extra, controls::moved,
@@ -77,11 +77,18 @@ public:
                 else
                     nodes_[at(k)].add_both(wa, wb, row);
             }
-        if constexpr (has_step_force<Extra>)
+        if constexpr (is_node_force<Extra>)
+            for_each_extra([&](int k, int c, S const& force) {
+                for (int j = 0; j < U; ++j) {
+                    S& r = residual(place_of(j + 1, c));
+                    r = r + t_.w(k) * t_.a(k, j) * force;
+                }
+            });
+        else if constexpr (has_step_force<Extra>)
             for (int j = 0; j < U; ++j)
                 for (int c = 0; c < dimension(); ++c) {
                     S& r = residual(place_of(j + 1, c));
-                    r = r + controls::impulse_of_extra(j, c);
+                    r = r + share(j) * extra.at(end(c), c);
                 }
     }
     /// Factorizes the constant part. @returns false if it is singular
@@ -162,16 +169,19 @@ public:
                 }
             }
         }
-        if constexpr (has_step_force<Extra>)
-            for (int c = 0; c < dimension(); ++c) {
-                increment(c) = increment(c) + controls::impulse_of_extra(c);
-                whole(c) = whole(c) + controls::impulse_of_extra(last, c);
-            }
         if constexpr (is_node_force<Extra>) {
             extra.moved.assign(at(t_.nodes), zero_like(x.q));
-            for (int k = 0; k < t_.nodes; ++k)
-                for (int c = 0; c < dimension(); ++c) s::component(extra.moved[at(k)], c) = controls::moved_at(k, c);
-        }
+            for_each_extra([&](int k, int c, S const& force) {
+                s::component(extra.moved[at(k)], c) = controls::moved_at(k, c);
+                increment(c) = increment(c) + t_.w(k) * force;
+                whole(c) = whole(c) + t_.w(k) * t_.a(k, last) * force;
+            });
+        } else if constexpr (has_step_force<Extra>)
+            for (int c = 0; c < dimension(); ++c) {
+                S const force = extra.at(end(c), c);
+                increment(c) = increment(c) + h_ * force;
+                whole(c) = whole(c) + share(last) * force;
+            }
     }
 
 private:
@@ -185,6 +195,12 @@ private:
                     for (int j = 0; j < U; ++j)
                         for (int m = 1; m <= U; ++m)
                             if (S const c = factor(k, b, j, m); not(c == S(0))) each(k, b, j, m, c, entries);
+    }
+    /// Calls each(node, component, force) for the extra forces at the nodes.
+    template <class Each>
+    void for_each_extra(Each const& each) const {
+        for (int k = 0; k < t_.nodes; ++k)
+            for (int c = 0; c < dimension(); ++c) each(k, c, controls::extra_at(k, c));
     }
     /// Whether dL/dq at node k is in the equation.
     [[nodiscard]] bool enters_by_force(int k) const {
@@ -243,13 +259,24 @@ private:
         put_resistance(constant_part);
     }
     void put_resistance(matrix& K) {
-        if constexpr (has_step_force<Extra>)
-            for (int c = 0; c < dimension(); ++c)
-                for (int j = 0; j < U; ++j)
-                    for (int m = is_node_force<Extra> ? 1 : last; m <= last; ++m) {
-                        S& entry = K[K.place(place_of(j + 1, c), place_of(m, c))];
-                        entry = entry - controls::resistance(j, m, c);
+        if constexpr (is_node_force<Extra>) {
+            for (auto const& term : extra.terms)
+                for (int k = 0; k < t_.nodes; ++k)
+                    for (int m = 1; m <= U; ++m) {
+                        S slope(0); // of the derivative at node k by U_m
+                        for (int l = 0; l < t_.nodes; ++l) slope = slope + term.slope(k, l) * t_.a(l, m);
+                        for (int j = 0; j < U; ++j)
+                            for (int c = 0; c < dimension(); ++c) {
+                                S& entry = K[K.place(place_of(j + 1, c), place_of(m, c))];
+                                entry = entry - s::component(term.factor, c) * (t_.w(k) * t_.a(k, j) * slope);
+                            }
                     }
+        } else if constexpr (has_step_force<Extra>)
+            for (int c = 0; c < dimension(); ++c)
+                for (int j = 0; j < U; ++j) {
+                    S& entry = K[K.place(place_of(j + 1, c), place_of(last, c))];
+                    entry = entry - share(j) * s::component(extra.slope, c);
+                }
     }
     S factors_are_of_{0};                                                         ///< step length of the factors of the constant part
     std::vector<std::array<std::array<std::vector<int>, U * U>, blocks>> places_; ///< of each node's block entries in the matrix

@@ -187,12 +187,9 @@ void require_consistent(A const& a, B const& b, S const& h, char const* name) {
 namespace detail {
 template <class Velocity>
 inline constexpr bool integrates_slopes = false;
-template <int Degree, int Count>
-inline constexpr bool integrates_slopes<polynomial_reading<Degree, gauss, Count, true>> = 1 < Degree and Degree <= 2 * Count;
-template <int Degree, int Count>
-inline constexpr bool integrates_slopes<polynomial_reading<Degree, lobatto, Count, true>> = 1 < Degree and Degree <= 2 * Count - 2;
-template <int Degree, int Count>
-inline constexpr bool integrates_slopes<polynomial_reading<Degree, radau, Count, true>> = 1 < Degree and Degree <= 2 * Count - 1;
+template <int Degree, known_quadrature Quadrature, int Count>
+inline constexpr bool integrates_slopes<polynomial_reading<Degree, Quadrature, Count, true>> = 1 < Degree and Degree - 1 <=
+                                                                                               Quadrature::exact_up_to(Count);
 } // namespace detail
 
 /// The tableau of e for steps of length h. @throws error::invalid_parameter if numbers known at run time only are not consistent
