@@ -124,6 +124,24 @@ TEST_CASE("a wall between two states, which may be anywhere, is solved to roundi
     CHECK(largest_residual(EL, solve(EL, T, {.q0 = -1.0, .qN = 1.0})) <= 16 * epsilon<double>() * (100 * 100 + 4000));
 }
 
+TEST_CASE("beside a distance of any size an angle has its own digits, and what has no solution is refused") {
+    auto const T = uniform(interval{0.0, 1.0}, 50);
+    auto const equation_of = [&](auto const& of_first) {
+        lagrangian const L{[of_first](auto const& x, auto const& v) { return of_first(x[0], v[0]) + v[1] * v[1] / 2; }};
+        return variation(integral(L(extend[q], Delta_o_plus[extend[q]]), half(T)));
+    };
+    auto const pendulum = equation_of([](auto const& x, auto const& v) { return v * v / 2 + 9 * cos(x); });
+    auto const soap_film = equation_of([](auto const& x, auto const& v) { return x * sqrt(1 + v * v); }); // at most 0.66 of the rings
+    auto const alone = solve(pendulum, T, boundary_values{V2(1, 0), V2(2, 1)});
+    for (double const distance : {1e6, 1e12, 1e15}) {
+        CAPTURE(distance);
+        auto const x = solve(pendulum, T, boundary_values{V2(1, 0), V2(2, distance)});
+        CHECK(relative_residual(pendulum, x) <= 4);
+        for (index_type i = 0; i <= T.steps(); ++i) CHECK(std::abs(x[i][0] - alone[i][0]) <= 1e-11);
+        CHECK_THROWS_AS(solve(soap_film, T, boundary_values{V2(0.5, 0), V2(0.5, distance)}), error::no_convergence);
+    }
+}
+
 TEST_CASE("with a force, on the way too") {
     auto const T = uniform(0.0, 0.03, 20);
     auto const EL = equation_on(T, 9.81);
