@@ -2,6 +2,7 @@
 // What the papers' tests and `hilger papers` share: tables as they were printed, how far a number is from a printed one, and slopes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -54,10 +55,11 @@ inline double number<double>(std::string const& text) {
 }
 
 /// (computed - printed) in units of the last digit printed: at most 1/2 in magnitude where the number was rounded, in [0, 1[ where it was
-/// cut off.
+/// cut off. Printed as 1.23 or 1.23e-4.
 inline double difference_in_units(double computed, std::string const& printed) {
-    auto const point = printed.find('.');
-    int const digits = point == std::string::npos ? 0 : static_cast<int>(printed.size() - point - 1);
+    auto const end = std::min(printed.find('e'), printed.size()), point = printed.find('.');
+    int digits = point == std::string::npos ? 0 : static_cast<int>(end - point - 1);
+    if (end < printed.size()) digits -= std::stoi(printed.substr(end + 1));
     return (computed - number<double>(printed)) * std::pow(10.0, digits);
 }
 

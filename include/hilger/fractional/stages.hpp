@@ -5,6 +5,8 @@
 // least the orders 2.9, 4.5 and 6 for s = 2, 3, 4 (tests/runtime/fractional/at_stages.cpp); on equal steps the start of the solution, like
 // t^{3 - beta}, limits it.
 //   embed(with_fractional_damping(L, rho, fraction<1, 2>{}, exponentials{1e-12}), galerkin<4, radau>)
+// The same stands with other stiffly accurate methods whose stages are the nodes: at_stages<Damping, s, lobatto> has those of Lobatto IIIC,
+// for galerkin<s, lobatto>. They are accurate to the order min(2s - 2, s - beta) alone (papers/hariz_jimenez_ober_blobaum_2026).
 // D^beta is Caputo's. Only increments are differentiated: for beta > 1 it is D^{beta-1} of D[q] - v_0.
 #pragma once
 
@@ -21,6 +23,15 @@
 namespace hilger {
 
 namespace detail {
+
+/// The stiffly accurate method whose stages are these nodes.
+template <class S, class Quadrature>
+auto stage_method(int stages) {
+    if constexpr (std::same_as<Quadrature, lobatto>)
+        return lobatto_3c<S>(stages);
+    else
+        return collocation<S, Quadrature>(stages);
+}
 
 /// The forces of one damping at the stages, along one trajectory.
 template <class Damping, class S, class V>
@@ -114,8 +125,8 @@ private:
 
 } // namespace detail
 
-/// The sum of the dampings at the s stages of each step.
-template <class Damping, int Stages>
+/// The sum of the dampings at the s stages of each step, which are the nodes of a Galerkin embedding.
+template <class Damping, int Stages, class Quadrature = radau>
 struct at_stages {
     std::vector<Damping> dampings;
     double longest = 0, shortest = 0; ///< the length of T and its shortest step, which the histories are made for
@@ -129,7 +140,7 @@ struct at_stages {
     public:
         using extra = detail::node_force<V>;
         history(at_stages const& of, S const& h, V const& like) : zero_(zero_like(like)) {
-            auto const method = collocation<S, radau>(Stages);
+            auto const method = detail::stage_method<S, Quadrature>(Stages);
             S const least = of.longest > 0 ? S(of.shortest) : h, most = of.longest > 0 ? S(of.longest) : S(h * S(1'000'000));
             for (Damping const& d : of.dampings) terms_.emplace_back(d, method, most, least, like);
         }

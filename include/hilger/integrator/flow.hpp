@@ -93,8 +93,8 @@ public:
             is_mechanical<F> and not detail::is_node_force<Extra> and facts_of<E>.one_node and std::same_as<Force, no_force>;
         using table = typename detail::table_of_galerkin<E, S>::type;
         /// Whether there are control values inside the step and perhaps only the forces at the nodes to iterate.
-        static constexpr bool inner =
-            not std::is_void_v<table> and (is_mechanical<F> or std::same_as<Force, no_force> or not detail::is_traced_state<V>);
+        static constexpr bool inner = not std::is_void_v<table> and not detail::is_node_force<Extra> and
+                                      (is_mechanical<F> or std::same_as<Force, no_force> or not detail::is_traced_state<V>);
         static auto choose(flow const& f, S const& h, V const& like, Extra const& extra) {
             if constexpr (not detail::is_local<E> or not detail::is_on_one_step<E>)
                 return detail::no_step<S, V>{};
