@@ -75,9 +75,9 @@ int main(int argc, char** argv) {
         ->check(positive());
     trade_command->add_option("--out", trade.out, "directory for the CSV file and the picture")->capture_default_str();
     program::papers_options about;
-    auto* papers = app.add_subcommand("papers", "the tables, figures and theorems of the four papers, theirs beside ours");
+    auto* papers = app.add_subcommand("papers", "the tables, figures and theorems of the papers, theirs beside ours");
     papers->add_option("--out", about.out, "directory for the CSV files and the pictures")->capture_default_str();
-    papers->add_option("--paper", about.paper, "one of them: bourdin, jimenez, galucio or cresson");
+    papers->add_option("--paper", about.paper, "one of them: bourdin, jimenez, galucio, hariz or cresson");
     auto* identities = app.add_subcommand("identities", "prove the identities behind the embeddings in exact rationals");
     auto* extremes = app.add_subcommand("extremes", "what is promised and what is measured at the extremes of numbers, steps and orders");
     bool quick = false;

@@ -25,6 +25,9 @@ constexpr std::array papers{
           show_jimenez},
     paper{"galucio", "A. C. Galucio, J.-F. Deue, F. Dubois, The G^alpha-scheme for approximation of fractional derivatives (2008)",
           show_galucio},
+    paper{"hariz",
+          "K. Hariz, F. Jimenez, S. Ober-Bloebaum, Runge-Kutta convolution quadrature based fractional variational integrators (2026)",
+          show_hariz},
     paper{"cresson", "J. Cresson, R. Safi, Mid-point embedding of Hamiltonian systems and variational integrators (2022)", show_cresson}};
 
 std::string formatted(char const* format, double value, int digits) {
@@ -88,7 +91,8 @@ int run_papers(papers_options const& options) {
     for (auto const& p : papers) found = found or options.paper == p.name;
     if (not found)
         hilger::error::raise<hilger::error::invalid_parameter>(
-            "--paper is one of bourdin, jimenez, galucio and cresson, or is left out for all of them, and this is '", options.paper, "'");
+            "--paper is one of bourdin, jimenez, galucio, hariz and cresson, or is left out for all of them, and this is '", options.paper,
+            "'");
     auto const start = std::chrono::steady_clock::now();
     std::array<agreement, papers.size()> seen;
     for (std::size_t i = 0; i < papers.size(); ++i)

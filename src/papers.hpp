@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// `hilger papers`: reruns the tables, figures and theorems of the four papers, printed values beside computed ones. The computations are in
+// `hilger papers`: reruns the tables, figures and theorems of the papers, printed values beside computed ones. The computations are in
 // papers/*/*.hpp, shared with the papers' tests.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace program {
 
 struct papers_options {
     std::string out = "out"; ///< directory for the CSV files and the pictures
-    std::string paper;       ///< one of bourdin, cresson, galucio, jimenez; all where empty
+    std::string paper;       ///< one of bourdin, cresson, galucio, hariz, jimenez; all where empty
 };
 /// Returns 0 when every number and theorem agrees, or differs for a stated reason; 1 otherwise.
 /// @throws hilger::error::invalid_parameter for a paper of another name, unreadable when nothing can be written
@@ -47,6 +47,7 @@ private:
 void show_bourdin(std::string const& out, agreement& seen);
 void show_cresson(std::string const& out, agreement& seen);
 void show_galucio(std::string const& out, agreement& seen);
+void show_hariz(std::string const& out, agreement& seen);
 void show_jimenez(std::string const& out, agreement& seen);
 
 /// Right-aligned text for a table, and the digits of a number in a table.
