@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // Fractional damping -rho D^beta q at the nodes of a Galerkin embedding whose nodes are Radau's, on any T: D^beta is the power of the
 // difference quotient of Radau IIA with these stages (history/stages.hpp), and its force is added to dL/dq at each node, as Lagrange and
-// d'Alembert's principle has it. With s stages the undamped part is of order 2s - 1. On a T that is graded at its start the whole has at
-// least the orders 2.9, 4.5 and 6 for s = 2, 3, 4 (tests/runtime/fractional/at_stages.cpp); on equal steps the start of the solution, like
-// t^{3 - beta}, limits it.
+// d'Alembert's principle has it. With s stages the undamped part is of order 2s - 1. On a T that is graded at its start positions have the
+// order min(2s - 1, s + 3 - beta) and momenta min(2s - 1, s + 2 - beta) (tests/runtime/fractional/stage_orders.cpp); on equal steps the
+// start of the solution, like t^{3 - beta}, limits it.
 //   embed(with_fractional_damping(L, rho, fraction<1, 2>{}, exponentials{1e-12}), galerkin<4, radau>)
 // The same stands with other stiffly accurate methods whose stages are the nodes: at_stages<Damping, s, lobatto> has those of Lobatto IIIC,
-// for galerkin<s, lobatto>. They are accurate to the order min(2s - 2, s - beta) alone (papers/hariz_jimenez_ober_blobaum_2026).
+// for galerkin<s, lobatto>, of order min(2s - 2, s + 2 - beta) (papers/hariz_jimenez_ober_blobaum_2026).
 // D^beta is Caputo's. Only increments are differentiated: for beta > 1 it is D^{beta-1} of D[q] - v_0.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Fractional damping at Radau's nodes: every state solves the derived equation with direct powers of the difference; orders with memory on
-// graded T; several components and terms; checkpoints; what is refused.
+// Fractional damping at Radau's nodes: every state solves the derived equation with direct powers of the difference; several components and
+// terms; checkpoints; what is refused. Orders are in stage_orders.cpp.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -130,22 +130,6 @@ double distance_from_direct(int quarters, std::vector<double> const& steps, doub
     return worst;
 }
 
-/// The order of x(1) on T graded by gamma, from three numbers of steps.
-template <int Stages, class S, class L>
-double order_at_one(L const& l, S const& mu, S const& gamma, int N) {
-    auto const flow =
-        embed(with_fractional_damping(l, S(1), mu, exponentials{std::is_same_v<S, double> ? 1e-13 : 1e-16}), galerkin<Stages, radau>);
-    std::vector<S> ends;
-    for (int const n : {N, 2 * N, 4 * N}) {
-        S last(0);
-        for (auto const& x : flow.along(graded(S(0), S(1), n, gamma), initial_velocity{S(1), S(1)})) last = x.q;
-        ends.push_back(last);
-    }
-    using std::abs, std::log;
-    return static_cast<double>(log(S(abs(S(ends[1] - ends[0])) / abs(S(ends[2] - ends[1])))) / log(S(2)));
-}
-constexpr auto pendulum = [](auto const& x, auto const& v) { return v * v / 2 + cos(x); };
-
 } // namespace
 
 TEST_CASE("the states solve the derived equation with direct powers of the difference, on equal, graded and uneven T") {
@@ -163,35 +147,6 @@ TEST_CASE("the states solve the derived equation with direct powers of the diffe
     CHECK(distance_from_direct<double, 2>(4, scales[2], 1e-13) <= 1e-12);
     CHECK(distance_from_direct<float50, 3>(2, scales[1], 1e-30) <= 1e-29);
     CHECK(distance_from_direct<float50, 2>(6, scales[2], 1e-30) <= 1e-29);
-}
-
-TEST_CASE("a pendulum with memory has the orders 3, 5 and above 6 on graded T") {
-    for (double const mu : {0.25, 0.5, 0.75}) {
-        CAPTURE(mu);
-        CHECK(order_at_one<2>(pendulum, mu, 2.5, 8) >= 2.9);
-        CHECK(order_at_one<3>(pendulum, mu, 3.0, 8) >= 4.5);
-    }
-    CHECK(order_at_one<4>(pendulum, float50(1) / 2, float50(3), 8) >= 6);
-    CHECK(order_at_one<2>(pendulum, 1.5, 2.5, 8) >= 2.7);
-    CHECK(order_at_one<3>(pendulum, 1.25, 3.0, 16) >= 3.9);
-}
-
-TEST_CASE("with x = t^3 in the forcing the largest error over the interval falls with the order 2s - 1") {
-    // x'' + x + D^{1/2}x = t^3 + 6t + 3.2/sqrt(pi) t^{2.5}, x(0) = x'(0) = 0
-    double const c = 3.2 / std::sqrt(3.14159265358979323846);
-    auto const forced =
-        with_force([](auto const& x, auto const& v) { return v * v / 2 - x * x / 2; },
-                   [c](auto const& t, auto const& x, auto const&) { return 0 * x + t * t * t + 6 * t + c * t * t * sqrt(t); });
-    auto const error = [&](auto const& how, double gamma, int N) {
-        auto const flow = embed(with_fractional_damping(forced, 1.0, fraction<1, 2>{}, exponentials{1e-14}), how);
-        double worst = 0;
-        for (auto const& x : flow.along(graded(0.0, 1.0, N, gamma), 0.0, 0.0)) worst = std::max(worst, std::abs(x.q - x.t * x.t * x.t));
-        return worst;
-    };
-    auto const order = [&](auto const& how, double gamma, int N) { return std::log2(error(how, gamma, N) / error(how, gamma, 2 * N)); };
-    CHECK(order(galerkin<3, radau>, 2.5, 16) >= 4.7);
-    CHECK(order(galerkin<4, radau>, 2.5, 8) >= 6.3);
-    CHECK(error(galerkin<4, radau>, 2.5, 64) <= 1e-13); // 256 steps of others have 2e-11
 }
 
 TEST_CASE("components with their own coefficients, and several terms, are those of one component each") {
