@@ -16,6 +16,7 @@ std::vector<std::string> embeddings_of(stated_problem const&) { return {"order-o
 std::vector<std::string> scalars_of(stated_problem const&, std::vector<std::string> const&) { return {"double", "50-digits"}; }
 void require_structure(engine::problem const&) {}
 bool has_embedding(stated_problem const&, std::string const&) { return false; }
+std::string on_one_line(std::string_view method) { return std::string(method); }
 bool has_method(stated_problem const&, configuration const&) { return false; }
 bool is_for_parts(stated_problem const&, std::string const&) { return false; }
 std::unique_ptr<walk> begin_stated(stated_problem const&, configuration const&) { return nullptr; }
