@@ -17,6 +17,7 @@ struct group {
 constexpr group groups[]{
     {"Orders of fractional differences next to 0 and 1", extremes::orders},
     {"Histories of such orders", extremes::histories},
+    {"Damping at the stages of Radau IIA", extremes::stages},
     {"Many points", extremes::counts},
     {"Steps from 1e-12 to beyond the limit of stability", extremes::steps},
     {"Differences over small steps", extremes::differences},

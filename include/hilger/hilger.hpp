@@ -18,6 +18,7 @@
 #include "hilger/embedding/collocation.hpp"
 #include "hilger/embedding/embedding.hpp"
 #include "hilger/embedding/galerkin.hpp"
+#include "hilger/embedding/stage_difference.hpp"
 
 // From a Lagrangian to its discrete Euler-Lagrange equation and Hamiltonian system, and their notation
 #include "hilger/variational/action.hpp"

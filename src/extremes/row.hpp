@@ -34,6 +34,7 @@ enum class scope { test, report };
 /// The groups of cases, one in each source file.
 rows orders(scope);
 rows histories(scope);
+rows stages(scope);
 rows counts(scope);
 rows steps(scope);
 rows differences(scope);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect 1: actions add up on one scale, and these are on two kinds of scales
-// expect 2: fractional damping under embeddings with points inside the steps, as Galerkin's, has no equation in the points of T alone
+// expect 2: fractional damping under embeddings with points inside the steps, as galerkin<2, gauss>, has no equation in the points of T alone
 // expect 3: actions add up of functions that live on the same points
 // expect 4: a Hamiltonian form is of one position and one velocity, and a sum of actions has several of them
 // expect 5: a coupling damps one action, and this is a sum of several that read T in different ways

@@ -161,12 +161,12 @@ constexpr auto boundary_form(fractional_difference<G, Order, Side, W> const& a, 
     return total;
 }
 /// f(a) and its sum with g.
-template <discrete_function F, discrete_function G>
-constexpr auto boundary_form(from_start const&, F const& f, G const& g) {
+template <class Base, class W, discrete_function F, discrete_function G>
+constexpr auto boundary_form(from_start_on<Base, W> const&, F const& f, G const& g) {
     using S = typename F::root_type::scalar_type;
     S total(0);
     for (index_type i = g.domain().first(g.root()); i <= g.domain().last(g.root()); ++i)
-        total = total - weight_at<from_start::to_weight>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
+        total = total - weight_at<W>(g, i) * dot_product(f.get(f.domain().first(f.root())), g.get(i));
     return total;
 }
 

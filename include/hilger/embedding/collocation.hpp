@@ -58,4 +58,15 @@ auto lobatto_3c(int s) {
     return method;
 }
 
+namespace detail {
+/// The stiffly accurate method whose stages are these nodes.
+template <class S, class Quadrature>
+auto stage_method(int stages) {
+    if constexpr (std::same_as<Quadrature, lobatto>)
+        return lobatto_3c<S>(stages);
+    else
+        return collocation<S, Quadrature>(stages);
+}
+} // namespace detail
+
 } // namespace hilger

@@ -70,6 +70,8 @@ public:
         void advance_equally(damped_flow const& f, state<S, V>& x) {
             saying_where(x, h_, [&] { move(f, x); });
         }
+        /// The control value m inside the last step, less q_i.
+        [[nodiscard]] V inside(int m) const { return step_.inside(m); }
         /// Everything that later steps depend on, for checkpoints.
         template <class Visit>
         void visit(damped_flow const& f, Visit& each) {

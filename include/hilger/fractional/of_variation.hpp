@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // The flow of a restricted principle, as flow_of(variation(S)) of local equations (integrator/flow.hpp):
 //   flow_of(variation(S - rho * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y], T)))     damped by impulses
+//   flow_of(variation(integral(L(A[q], B[q]), nodes)
+//                     - rho * integral(Delta_minus_radau<s, 1, 4>[A[minus_start_inside<s>[q]]] * Delta_plus_radau<s, 1, 4>[A[y]], nodes)))
+//                                                                                     at the nodes of galerkin<s, radau>, on any T
 #pragma once
 
+#include "hilger/embedding/stage_difference.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/variational/restricted.hpp"
 
@@ -27,11 +31,34 @@ constexpr auto flow_of(restricted_euler_lagrange<action<F, A, B, W, Root>, fract
     return embed(damped, make_embedding<W>(S.position, S.velocity, "the embedding of an action"));
 }
 
+/// The flow of the first curve at the nodes of galerkin<s, radau> with the position A and the velocity B: that of
+/// with_fractional_damping(L, rho, order, exponentials{tolerance}). Its damping is Caputo's, of q - q(t_0), and its order at most 1: above
+/// it Caputo's takes the velocity at t_0, which no coupling of positions has. @throws error::invalid_parameter for an order above 1
+template <class F, linear_map A, linear_map B, class Root, int Stages, class O, class R, class Base, class W>
+auto flow_of(restricted_euler_lagrange<action<F, A, B, step_weight, Root>,
+                                       composition<stage_difference<Stages, O, side::minus>, composition<A, from_start_on<Base, W>>>,
+                                       composition<stage_difference<Stages, R, side::plus>, A>, Root> const& equation,
+             exponentials policy = {}) {
+    auto const& S = equation.conservative().action();
+    auto const& coupling = equation.action().damping;
+    auto const order = detail::sum_of_orders(coupling.first.a.order, coupling.second.a.order);
+    if (auto const beta = order.template as<typename Root::scalar_type>(); typename Root::scalar_type(1) < beta)
+        error::raise<error::invalid_parameter>("a coupling of positions damps with an order up to 1, and the orders here have the sum ",
+                                               beta);
+    auto const damped = [&] {
+        if constexpr (requires { order.value; })
+            return with_fractional_damping(S.function, equation.factor(), order.value, policy);
+        else
+            return with_fractional_damping(S.function, equation.factor(), order, policy);
+    }();
+    return embed(damped, make_embedding<step_weight>(S.position, S.velocity, "the embedding of an action"));
+}
+
 /// Refused: other couplings are not stepped.
 template <class Action, linear_map A, linear_map B, class Root, class... Options>
 constexpr auto flow_of(restricted_euler_lagrange<Action, A, B, Root> const&, Options const&...) {
     return does_not_compile<"the first curve of a restricted principle is stepped where its coupling is Delta_minus_alpha<P, Q>[q] * "
-                            "Delta_plus_alpha<R, S>[y], in this order, and here it is " +
+                            "Delta_plus_alpha<R, S>[y], in this order, or at Radau's nodes of q - q(a) and y, and here it is " +
                                 A::name() + "[q] * " + B::name() + "[y]",
                             Action>{};
 }

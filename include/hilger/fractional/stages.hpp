@@ -7,7 +7,9 @@
 //   embed(with_fractional_damping(L, rho, fraction<1, 2>{}, exponentials{1e-12}), galerkin<4, radau>)
 // The same stands with other stiffly accurate methods whose stages are the nodes: at_stages<Damping, s, lobatto> has those of Lobatto IIIC,
 // for galerkin<s, lobatto>, of order min(2s - 2, s + 2 - beta) (papers/hariz_jimenez_ober_blobaum_2026).
-// D^beta is Caputo's. Only increments are differentiated: for beta > 1 it is D^{beta-1} of D[q] - v_0.
+// D^beta is Caputo's. Only increments are differentiated: for beta > 1 it is D^{beta-1} of D[q] - v_0. The work of the damping, the sum of
+// w_k v_k . F_k with the quadrature's weights and the velocities at the nodes, is not positive up to any point of T for beta <= 1, and for
+// beta > 1 if v_0 = 0, since Radau IIA is algebraically stable (tests/runtime/history/stage_dissipation.cpp).
 #pragma once
 
 #include <algorithm>
@@ -23,15 +25,6 @@
 namespace hilger {
 
 namespace detail {
-
-/// The stiffly accurate method whose stages are these nodes.
-template <class S, class Quadrature>
-auto stage_method(int stages) {
-    if constexpr (std::same_as<Quadrature, lobatto>)
-        return lobatto_3c<S>(stages);
-    else
-        return collocation<S, Quadrature>(stages);
-}
 
 /// The forces of one damping at the stages, along one trajectory.
 template <class Damping, class S, class V>

@@ -221,28 +221,33 @@ constexpr auto operator*(fractional_difference<G, O, Side, W> const& a, composit
     return (a * b.a) * b.b;
 }
 
-/// f - f(a), the argument of a Caputo derivative of order below 1. Its adjoint is the identity up to the first point.
-struct from_start : linear_operator<from_start> {
-    using from = nodes;
-    using to = nodes;
-    using from_weight = continued_weight<nabla_weight>; // that of Delta_-^alpha
-    using to_weight = continued_weight<nabla_weight>;
-    static constexpr reach reads = reach::causal().at<nodes>();
+/// f - f(a) on the points of Base, the argument of a Caputo derivative of order below 1. Its adjoint is the identity up to the first point.
+template <class Base, class W>
+struct from_start_on : linear_operator<from_start_on<Base, W>> {
+    using from = Base;
+    using to = Base;
+    using from_weight = W;
+    using to_weight = W;
+    static constexpr reach reads = reach::causal().at<Base>();
     static constexpr auto name() { return fixed_text("from_start"); }
     template <int F, int B>
-    constexpr auto image(domain<nodes, F, B> const& d) const {
+    constexpr auto image(domain<Base, F, B> const& d) const {
         if constexpr (F > 0)
             does_not_compile<"from_start subtracts the value at the first point, and this function lives on " +
-                             domain<nodes, F, B>::name()>{};
+                             domain<Base, F, B>::name()>{};
         return d;
     }
     template <class F>
     constexpr auto evaluate(F const& f, index_type i) const {
         return evaluated(f.get(i) - f.get(f.domain().first(f.root())));
     }
-    constexpr auto adjoint() const { return identity_on<nodes, continued_weight<nabla_weight>>{}; }
+    constexpr auto adjoint() const { return identity_on<Base, W>{}; }
 };
+using from_start = from_start_on<nodes, continued_weight<nabla_weight>>; ///< with the weights of Delta_-^alpha
 inline constexpr from_start minus_start{};
+/// The same on T with points inside its steps, for the position of a Galerkin embedding.
+template <int Parts>
+inline constexpr from_start_on<subdivided<Parts>, natural_weight_t<fraction<1, 2>>> minus_start_inside{};
 
 namespace detail {
 template <int P, int Q>

@@ -40,6 +40,7 @@ public:
         while (smallest < nodes_.back().at) nodes_.push_back(weighted(last_ = last_ / ratio_));
         return nodes_;
     }
+    [[nodiscard]] S const& step() const { return step_; } ///< in ln x
 
 private:
     node weighted(wide const& at) const {

@@ -139,18 +139,24 @@ template <class Lambda>
 expression written_alone(tail_integral_at<Lambda> const&, expression const& f) {
     return f.in_brackets({"∫ₜᵇ(", "\\int_t^b\\left("}, {")∇", "\\right)\\nabla"});
 }
-inline expression written_alone(from_start const&, expression const& f) { return f + f.marked({"(a)", "(a)"}).times(-1, 1); }
+template <class Base, class W>
+expression written_alone(from_start_on<Base, W> const&, expression const& f) {
+    return f + f.marked({"(a)", "(a)"}).times(-1, 1);
+}
+/// The order of a fractional difference.
+template <class Order>
+std::string written_order(Order const& order) {
+    if constexpr (requires { Order::denominator; })
+        return std::to_string(Order::numerator) + (Order::denominator == 1 ? "" : "/" + std::to_string(Order::denominator));
+    else
+        return written_number(order.value);
+}
 template <class G, class Order, side Side, class W>
 expression written_alone(fractional_difference<G, Order, Side, W> const& a, expression const& f) {
     std::string name(G::name().text().view());
     if (name.starts_with("bdf<")) name = "BDF" + name.substr(4, 1);
     bool const plain = name == "Delta", up = Side == side::plus;
-    std::string order, shown;
-    if constexpr (requires { Order::denominator; })
-        shown = std::to_string(Order::numerator) + (Order::denominator == 1 ? "" : "/" + std::to_string(Order::denominator));
-    else
-        shown = written_number(a.order.value);
-    order = shown.size() > 1 ? "(" + shown + ")" : shown;
+    std::string const shown = written_order(a.order), order = shown.size() > 1 ? "(" + shown + ")" : shown;
     if (std::same_as<W, delta_weight>) { // (-Delta_+)^alpha, or its adjoint
         notation const power{"(−Δ₊)^" + order, "(-\\Delta_{+})^{" + shown + "}"};
         return with_symbol(f, up ? power : notation{"(" + power.terminal + ")*", "\\left(" + power.latex + "\\right)^{*}"});

@@ -96,12 +96,13 @@ public:
             return inner();
     }
     [[nodiscard]] std::string whole() const { return written_domain(integrand{base()}, s_); }
-    /// Explanations of symbols in the equation, each after `before`.
-    [[nodiscard]] std::string notes(std::string const& before) const {
+    /// Explanations of symbols in the equation and on its right-hand side, each after `before`.
+    [[nodiscard]] std::string notes(std::string const& before, expression const& right_hand_side = {}) const {
         std::vector<std::string> all;
         left_hand_side().collect_notes(s_, all);
         position().collect_notes(s_, all);
         velocity().collect_notes(s_, all);
+        right_hand_side.collect_notes(s_, all);
         std::string text;
         for (auto const& note : all) text += before + note;
         return text;
@@ -237,8 +238,9 @@ std::ostream& operator<<(std::ostream& out, restricted_euler_lagrange<Action, A,
     auto const damping = [&](auto const& D, char const* of) {
         return w.on_scale_of_equation(detail::written_on(D, detail::expression::name({of, of}))).times_constant({"ρ", "\\rho"});
     };
-    return out << w.left_hand_side().in(print_style::terminal) << " = " << damping(equation.damping(), "q").in(print_style::terminal)
-               << "   on " << w.inner() << ",   " << w.arguments() << w.notes(",   ") << '\n'
+    auto const of_q = damping(equation.damping(), "q");
+    return out << w.left_hand_side().in(print_style::terminal) << " = " << of_q.in(print_style::terminal) << "   on " << w.inner() << ",   "
+               << w.arguments() << w.notes(",   ", of_q) << '\n'
                << "the same of y = " << damping(equation.reversed_damping(), "y").in(print_style::terminal)
                << ",   ρ = " << detail::written_number(equation.factor()) << '\n';
 }
@@ -248,13 +250,12 @@ std::string latex(restricted_euler_lagrange<Action, A, B, Root> const& equation)
     auto const conservative = equation.conservative();
     detail::equation_writer<Action> const w(conservative, print_style::latex);
     auto const damping = [&](auto const& D, char const* of) {
-        return w.on_scale_of_equation(detail::written_on(D, detail::expression::name({of, of})))
-            .times_constant({"ρ", "\\rho"})
-            .in(print_style::latex);
+        return w.on_scale_of_equation(detail::written_on(D, detail::expression::name({of, of}))).times_constant({"ρ", "\\rho"});
     };
-    return "\\begin{aligned}\n  " + w.left_hand_side().in(print_style::latex) + w.equals() + damping(equation.damping(), "q") +
-           ", && t \\in " + w.inner() + ", \\quad " + w.arguments() + w.notes(", \\quad ") + ", \\\\\n  \\text{the same of } y" +
-           w.equals() + damping(equation.reversed_damping(), "y") + ", && \\rho = " + detail::written_number(equation.factor()) +
+    auto const of_q = damping(equation.damping(), "q");
+    return "\\begin{aligned}\n  " + w.left_hand_side().in(print_style::latex) + w.equals() + of_q.in(print_style::latex) + ", && t \\in " +
+           w.inner() + ", \\quad " + w.arguments() + w.notes(", \\quad ", of_q) + ", \\\\\n  \\text{the same of } y" + w.equals() +
+           damping(equation.reversed_damping(), "y").in(print_style::latex) + ", && \\rho = " + detail::written_number(equation.factor()) +
            "\n\\end{aligned}\n";
 }
 

@@ -5,6 +5,8 @@
 //   constexpr unknown q; constexpr unknown<"y"> y;
 //   auto const S = integral(L(q_o, Delta_o_plus[q_o]), half(T)) - rho * integral(Delta_minus_alpha<1, 4>[q] * Delta_plus_alpha<1, 4>[y],
 //   T); static_assert(variation(S).damping() == Delta_minus_alpha<1, 2>);
+// At the nodes of galerkin<s, radau>, on any T, the damping is -rho A*[D_s^{2 alpha}[A[x]]] with the position A
+// (fractional/of_variation.hpp).
 #pragma once
 
 #include "hilger/variational/variation.hpp"
@@ -33,7 +35,7 @@ constexpr auto operator*(F const& f, G const& g) {
 }
 
 /// factor int A[x] B[y] over T: the sum over all points. Without the last, as (19) is printed, the equation of y has a term that (20)
-/// lacks.
+/// lacks. Or the integral over the nodes of a quadrature, on any T.
 template <linear_map A, linear_map B, class Root>
 struct coupling {
     [[no_unique_address]] A first;
@@ -46,17 +48,25 @@ struct coupling {
     template <discrete_function X, discrete_function Y>
     constexpr auto operator()(X const& x, Y const& y) const {
         auto const products = dot(first[x], second[y]);
-        auto sum = zero_of(products);
-        for (index_type k = products.first(); k <= products.last(); ++k) sum = evaluated(sum + products.get(k));
-        return evaluated(sum * S(T.h() * factor));
+        if constexpr (not std::same_as<typename A::to, nodes>)
+            return evaluated(weighted_sum<step_weight>(products) * factor);
+        else {
+            auto sum = zero_of(products);
+            for (index_type k = products.first(); k <= products.last(); ++k) sum = evaluated(sum + products.get(k));
+            return evaluated(sum * S(T.h() * factor));
+        }
     }
 };
-/// The coupling int A[x] B[y] over a uniform T.
+/// The coupling int A[x] B[y] over a uniform T, or over at_nodes<Q, n>(T).
 template <linear_map A, linear_map B, time_scale_like Scale>
 constexpr auto integral(coupling_density<A, B> const& density, Scale const& scale) {
     using Root = typename Scale::root_type;
-    static_assert(std::same_as<typename Scale::domain_type, domain<nodes>>, "a coupling is integrated over T");
-    if constexpr (not Root::is_uniform)
+    constexpr bool at_nodes = detail::has_own_weights<typename Scale::domain_type::base_type, Root>;
+    static_assert(std::same_as<typename Scale::domain_type, domain<nodes>> or at_nodes,
+                  "a coupling is integrated over T, or over the nodes of a quadrature");
+    static_assert(std::same_as<typename A::to, typename Scale::domain_type::base_type> and std::same_as<typename A::to, typename B::to>,
+                  "both factors of a coupling are functions on the scale of its integral");
+    if constexpr (not Root::is_uniform and not at_nodes)
         return does_not_compile<A::name() + " has the weights of one step h, and this integral is over " + Root::kind()>{};
     else
         return coupling<A, B, Root>{density.first, density.second, typename Root::scalar_type(1), scale.root()};
@@ -128,11 +138,11 @@ public:
     /// The left-hand side of the equation of x on T^+-, and of y.
     template <discrete_function X>
     constexpr auto residual(X const& x) const {
-        return conservative().residual(x) - factor() * detail::restrict_to(damping()[x], domain<nodes, 1, 1>{});
+        return conservative().residual(x) - factor() * detail::restrict_to(damping()[x], domain<typename A::from, 1, 1>{});
     }
     template <discrete_function Y>
     constexpr auto reversed_residual(Y const& y) const {
-        return conservative().residual(y) - factor() * detail::restrict_to(reversed_damping()[y], domain<nodes, 1, 1>{});
+        return conservative().residual(y) - factor() * detail::restrict_to(reversed_damping()[y], domain<typename A::from, 1, 1>{});
     }
 
 private:

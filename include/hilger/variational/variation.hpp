@@ -158,8 +158,23 @@ public:
         else {
             auto const f = action_.at_nodes(
                 x, [force](auto const& t, auto const& q, auto const& v) { return detail::force_at(force, t, evaluated(q), evaluated(v)); });
-            return at_inner_points(residual(x) + adjoint_on_T(action_.position)[counted(f)]);
+            return residual(x) + of_force(f);
         }
+    }
+    /// The contribution of the values of a force at the nodes of the integral.
+    template <discrete_function F>
+    constexpr auto of_force(F const& f) const {
+        return at_inner_points(adjoint_on_T(action_.position)[counted(f)]);
+    }
+    /// The same at point k for values and weights of one sign.
+    template <discrete_function F>
+    constexpr auto size_of_force(F const& sizes, index_type k) const {
+        using V = value_of<F>;
+        using S = typename Root::scalar_type;
+        detail::unit_at<Root, typename A::from> const unit{{}, &sizes.root(), k};
+        return V(of_force(apply_pointwise([](V const& f, S const& weight) { return V(f * S(weight < S(0) ? -1 : 1)); }, sizes,
+                                          action_.position[unit]))
+                     .get(k));
     }
     /// The derivatives of L at any node, with a force added to dL/dq if there is one.
     template <class Force = no_force>
