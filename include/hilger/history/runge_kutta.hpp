@@ -102,7 +102,7 @@ struct stage_resolvent {
             }
             of_one = of_one + weight * (is_far ? y : W(1)) / (W(1) + y);
         };
-        double const digits = 10 - (std::is_same_v<S, W> ? 1 : 2) * static_cast<double>(log(epsilon<S>())), step = 9.8 / digits; // pi^2
+        double const digits = 10 - (std::is_same_v<S, W> ? 1 : 1.25) * static_cast<double>(log(epsilon<S>())), step = 9.8 / digits; // pi^2
         W const h = W(S(step)), down = W(1) / (W(1) + series_of_expm1(h));
         W const lift = series_of_expm1(W(W(beta) * h)), drop = series_of_expm1(W((W(1) - W(beta)) * h));
         W y(1), near(1), far(1);

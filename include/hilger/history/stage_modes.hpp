@@ -28,7 +28,7 @@ public:
         W const size = pow(magnitude(functions.determinant()), W(W(1) / s)); // of the eigenvalues of A, as a mean
         low_ = std::min(W(8), W(W(2) / size)) / longest;
         high_ = W(1) / (size * shortest);
-        auto const exact = kernels(trapezoidal_rule(W(W(3) - log(tolerance)), 2));
+        auto const exact = kernels(trapezoidal_rule(W(W(8) - log(tolerance) * W(5) / W(4))));
         W error(0);
         for (int more = 0; more < 12; ++more) {
             auto const modes = rule(W(W(more) - log(tolerance)), W(W(1) + W(more) / W(4)));
@@ -46,15 +46,15 @@ private:
     struct kernel {
         W value, size; ///< size: the sum of the magnitudes
     };
-    /// The trapezoidal rule, with steps `refinement` times as short as these digits (base e) ask for, nodes increasing. The last one stands
-    /// for all from there on, whose terms are geometric: in 1/x it has their sum and their mean.
-    quadrature<W> trapezoidal_rule(W const& digits, int refinement) const {
+    /// The trapezoidal rule to these digits (base e), nodes increasing. The last one stands for all from there on, whose terms are
+    /// geometric: in 1/x it has their sum and their mean.
+    quadrature<W> trapezoidal_rule(W const& digits) const {
         using std::atan, std::exp, std::expm1, std::log, std::pow;
         using wide = typename wider<W>::type;
         W const pi = W(4) * atan(W(1));
         W y(1); // as in modes.hpp, of x^{1+beta} e^{-x t}
         for (int i = 0; i < 20; ++i) y = W(2) * (digits + W(3) + (W(3) / W(2) + beta_) * log(W(y + W(1)))) / pi;
-        W const ratio = exp(W(W(2) * pi / (y * W(refinement)))), step = log(ratio);
+        W const ratio = exp(W(W(2) * pi / y)), step = log(ratio);
         W const lowest = low_ * exp(-(digits + W(2)) / (W(1) + beta_)), highest = high_ * exp(W(digits / W(2) + W(4)));
         W const factor = sine_of_pi_times(beta_) / pi * step;
         quadrature<W> rule;
@@ -73,7 +73,7 @@ private:
     /// The same with Gauss nodes at both ends: in x for means that are x times integrals, and in 1/x for answers that are 1/x times
     /// (1/x + nu A)^{-1} 1.
     quadrature<W> rule(W const& digits, W const& between) const {
-        auto const all = trapezoidal_rule(digits, 1);
+        auto const all = trapezoidal_rule(digits);
         quadrature<W> low, middle, high;
         for (std::size_t k = 0; k + 1 < all.node.size(); ++k) {
             W const &x = all.node[k], &w = all.weight[k];
@@ -99,8 +99,8 @@ private:
         q.node.push_back(node);
         q.weight.push_back(weight);
     }
-    /// What a value at one stage contributes to another, over 1, 2, 4, ... steps of the shortest length between them, and from one step to
-    /// the next where either or both have the length longest, longest/2, ...
+    /// What a value at one stage contributes to another, over 1, 4, 16, ... steps of the shortest length between them, and from one step
+    /// to the next where either or both have the length longest, longest/4, ...
     std::vector<kernel> kernels(quadrature<W> const& rule) const {
         std::size_t const s = functions_.stages(), count = rule.node.size();
         std::vector<W> answer, gain, far_answer, far_gain, decay(rule.weight);
@@ -117,24 +117,25 @@ private:
                     result.push_back(sum);
                 }
         };
-        std::vector<W> rate(count, W(0)), left(count, W(1)); // 1 - rate is left of a mode after 1, 2, 4, ... short steps
+        std::vector<W> rate(count, W(0)), left(count, W(1)); // 1 - rate is left of a mode after 1, 4, 16, ... short steps
         functions_.evaluate(rule.node, shortest_, answer, gain);
         for (std::size_t k = 0; k < count; ++k) {
             left[k] = answer[(s - 1) * count + k]; // which is the stability function
             for (std::size_t j = 0; j < s; ++j) rate[k] = rate[k] + gain[j * count + k];
         }
-        for (W time = longest_; shortest_ <= time; time = time / W(2)) {
+        for (W time = longest_; shortest_ <= time; time = time / W(4)) {
             functions_.evaluate(rule.node, time, far_answer, far_gain);
             for (std::size_t k = 0; k < count; ++k) decay[k] = rule.weight[k] * left[k];
             pair(decay, answer, gain);
             pair(rule.weight, far_answer, far_gain);
             pair(rule.weight, far_answer, gain);
             pair(rule.weight, answer, far_gain);
-            for (std::size_t k = 0; k < count; ++k) {
-                bool const is_slow = W(2) * rate[k] < W(1);
-                rate[k] = rate[k] * (W(2) - rate[k]);
-                left[k] = is_slow ? W(W(1) - rate[k]) : W(left[k] * left[k]);
-            }
+            for (std::size_t k = 0; k < count; ++k)
+                for (int twice = 0; twice < 2; ++twice) {
+                    bool const is_slow = W(2) * rate[k] < W(1);
+                    rate[k] = rate[k] * (W(2) - rate[k]);
+                    left[k] = is_slow ? W(W(1) - rate[k]) : W(left[k] * left[k]);
+                }
         }
         return result;
     }
