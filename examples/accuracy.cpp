@@ -32,5 +32,12 @@ int main() {
     auto const driven = [](auto const& t, auto const& q, auto const& v) { return cos(t) - v / 5 + 0 * q; };
     auto const x = solve(with_force(spring, driven), interval{0.0, 50.0}, initial_velocity<double>{0.0, 5.0}, accuracy{1e-9});
     std::cout << "5 sin 50 within " << std::abs(x.end.q - 5 * std::sin(50.0)) << " by " << x.method << '\n';
-    return all and std::abs(x.end.q - 5 * std::sin(50.0)) <= 1e-9 ? 0 : 1;
+
+    // And a pendulum with a memory, x'' + sin x + D^{1/2}[x - 1] = 0; x(1) is known from six stages.
+    auto const pendulum = [](auto const& q, auto const& v) { return v * v / 2 + cos(q); };
+    auto const y =
+        solve(with_fractional_damping(pendulum, 1.0, fraction<1, 2>{}), interval{0.0, 1.0}, {.q0 = 1.0, .v0 = 1.0}, accuracy{1e-12});
+    double const at_one = 1.34165212463519;
+    std::cout << at_one << " within " << std::abs(y.end.q - at_one) << " by " << y.method << " in " << y.steps << " steps\n";
+    return all and std::abs(x.end.q - 5 * std::sin(50.0)) <= 1e-9 and std::abs(y.end.q - at_one) <= 1e-12 ? 0 : 1;
 }

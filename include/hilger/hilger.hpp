@@ -43,6 +43,7 @@
 // Histories as sums of exponentials; fractional damping, and problems with values at both ends
 #include "hilger/boundary/residual.hpp"
 #include "hilger/boundary/solve.hpp"
+#include "hilger/fractional/accuracy.hpp"
 #include "hilger/fractional/flow.hpp"
 #include "hilger/fractional/newmark.hpp"
 #include "hilger/fractional/of_variation.hpp"

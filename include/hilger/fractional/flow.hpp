@@ -182,4 +182,15 @@ auto embed(damped_problem<L, Reading> const& damped, E const& how) {
     return embed(damped, how, std::integral_constant<sums, which>{});
 }
 
+/// Graded as the damping at the stages of this flow asks for: graded(0.0, 1.0, 24, flow). @throws error::invalid_scale
+template <ordered_scalar S, class Flow, class Damping, int Stages>
+time_scale<S> graded(S const& a, S const& b, index_type N, damped_flow<Flow, at_stages<Damping, Stages>> const& flow) {
+    return graded(a, b, N, flow.damping().template grading<S>());
+}
+template <ordered_scalar S, class Flow, class Damping, int Stages>
+time_scale<S> graded_start(S const& a, S const& b, std::type_identity_t<S> const& h,
+                           damped_flow<Flow, at_stages<Damping, Stages>> const& flow) {
+    return graded_start(a, b, h, flow.damping().template grading<S>());
+}
+
 } // namespace hilger

@@ -3,7 +3,7 @@
 // difference quotient of Radau IIA with these stages (history/stages.hpp), and its force is added to dL/dq at each node, as Lagrange and
 // d'Alembert's principle has it. With s stages the undamped part is of order 2s - 1. On a T that is graded at its start positions have the
 // order min(2s - 1, s + 3 - beta) and momenta min(2s - 1, s + 2 - beta) (tests/runtime/fractional/stage_orders.cpp); on equal steps the
-// start of the solution, like t^{3 - beta}, limits it.
+// start of the solution, like t^{3 - beta}, limits it: see grading().
 //   embed(with_fractional_damping(L, rho, fraction<1, 2>{}, exponentials{1e-12}), galerkin<4, radau>)
 // The same stands with other stiffly accurate methods whose stages are the nodes: at_stages<Damping, s, lobatto> has those of Lobatto IIIC,
 // for galerkin<s, lobatto>, of order min(2s - 2, s + 2 - beta) (papers/hariz_jimenez_ober_blobaum_2026).
@@ -13,6 +13,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -155,6 +156,18 @@ struct at_stages {
     private:
         V zero_;
     };
+    /// The gamma of graded(a, b, N, gamma): the solution has a part like t^{3 - beta}, for beta > 1 like t^{4 - beta}, which costs the
+    /// first step, (b - a) N^-gamma, that power of its length, and no more than the others with gamma (3 - beta) = 2s - 1.
+    template <class S>
+    [[nodiscard]] S grading() const {
+        using std::floor;
+        S gamma(1);
+        for (Damping const& d : dampings) {
+            S const beta = d.order.template as<S>();
+            gamma = std::max(gamma, S(S(2 * Stages - 1) / (S(3) - beta + floor(beta))));
+        }
+        return gamma;
+    }
     /// @throws error::mismatch
     template <class V>
     void require_dimension(V const& q) const {

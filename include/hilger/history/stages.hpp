@@ -172,7 +172,8 @@ private:
         using std::floor;
         if (not(S(0) <= alpha and alpha <= S(2)))
             error::raise<error::invalid_parameter>("a history of stages has an order from 0 to 2, not ", alpha);
-        if (not(S(0) < shortest and shortest <= longest and is_finite(longest)))
+        if (not(is_finite(S(S(1) / (epsilon<S>() * epsilon<S>() * shortest))) and S(0) < shortest and shortest <= longest and
+                is_finite(longest)))
             error::raise<error::invalid_parameter>(
                 "a history of stages is made for steps above 0 and a time that is not below them, not for ", shortest, " and ", longest);
         beta_ = alpha - floor(alpha);

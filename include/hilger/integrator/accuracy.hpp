@@ -30,6 +30,20 @@ namespace detail {
 template <class S, int Stages>
 inline constexpr auto const& gauss_of = galerkin<Stages, gauss>;
 
+/// @throws error::invalid_parameter, error::mismatch
+template <class S, class W>
+auto checked_start(initial_velocity<W> const& from, accuracy const& goal) {
+    static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
+    if constexpr (not are_given_states<S, W, W>()) refuse_states<S, W, W>();
+    if (not(goal.wanted > 0) or not is_finite(goal.wanted) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
+        error::raise<error::invalid_parameter>("an accuracy in this scalar is a finite number of at least ", S(64) * epsilon<S>(),
+                                               " (64 epsilon), not ", goal.wanted);
+    using V = given_state_t<S, W>;
+    initial_velocity<V> start{as_state<V>(from.q0), as_state<V>(from.v0)};
+    require_same_dimension(start.q0, start.v0, "the initial position and velocity");
+    return start;
+}
+
 } // namespace detail
 
 /// The motion of L(q, v) or L(t, q, v), or of with_force(L, f), from (q0, v0) over [a, b]. @throws error::invalid_parameter where the
@@ -37,18 +51,12 @@ inline constexpr auto const& gauss_of = galerkin<Stages, gauss>;
 /// throw.
 template <class F, class S, class W>
 auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, detail::given_accuracy const& goal) {
-    static_assert(std::numeric_limits<S>::digits > 0 and not std::numeric_limits<S>::is_exact, "an accuracy is for scalars that round");
-    if constexpr (not detail::are_given_states<S, W, W>()) detail::refuse_states<S, W, W>();
-    if (not(goal.wanted > 0) or not is_finite(goal.wanted) or not(S(64) * epsilon<S>() <= S(goal.wanted)))
-        error::raise<error::invalid_parameter>("an accuracy in this scalar is a finite number of at least ", S(64) * epsilon<S>(),
-                                               " (64 epsilon), not ", goal.wanted);
+    auto const start = detail::checked_start<S>(from, goal);
     using V = detail::given_state_t<S, W>;
-    V const q0 = detail::as_state<V>(from.q0), v0 = detail::as_state<V>(from.v0);
-    detail::require_same_dimension(q0, v0, "the initial position and velocity");
     index_type walked = 0;
     auto const reached = [&](auto const& how, char const* method, int order) {
         auto const flow = embed(L, how);
-        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, {q0, v0});
+        detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, V> solving(flow, method, order, I, start);
         auto made = solving.reach(goal);
         walked += solving.walked();
         return made;

@@ -44,7 +44,8 @@ struct accurate_solution {
     index_type evaluated_steps; ///< of all runs together
     std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< from a state on T to a time within the step that begins there
 
-    /// The state at t, as accurate as those at the points, or with a history to h^4. @throws error::outside_domain, and what steps throw
+    /// The state at t, as accurate as those at the points; with a history it costs all steps before it. @throws error::outside_domain, and
+    /// what steps throw
     [[nodiscard]] state<S, V> operator()(S const& t) const {
         auto const& T = q.root();
         if (not(T.min() <= t) or not(t <= T.max()))

@@ -2,7 +2,7 @@
 // A solution to a wanted accuracy, by one method: the number of steps is doubled until two solutions agree, as closely as the order of the
 // method predicts; where they do not, or L has branches, until six do, most of them with other points. The switching_times(a, b) of a
 // callable, as formulas in text have them, are points of all runs. Between the points of its scale the solution is a step of the same
-// embedding, x(t).q, x(t).p; with a history, which such a step lacks, the cubic polynomial of dense_output.
+// embedding, x(t).q, x(t).p; with a history all steps before it are walked again.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,11 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <optional>
 
 #include "hilger/integrator/accurate_solution.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/pieces.hpp"
-#include "hilger/trajectory/dense_output.hpp"
 
 namespace hilger {
 
@@ -61,26 +58,28 @@ private:
     int slow_ = 0, late_ = 0, still_ = 0; ///< comparisons in a row
 };
 
-/// Runs of one flow with more and more steps, equal ones between two times where something switches.
+template <class Flow>
+decltype(auto) undamped_mechanics(Flow const& flow) {
+    if constexpr (has_history<Flow>)
+        return flow.undamped().mechanics();
+    else
+        return flow.mechanics();
+}
+
+/// Runs of one flow with more and more steps: equal ones between two times where something switches, with a history graded behind them.
 template <class Flow, class S, class V>
 class solving_by_doubling {
-    /// Steps are equal where no callable names times of switching, and with a history.
-    static constexpr bool may_switch = [] {
-        if constexpr (has_history<Flow>)
-            return false;
-        else {
-            using mechanics = std::remove_cvref_t<decltype(std::declval<Flow const&>().mechanics())>;
-            return says_when_it_switches<decltype(mechanics::lagrangian), S> or says_when_it_switches<decltype(mechanics::force), S>;
-        }
-    }();
-    using scale = std::conditional_t<may_switch, time_scale<S>, decltype(uniform(interval<S>{}, index_type{1}))>;
+    using mechanics = std::remove_cvref_t<decltype(undamped_mechanics(std::declval<Flow const&>()))>;
+    static constexpr bool may_switch =
+        says_when_it_switches<decltype(mechanics::lagrangian), S> or says_when_it_switches<decltype(mechanics::force), S>;
+    using scale = std::conditional_t<may_switch or has_history<Flow>, time_scale<S>, decltype(uniform(interval<S>{}, index_type{1}))>;
     using solution_function = decltype(function_on(std::declval<scale>(), std::vector<V>{}));
     static constexpr index_type most = index_type{1} << 24;
 
 public:
     using result = accurate_solution<S, V, solution_function>;
     solving_by_doubling(Flow flow, char const* method, int order, interval<S> const& I, initial_velocity<V> start)
-        : flow_(std::move(flow)), method_(method), order_(order), ends_(ends_of(flow_, I)),
+        : flow_(std::move(flow)), method_(method), order_(order), gamma_(gamma_of(flow_)), ends_(ends_of(flow_, I)),
           start_(std::move(start)), end_{I.a, start_.q0, flow_.momentum(I.a, start_.q0, start_.v0)} {}
 
     /// The solution; nothing where kinks of L leave of the method's order less than two, so that cheaper steps do as well.
@@ -90,8 +89,7 @@ public:
         std::vector<V> coarse;
         convergence<S> seen(order_);
         S told = std::numeric_limits<S>::infinity();
-        for (steps_of_pieces each = first_steps(ends_, goal.longest_step, most); sum(each) <= most;
-             each = changed(each, [](index_type n) { return 2 * n; })) {
+        for (steps_of_pieces each = first_run(goal); sum(each) <= most; each = changed(each, [](index_type n) { return 2 * n; })) {
             index_type const steps = sum(each);
             branch_watch const watch;
             std::vector<V> momenta, fine = run(each, goal, &momenta);
@@ -114,7 +112,7 @@ public:
                     return result_of(each, std::move(fine), std::move(momenta),
                                      std::max(told, size > S(0) ? S(hilger::epsilon<S>() * size) : wanted));
                 seen.count(watch.saw_any(), size, lowest);
-                if constexpr (std::is_floating_point_v<S>)
+                if constexpr (std::is_floating_point_v<S> and not has_history<Flow>)
                     if (seen.is_of_low_order() and order_ > 2) return std::nullopt;
                 if (wanted < error and seen.is_rounding(S(1024) * unit, lowest))
                     error::raise<error::no_convergence>("an accuracy of ", goal.wanted, " is not reached in this scalar: with ", steps,
@@ -134,15 +132,30 @@ public:
     [[nodiscard]] index_type walked() const { return walked_; }
 
 private:
+    static S gamma_of(Flow const& flow) {
+        if constexpr (has_history<Flow>) {
+            static_assert(
+                requires { flow.damping().template grading<S>(); },
+                "with a memory an accuracy is for with_fractional_damping, as fractional/accuracy.hpp has it");
+            return flow.damping().template grading<S>();
+        } else
+            return S(1);
+    }
     static std::vector<S> ends_of(Flow const& flow, interval<S> const& I) {
-        if constexpr (may_switch)
-            return ends_of_pieces(I, flow.mechanics().lagrangian, flow.mechanics().force);
-        else
-            return {I.a, I.b};
+        auto const& what = undamped_mechanics(flow);
+        auto const ends = ends_of_pieces(I, what.lagrangian, what.force);
+        return has_history<Flow> ? with_starts(ends) : ends;
+    }
+    [[nodiscard]] steps_of_pieces first_run(accuracy const& goal) const {
+        steps_of_pieces each = first_steps(ends_, goal.longest_step, most);
+        if constexpr (has_history<Flow>)
+            for (std::size_t k = 0; k < each.size(); k += 2) // so that the last of them is no longer than the others
+                each[k] = static_cast<index_type>(std::ceil(static_cast<double>(gamma_) * static_cast<double>(each[k])));
+        return each;
     }
     [[nodiscard]] scale scale_of(steps_of_pieces const& each) const {
-        if constexpr (may_switch)
-            return joined_pieces(ends_, each);
+        if constexpr (may_switch or has_history<Flow>)
+            return joined_pieces(ends_, each, gamma_);
         else
             return piece(ends_, each, 0);
     }
@@ -161,7 +174,7 @@ private:
     [[nodiscard]] result result_of(steps_of_pieces const& each, std::vector<V> q, std::vector<V> p, S const& error) const {
         auto const T = scale_of(each);
         index_type const steps = sum(each);
-        return {function_on(T, std::move(q)), function_on(T, std::move(p)), end_, steps, method_, error, walked_, onward(steps)};
+        return {function_on(T, std::move(q)), function_on(T, std::move(p)), end_, steps, method_, error, walked_, onward(T)};
     }
     /// The positions, and the momenta where they are asked for; empty where the steps are too long: they have no solution, or lead to
     /// where L is not defined.
@@ -183,11 +196,14 @@ private:
             return true;
         };
         try {
-            bool goes_on = keep(flow_.along(piece(ends_, each, 0), start_));
-            if constexpr (may_switch)
-                for (std::size_t k = 1; goes_on and k < each.size(); ++k) {
+            bool goes_on = true;
+            if constexpr (has_history<Flow>)
+                goes_on = keep(flow_.along(scale_of(each), start_));
+            else
+                for (std::size_t k = 0; goes_on and k < each.size(); ++k) {
                     state<S, V> const from = end_;
-                    goes_on = keep(flow_.along(piece(ends_, each, k), from.q, from.p));
+                    goes_on = k == 0 ? keep(flow_.along(piece(ends_, each, 0), start_))
+                                     : keep(flow_.along(piece(ends_, each, k), from.q, from.p));
                 }
             if (not goes_on) return {};
         } catch (error::no_convergence const&) {
@@ -202,32 +218,29 @@ private:
         return q;
     }
     /// A part of a step may be too long for Newton's method from another start: then it is divided.
-    [[nodiscard]] auto onward(index_type all) const {
-        if constexpr (has_history<Flow>) {
-            struct walked_again {
-                std::once_flag once;
-                std::optional<dense_output<S, V>> path;
-            };
-            return [flow = flow_, T = uniform(interval<S>{ends_.front(), ends_.back()}, all), start = start_,
-                    kept = std::make_shared<walked_again>()](state<S, V> const&, S const& t) {
-                std::call_once(kept->once, [&] { kept->path.emplace(flow.along(T, start)); });
-                return (*kept->path)(t);
-            };
-        } else
-            return [flow = flow_](state<S, V> const& from, S const& t) {
-                S const unit =
-                    std::max(S(hilger::epsilon<S>() * std::max(magnitude(from.t), magnitude(t))), S((std::numeric_limits<S>::min)()));
-                if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step
+    [[nodiscard]] auto onward(scale const& T) const {
+        return [flow = flow_, T, start = start_](state<S, V> const& from, S const& t) {
+            S reach = std::max(magnitude(from.t), magnitude(t));
+            if constexpr (has_history<Flow>) reach = std::max(reach, S(T.max() - T.min()));
+            S const unit = std::max(S(hilger::epsilon<S>() * reach), S((std::numeric_limits<S>::min)()));
+            if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step, and no history is made for it
+            state<S, V> last = from;
+            if constexpr (has_history<Flow>) {
+                std::vector<S> points;
+                for (index_type i = 0; T.element(i) <= from.t; ++i) points.push_back(T.element(i));
+                points.push_back(t);
+                for (auto const& x : flow.along(time_scale<S>(std::move(points)), start)) last = x;
+                return last;
+            } else
                 for (index_type steps = 1;; steps *= 2) {
                     try {
-                        state<S, V> last = from;
                         for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
                         return last;
                     } catch (error::no_convergence const&) {
                         if (steps == 8) throw;
                     }
                 }
-            };
+        };
     }
     static S largest(std::vector<V> const& x) {
         S found(0);
@@ -261,6 +274,7 @@ private:
     Flow flow_;
     char const* method_;
     int order_;
+    S gamma_;             ///< of the graded pieces
     std::vector<S> ends_; ///< of the pieces
     initial_velocity<V> start_;
     state<S, V> end_;            ///< that a run has reached

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // An interval divided at the times at which a callable switches, its switching_times(a, b), with equal steps in each piece: the scale of an
-// accurate solution (integrator/doubling.hpp).
+// accurate solution (integrator/doubling.hpp). With a memory the solution begins anew at such a time like a broken power, and the first
+// eighth of each piece is a graded one of its own.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +35,18 @@ std::vector<S> ends_of_pieces(interval<S> const& I, Callables const&... callable
     ends.push_back(I.b);
     return ends;
 }
+/// Each piece divided into its first eighth and the rest. Where a callable switches, a piece ends some roundings before: a step has a node
+/// at its end, which sees nothing of what follows.
+template <class S>
+std::vector<S> with_starts(std::vector<S> ends) {
+    std::vector<S> all{ends.front()};
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+        if (k + 1 < ends.size()) ends[k] = ends[k] - S(8) * epsilon<S>() * magnitude(ends[k]);
+        all.push_back(S(ends[k - 1] + (ends[k] - ends[k - 1]) / S(8)));
+        all.push_back(ends[k]);
+    }
+    return all;
+}
 
 /// The numbers of steps of the pieces with these ends.
 using steps_of_pieces = std::vector<index_type>;
@@ -64,13 +77,19 @@ template <class S>
 auto piece(std::vector<S> const& ends, steps_of_pieces const& each, std::size_t k) {
     return uniform(interval<S>{ends[k], ends[k + 1]}, each[k]);
 }
-/// The scale of all pieces.
+/// The scale of all pieces. With a gamma above 1 the first, the third, ... are graded.
 template <class S>
-time_scale<S> joined_pieces(std::vector<S> const& ends, steps_of_pieces const& each) {
+time_scale<S> joined_pieces(std::vector<S> const& ends, steps_of_pieces const& each, S const& gamma) {
     std::vector<S> points{ends.front()};
-    for (std::size_t k = 0; k < each.size(); ++k)
-        for (auto const T = piece(ends, each, k); S const& t : T)
+    auto const add = [&](auto const& T) {
+        for (S const& t : T)
             if (points.back() < t) points.push_back(t);
+    };
+    for (std::size_t k = 0; k < each.size(); ++k)
+        if (S(1) < gamma and k % 2 == 0)
+            add(graded(ends[k], ends[k + 1], each[k], gamma));
+        else
+            add(piece(ends, each, k));
     return time_scale<S>(std::move(points));
 }
 

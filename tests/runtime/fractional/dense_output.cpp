@@ -111,21 +111,6 @@ TEST_CASE("events of a damped path are where the fine steps have them") {
     CHECK(*all.begin() == *later.begin());
 }
 
-TEST_CASE("a solution to an accuracy remembers between its points what it was damped by") {
-    auto const x =
-        solve(with_fractional_damping(stiffer, 8.0, fraction<1, 2>{}), interval{0.0, 4.0}, {.q0 = 1.0, .v0 = 0.0}, accuracy{1e-4});
-    dense_output const path(embed(with_fractional_damping(stiffer, 8.0, fraction<1, 2>{}), mid_point).along(x.q.root(), 1.0, 0.0));
-    for (double const t : {0.0003, 0.3, 1.01, 2.222, 3.99}) {
-        CHECK(std::abs(x(t).q - path(t).q) <= 1e-4);
-        CHECK(std::abs(x(t).p - path(t).p) <= 1e-4);
-    }
-    for (index_type const i : {1, 10, 100}) { // it goes on at the points
-        double const t = x.q.root().element(i), before = t - 1e-9;
-        CHECK(std::abs(x(before).p - x.p[i]) < 1e-7);
-        CHECK(x(t).p == x.p[i]);
-    }
-}
-
 TEST_CASE("vectors, with a damping of one component and of several terms") {
     constexpr lagrangian two{[](auto const& x, auto const& v) { return v.dot(v) / 2 - 2 * x(0) * x(0) - 2 * x(1) * x(1); }};
     auto const one = with_fractional_damping(two, Eigen::Vector2d(0, 1.5), fraction<1, 2>{});

@@ -48,6 +48,7 @@ TEST_CASE("parameters out of range, each with its sentence") {
     char const* const lengths = "a history of stages is made for steps above 0 and a time that is not below them, not for ";
     CHECK_THROWS_WITH_AS((void)made(0.5, 1e-8, 1, 2), (std::string(lengths) + "2 and 1").c_str(), error::invalid_parameter);
     CHECK_THROWS_WITH_AS((void)made(0.5, 1e-8, 1, 0), (std::string(lengths) + "0 and 1").c_str(), error::invalid_parameter);
+    CHECK_THROWS_AS((void)made(0.5, 1e-8, 1, 1e-300), error::invalid_parameter);
     CHECK_THROWS_AS((void)made(0.5, 1e-8, std::numeric_limits<double>::infinity(), 1), error::invalid_parameter);
     CHECK_THROWS_AS((void)stage_history<double>(collocation<double, gauss>(2), 0.5, 1e-8, 2.0, 0.125, 0.0), error::invalid_parameter);
     CHECK_NOTHROW((void)made(0.5, 32 * epsilon<double>(), 1e6, 1.0));

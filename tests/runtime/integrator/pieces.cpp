@@ -36,11 +36,18 @@ TEST_CASE("steps are equal in each piece, as many as its share of the interval, 
     ends const all{0, 1, 4};
     auto const each = detail::first_steps(all, 0.0, 1 << 10);
     CHECK(each == detail::steps_of_pieces{2, 6});
-    CHECK(points_of(detail::joined_pieces(all, each)) == ends{0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4});
+    CHECK(points_of(detail::joined_pieces(all, each, 1.0)) == ends{0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4});
     CHECK(detail::first_steps(all, 0.25, 1 << 10) == detail::steps_of_pieces{4, 12});
     CHECK(detail::first_steps(ends{0, 1e-3, 4}, 0.0, 1 << 10) == detail::steps_of_pieces{1, 8});
     CHECK_THROWS_AS(detail::first_steps(all, -1.0, 1 << 10), error::invalid_parameter);
     CHECK_THROWS_AS(detail::first_steps(all, 1e-3, 1 << 10), error::invalid_parameter);
+}
+
+TEST_CASE("the first eighth of a piece is a graded one of its own, and a piece ends before the time of switching") {
+    double const before = 1 - 8 * epsilon<double>();
+    ends const all = detail::with_starts(ends{0, 1, 5});
+    CHECK(all == ends{0, before / 8, before, before + (5 - before) / 8, 5});
+    CHECK(points_of(detail::joined_pieces(ends{0, 1, 2, 3}, {2, 2, 2}, 2.0)) == ends{0, 0.25, 1, 1.5, 2, 2.25, 3});
 }
 
 } // namespace pieces_tests
