@@ -15,11 +15,11 @@ namespace hilger {
 
 namespace detail {
 
-/// With the dampings as powers of Delta, and histories to rounding.
+/// With the dampings as powers of Delta; a tolerance of 0 means histories to rounding.
 template <class L, generating_function G, class Rho, class Order, class Policy>
-auto at_full_accuracy(damped_problem<L, mean_over_step<fractional_damping<G, Rho, Order, Policy>>> const& given) {
+auto with_powers(damped_problem<L, mean_over_step<fractional_damping<G, Rho, Order, Policy>>> const& given, double tolerance) {
     std::vector<fractional_damping<grunwald_letnikov, Rho, Order, exponentials>> dampings;
-    for (auto const& d : given.damping.dampings) dampings.push_back({d.coefficient, d.order, {}, d.history});
+    for (auto const& d : given.damping.dampings) dampings.push_back({d.coefficient, d.order, {tolerance}, d.history});
     return damped_by_mean(given.mechanics, std::move(dampings));
 }
 template <class S, int Stages>
@@ -33,7 +33,8 @@ auto solve(damped_problem<L, mean_over_step<Damping>> const& damped, interval<S>
            detail::given_accuracy const& goal) {
     auto const start = detail::checked_start<S>(from, goal);
     auto const run = [&](auto const& how, char const* method, int order) {
-        auto const flow = embed(detail::at_full_accuracy(damped), how);
+        double const tolerance = std::is_floating_point_v<S> ? 0 : goal.wanted / 1024; // many digits are not had for nothing
+        auto const flow = embed(detail::with_powers(damped, tolerance), how);
         return *detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, detail::given_state_t<S, W>>(flow, method, order, I,
                                                                                                                  start)
                     .reach(goal);
