@@ -16,13 +16,17 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
                 "with a Zener material the method is g-alpha-newmark or gl-newmark, and not '", method, "'");
         if (auto made = damped(what, method, T)) return made;
         hilger::error::raise<hilger::error::invalid_parameter>(
-            "with fractional damping the method is mid-point, or g-alpha-newmark or gl-newmark of linear structures, and not '", method,
-            "'");
+            "with fractional damping the method is mid-point, radau-3, radau-4 or radau-5, or "
+            "g-alpha-newmark or gl-newmark of linear structures, and "
+            "not '",
+            method, "'");
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;
     if (auto made = embedded_with_inner_points(what, method, T)) return made;
     if (auto made = composed(what, method, T)) return made;
     if (auto made = between_two_ends(what, method, T)) return made;
+    if (method.starts_with("radau-"))
+        hilger::error::raise<hilger::error::invalid_parameter>("the method ", method, " is for fractional damping");
     refuse_method(method, scalar_kind::machine, "double");
 }
 

@@ -49,7 +49,8 @@ struct points {
     S start{}, step{};
     hilger::index_type steps = 0;
     std::vector<S> given;
-    std::optional<S> last{}; ///< of equal steps, if known exactly
+    std::optional<S> last{};    ///< of equal steps, if known exactly
+    bool may_be_graded = false; ///< equal steps, with as many others, by a method whose order asks for it
     [[nodiscard]] bool is_uniform() const { return given.empty(); }
     /// The step of a uniform scale; nothing for other points.
     [[nodiscard]] std::optional<S> equal_step() const { return is_uniform() ? std::optional(step) : std::nullopt; }

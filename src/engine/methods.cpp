@@ -37,6 +37,9 @@ std::vector<method_entry> const& all_methods() {
         {"gauss-8", 16, embedding, {machine, digits}, "Galerkin's embedding with 8 Gauss nodes in a step"},
         {"gauss-16", 32, embedding, {digits}, "Galerkin's embedding with 16 Gauss nodes in a step"},
         {"lobatto-3", 4, embedding, {machine}, "Galerkin's embedding with 3 Lobatto nodes in a step"},
+        {"radau-3", 5, memory, {machine}, "with fractional damping, at 3 Radau nodes in a step, on any T"},
+        {"radau-4", 7, memory, {machine}, "with fractional damping, at 4 Radau nodes in a step, on any T"},
+        {"radau-5", 9, memory, {machine}, "with fractional damping, at 5 Radau nodes in a step, on any T"},
         {"g-alpha-newmark", 2, structure, {machine, digits}, "linear structures with fractional damping or a material, by weights of bdf2"},
         {"gl-newmark", 1, structure, {machine, digits}, "the same by weights of Gruenwald and Letnikov"},
         {"two-sided:0.75", 1, two_ends, {machine}, "v is the fractional difference of that order: looks to both ends"},
@@ -59,7 +62,8 @@ std::vector<std::string> method_names(problem const& what, scalar_kind numbers, 
     std::vector<std::string> names;
     for (method_entry const& one : all_methods()) {
         bool const has_number = one.name.find(':') != std::string::npos;
-        bool const remembers = one.kind == method_kind::structure or (one.name == "mid-point" and numbers == scalar_kind::machine);
+        bool const remembers = one.kind == method_kind::structure or one.kind == method_kind::memory or
+                               (one.name == "mid-point" and numbers == scalar_kind::machine);
         bool const is_for = what.material       ? one.kind == method_kind::structure
                             : what.has_memory() ? remembers
                             : between_ends      ? one.kind == method_kind::embedding and one.order <= 2 and one.name.back() != '+'

@@ -14,6 +14,7 @@ namespace engine {
 enum class method_kind {
     embedding,   ///< without a memory; also between two ends
     composition, ///< without a memory
+    memory,      ///< with fractional damping
     structure,   ///< linear structures with a memory
     two_ends     ///< an equation between two ends
 };

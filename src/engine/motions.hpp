@@ -20,6 +20,12 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
+/// Whether its memory is of stages, on any T.
+template <class Flow>
+concept has_stages = requires(Flow const& f) {
+    f.damping().template grading<double>();
+};
+
 /// Whether positions and momenta at the points of T determine the residual.
 template <class Flow, class S, class Scale>
 concept is_judged_by_states = requires(Flow const& f, hilger::recording<S, vector<S>, Scale> const& run) {
@@ -113,7 +119,7 @@ public:
             for (std::size_t i = 0; i < positions.size(); ++i)
                 run.states.push_back({T_.element(T_.first() + static_cast<hilger::index_type>(i)), positions[i], momenta.at(i)});
             return absolute ? largest_residual(flow_, run) : relative_residual(flow_, run);
-        } else if constexpr (has_memory<Flow>) {
+        } else if constexpr (has_memory<Flow> and not has_stages<Flow>) {
             S worst(0);
             along(from, [&](auto const& path) { worst = absolute ? largest_residual(path) : relative_residual(path); });
             return worst;
@@ -172,7 +178,7 @@ private:
 
 template <class S, class Flow>
 std::unique_ptr<motion<S>> motion_by(Flow const& flow, points<S> const& T, std::string const& name, beginning_by<S> faster = {}) {
-    if constexpr (has_memory<Flow>) {
+    if constexpr (has_memory<Flow> and not has_stages<Flow>) {
         if (not T.is_uniform()) hilger::error::raise<hilger::error::invalid_parameter>("fractional damping is for uniform scales");
         return std::make_unique<motion_of<S, Flow, hilger::uniform_scale<S>>>(flow, uniform_scale_of(T), name, std::move(faster));
     } else

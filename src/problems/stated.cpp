@@ -40,7 +40,7 @@ std::vector<std::string> methods_in(stated_problem const& what, engine::scalar_k
 template <class S>
 engine::points<S> points_in(stated_problem const& what, hilger::index_type steps) {
     hilger::interval<S> const ends{number_of<S>(what.start), number_of<S>(what.end)};
-    return {ends.a, hilger::uniform(ends, steps).h(), steps, {}, ends.b};
+    return {ends.a, hilger::uniform(ends, steps).h(), steps, {}, ends.b, true};
 }
 template <class S>
 std::unique_ptr<engine::motion<S>> motion_in(stated_problem const& what, configuration const& c) {

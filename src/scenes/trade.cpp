@@ -79,7 +79,7 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
     double const most = reference.largest_error();
     int worse = 0, slower = 0;
     bool const many_digits = c.scalar.ends_with("digits");
-    hilger::index_type first = what.histories.empty() ? 8 : 64;
+    hilger::index_type first = 8;
     if (many_digits) {
         budget *= 10;
         first = std::max(first, what.reference.steps / 4);
