@@ -20,7 +20,7 @@
 
 namespace engine {
 
-/// The mechanics. Damping is -rho D^alpha q of every coordinate, as a mean over each step when the method is an embedding.
+/// The mechanics. Damping is -rho D^alpha q of every coordinate, as a mean over each step by mid-point and at the nodes by radau-3, ...
 struct problem {
     hilger::text::stated_lagrangian lagrangian;
     std::optional<hilger::text::stated_force> force;

@@ -90,7 +90,8 @@ class Force:
 
 @dataclass(frozen=True)
 class Damping:
-    """The force -rho D^alpha q on every coordinate, 0 < alpha < 2, as a mean over each step: of order two with the mid-point embedding."""
+    """The force -rho D^alpha q on every coordinate, 0 < alpha < 2: as a mean over each step, of order two, with the mid-point embedding; at the
+    nodes of a step, on any T, by the methods radau-3, radau-4 and radau-5."""
 
     rho: float
     alpha: float
