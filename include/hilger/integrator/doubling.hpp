@@ -219,28 +219,32 @@ private:
     }
     /// A part of a step may be too long for Newton's method from another start: then it is divided.
     [[nodiscard]] auto onward(scale const& T) const {
-        return [flow = flow_, T, start = start_](state<S, V> const& from, S const& t) {
-            S reach = std::max(magnitude(from.t), magnitude(t));
-            if constexpr (has_history<Flow>) reach = std::max(reach, S(T.max() - T.min()));
-            S const unit = std::max(S(hilger::epsilon<S>() * reach), S((std::numeric_limits<S>::min)()));
-            if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step, and no history is made for it
-            state<S, V> last = from;
-            if constexpr (has_history<Flow>) {
+        if constexpr (has_history<Flow>)
+            return [flow = flow_, T, start = start_](state<S, V> const& from, S const& t) {
+                state<S, V> last{t, from.q, from.p};
+                S const unit = hilger::epsilon<S>() * std::max(magnitude(t), S(T.max() - T.min()));
+                if (t < from.t + S(8) * unit) return last; // no history is made for so short a step
                 std::vector<S> points;
                 for (index_type i = 0; T.element(i) <= from.t; ++i) points.push_back(T.element(i));
                 points.push_back(t);
                 for (auto const& x : flow.along(time_scale<S>(std::move(points)), start)) last = x;
                 return last;
-            } else
+            };
+        else
+            return [flow = flow_](state<S, V> const& from, S const& t) {
+                S const unit =
+                    std::max(S(hilger::epsilon<S>() * std::max(magnitude(from.t), magnitude(t))), S((std::numeric_limits<S>::min)()));
+                if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step
                 for (index_type steps = 1;; steps *= 2) {
                     try {
+                        state<S, V> last = from;
                         for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
                         return last;
                     } catch (error::no_convergence const&) {
                         if (steps == 8) throw;
                     }
                 }
-        };
+            };
     }
     static S largest(std::vector<V> const& x) {
         S found(0);
