@@ -16,9 +16,8 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
                 "with a Zener material the method is g-alpha-newmark or gl-newmark, and not '", method, "'");
         if (auto made = damped(what, method, T)) return made;
         hilger::error::raise<hilger::error::invalid_parameter>(
-            "with fractional damping the method is mid-point, radau-3, radau-4 or radau-5, or "
-            "g-alpha-newmark or gl-newmark of linear structures, and "
-            "not '",
+            "with fractional damping the method is mid-point, radau-3, radau-4 or radau-5, or g-alpha-newmark or gl-newmark of linear "
+            "structures, and not '",
             method, "'");
     }
     if (auto made = embedded_in_one_step(what, method, T)) return made;

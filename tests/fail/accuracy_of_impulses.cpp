@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// expect: with a memory an accuracy is for with_fractional_damping, as fractional/accuracy.hpp has it
+// expect: with a memory an accuracy is for with_fractional_damping, and not for impulses
 #include "hilger/fractional/accuracy.hpp"
 #include "hilger/history/history.hpp"
 

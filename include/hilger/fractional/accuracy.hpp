@@ -46,4 +46,10 @@ auto solve(damped_problem<L, mean_over_step<Damping>> const& damped, interval<S>
         return run(detail::radau_of<S, 8>, "Galerkin, 8 Radau nodes", 15);
 }
 
+/// Refused: impulses at the points have no other order than one.
+template <class L, class Reading, class S, class W>
+auto solve(damped_problem<L, Reading> const&, interval<S> const&, initial_velocity<W> const&, detail::given_accuracy const&) {
+    return does_not_compile<"with a memory an accuracy is for with_fractional_damping, and not for impulses", L>{};
+}
+
 } // namespace hilger

@@ -133,12 +133,9 @@ public:
 
 private:
     static S gamma_of(Flow const& flow) {
-        if constexpr (has_history<Flow>) {
-            static_assert(
-                requires { flow.damping().template grading<S>(); },
-                "with a memory an accuracy is for with_fractional_damping, as fractional/accuracy.hpp has it");
+        if constexpr (has_history<Flow>)
             return flow.damping().template grading<S>();
-        } else
+        else
             return S(1);
     }
     static std::vector<S> ends_of(Flow const& flow, interval<S> const& I) {
