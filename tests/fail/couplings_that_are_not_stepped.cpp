@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect 1: an action has one coupling; several terms of damping are with_fractional_damping
 // expect 2: the first curve of a restricted principle is stepped where its coupling is Delta_minus_alpha<P, Q>
-// expect 3: in this order, or at Radau's nodes of q - q(a) and y, and here it is
+// expect 3: in this order, or at the nodes of radau of q - q(a) and y, and here it is
 // expect 4: both factors of a coupling are functions on the scale of its integral
 // Of the two curves the second one is the first in reversed time.
 #include "hilger/hilger.hpp"

@@ -58,7 +58,7 @@ auto flow_of(restricted_euler_lagrange<action<F, A, B, step_weight, Root>,
 template <class Action, linear_map A, linear_map B, class Root, class... Options>
 constexpr auto flow_of(restricted_euler_lagrange<Action, A, B, Root> const&, Options const&...) {
     return does_not_compile<"the first curve of a restricted principle is stepped where its coupling is Delta_minus_alpha<P, Q>[q] * "
-                            "Delta_plus_alpha<R, S>[y], in this order, or at Radau's nodes of q - q(a) and y, and here it is " +
+                            "Delta_plus_alpha<R, S>[y], in this order, or at the nodes of radau of q - q(a) and y, and here it is " +
                                 A::name() + "[q] * " + B::name() + "[y]",
                             Action>{};
 }
