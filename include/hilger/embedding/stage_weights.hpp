@@ -167,14 +167,13 @@ private:
         template <class Steps>
         rule(S const& beta, index_type count, Steps const& nu) {
             using std::atan, std::exp, std::expm1, std::log, std::sin;
-            thread_local std::map<S, power_nodes<S>> kept;
             S whole(0);
             for (index_type d = 0; d < count; ++d) whole = whole + nu(d);
             S const digits = -log(epsilon<S>()), rest = S(1) - beta, pi = S(4) * atan(S(1));
             S const above = whole * exp(S((digits + S(1)) / (S(1) + beta)));
             S const first = std::min(above, S((std::numeric_limits<S>::max)() * epsilon<S>()));
             S const last = exp(S(-(digits + S(6)) / (S(2) - beta))) / S(2 * Stages * Stages);
-            auto& nodes = kept.try_emplace(beta, beta).first->second;
+            auto& nodes = power_nodes<S>::of(beta);
             for (auto const& node : nodes.covering(last, first))
                 if (not(node.at < last or first < node.at)) {
                     x.push_back(S(1) / node.at);

@@ -34,6 +34,11 @@ public:
         step_ = log(ratio);
         nodes_.push_back(weighted(wide(1)));
     }
+    /// Those of one alpha, kept for each thread.
+    static power_nodes& of(S const& alpha) {
+        thread_local std::map<S, power_nodes> kept;
+        return kept.try_emplace(alpha, alpha).first->second;
+    }
     /// At least those between two numbers.
     std::deque<node> const& covering(S const& smallest, S const& largest) {
         while (nodes_.front().at < largest) nodes_.push_front(weighted(first_ = first_ * ratio_));
@@ -61,7 +66,6 @@ public:
     /// x^{delta-2} or faster; delta is alpha for alpha > 0.
     power_integral(S const& alpha, S const& smallest, S const& total) : by_parts_(alpha < S(0)), delta_(by_parts_ ? S(1) + alpha : alpha) {
         using std::atan, std::exp, std::log, std::sin;
-        thread_local std::map<S, power_nodes<S>> kept;
         using limits = std::numeric_limits<S>;
         // Margin: from what is no longer a number.
         S const digits = -log(epsilon<S>()), margin = S(1) / epsilon<S>(), pi = S(4) * atan(S(1));
@@ -69,7 +73,7 @@ public:
         factor_ = by_parts_ ? S(sin(S(pi * std::min(delta_, rest))) / (pi * delta_)) : S(-sin(S(pi * std::min(delta_, rest))) / pi);
         S const above = total * exp(S((digits + S(1)) / (S(1) + delta_))), first = std::min(above, S((limits::max)() / margin));
         S const below = smallest * exp(S(-(digits + S(6)) / (S(2) - delta_))), last = std::max(below, S((limits::min)() * margin));
-        for (auto const& x : kept.try_emplace(delta_, delta_).first->second.covering(last, first))
+        for (auto const& x : power_nodes<S>::of(delta_).covering(last, first))
             if (not(x.at < last or first < x.at)) terms_.push_back({x.at, x.value, S(0)});
     }
     /// The entry of C^alpha for one more factor 1 + x w.
