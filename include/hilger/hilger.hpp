@@ -28,6 +28,7 @@
 #include "hilger/variational/print.hpp"
 #include "hilger/variational/restricted.hpp"
 #include "hilger/variational/sum_of_actions.hpp"
+#include "hilger/variational/time_transformation.hpp"
 #include "hilger/variational/variation.hpp"
 
 // Standard Lagrangians
@@ -55,6 +56,7 @@
 #include "hilger/fractional/residual.hpp"
 #include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/residual.hpp"
+#include "hilger/integrator/times.hpp"
 #include "hilger/trajectory/checkpoint.hpp"
 #include "hilger/trajectory/dense_output.hpp"
 #include "hilger/trajectory/diagnostics.hpp"
