@@ -27,6 +27,7 @@
 #include "hilger/variational/legendre_transform.hpp"
 #include "hilger/variational/print.hpp"
 #include "hilger/variational/restricted.hpp"
+#include "hilger/variational/separated_hamiltonian.hpp"
 #include "hilger/variational/sum_of_actions.hpp"
 #include "hilger/variational/time_transformation.hpp"
 #include "hilger/variational/variation.hpp"

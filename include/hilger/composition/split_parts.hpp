@@ -9,6 +9,7 @@
 #include "hilger/newton/small_solve.hpp"
 #include "hilger/step/separable.hpp"
 #include "hilger/step/small/node.hpp"
+#include "hilger/variational/separated_hamiltonian.hpp"
 
 namespace hilger::detail {
 
@@ -132,6 +133,22 @@ private:
     }
     std::optional<bool> has_parts_; ///< once checked
     separable<Problem, S, V> of_;
+};
+/// Those of a Hamiltonian A(p) + B(q) (variational/separated_hamiltonian.hpp): v = dA/dp, and the force is -dB/dq.
+template <class A, class B, class S, class V>
+class large_parts<problem<legendre_transform<separated<A, B>>, no_force>, S, V> : public whole_vectors<S, V> {
+    using what_type = problem<legendre_transform<separated<A, B>>, no_force>;
+
+public:
+    large_parts(what_type const&, V const&) {}
+    bool velocity(what_type const& what, V const&, V const& p, V& v) {
+        v = gradient_by(p, what.lagrangian.given().of_momentum);
+        return true;
+    }
+    bool force(what_type const& what, V const& q, V& g) {
+        g = -gradient_by(q, what.lagrangian.given().of_position);
+        return true;
+    }
 };
 
 /// Whether L may turn out to have these parts.

@@ -31,6 +31,7 @@ class legendre_transform {
 public:
     static constexpr bool has_derivatives_alone = true; ///< no formula that jets pass through
     constexpr explicit legendre_transform(H h) : hamiltonian_(std::move(h)) {}
+    /// H
     [[nodiscard]] constexpr H const& given() const { return hamiltonian_; }
 
     // Each of (q, v), or of (t, q, v) if H depends on the time.
