@@ -144,6 +144,20 @@ TEST_CASE("a Lagrangian and its derivatives, written out") {
     CHECK(printed(formula_of([](auto const& t, auto const& q, auto const&) { return q * t; }).by_t()) == "q");
 }
 
+TEST_CASE("a Lagrangian in a transformed time is written out as any other") {
+    auto const L = [](auto const& q, auto const& v) { return v * v / 2 - q * q; };
+    formula const in_tau = formula_of(transform_time(
+        L, [](auto const& q) { return 1 + q * q; }, 3));
+    CHECK(printed(in_tau) == "(q² + 1)·(v²/(2·(q² + 1)²) − q² + 3)");
+    CHECK(printed(in_tau.by_v()) == "v/(q² + 1)");
+    CHECK(printed(formula_of(transform_time(
+                                 L, [](auto const&) { return 1; }, 3))
+                      .by_q()) == printed(formula_of(L).by_q()));
+    auto const pushed = [](auto const& t, auto const& q, auto const& v) { return v(0) * v(0) / 2 + t * q(0); };
+    auto const with_time = formula_of<Eigen::Vector3d>(transform_time(pushed, [](auto const& q) { return q(0); }));
+    CHECK(printed(with_time.by_q(2)) == "q₀ − v₁"); // t' = g
+    CHECK(printed(with_time.by_q(1)) == "q₀²");     // e' = -g dL/dt
+}
 TEST_CASE("constants are folded, zeros and ones disappear, powers and equal terms are gathered") {
     auto const of_one = [](auto const& f) { return printed(formula_of(f)); };
     CHECK(of_one([](auto const& q, auto const& v) { return 0 + q - 0 * v; }) == "q");
