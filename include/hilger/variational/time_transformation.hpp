@@ -11,6 +11,9 @@
 //   embed(transform_time(L, g), mid_point).along(T, (q0, t0, E), (p0, -E, 0))
 #pragma once
 
+#include <utility>
+
+#include "hilger/inlining.hpp"
 #include "hilger/variational/lagrangian.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/legendre_transform.hpp"
@@ -25,6 +28,18 @@ template <class G, class V>
 scalar_of<V> rate_at(G const& rate, V const& q) {
     return as_jet<jet<scalar_of<V>, 0, 1, 1>>(value_from(rate, in_constants(q))).value;
 }
+/// v = w / g; in registers where w is.
+template <class W, class R>
+HILGER_ALWAYS_INLINE constexpr auto velocity_in_time(W const& w, R const& g) {
+    return evaluated(w / g);
+}
+template <class J, int N, class R>
+HILGER_ALWAYS_INLINE constexpr auto velocity_in_time(jet_vector<J, N> const& w, R const& g) {
+    jet_vector<std::remove_cvref_t<decltype(w(0) / g)>, N> v;
+    [&]<int... K>(std::integer_sequence<int, K...>) HILGER_ALWAYS_INLINE { ((v(K) = w(K) / g), ...); }
+    (std::make_integer_sequence<int, N>{});
+    return v;
+}
 } // namespace detail
 
 /// g(q) (L(q, q'/g(q)) + E), with the Legendre map of L where L has one of its own.
@@ -35,10 +50,9 @@ struct transformed_in_time {
     S energy;
 
     template <class Q, class W>
-        requires std::invocable<L const&, Q const&, Q const&>
-    constexpr auto operator()(Q const& q, W const& w) const {
+    requires std::invocable<L const&, Q const&, Q const&> HILGER_ALWAYS_INLINE constexpr auto operator()(Q const& q, W const& w) const {
         auto const g = evaluated(rate(q));
-        return evaluated(g * (evaluated(lagrangian(q, evaluated(w / g))) + energy));
+        return evaluated(g * (evaluated(lagrangian(q, detail::velocity_in_time(w, g))) + energy));
     }
     template <class V>
         requires requires(L const& l, V const& x) { l.momentum(x, x); }
