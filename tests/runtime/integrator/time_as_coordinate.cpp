@@ -44,6 +44,13 @@ TEST_CASE("a driven oscillator is where it is at its own times, and e is its ene
         CHECK(std::abs(x.p(1) + x.q(2)) <= 1e-12);
         CHECK(std::abs(x.p(2)) <= 1e-12);
     }
+    int passed = 0; // t = 5 is an event
+    for (auto const& x : events(path, [](auto const& y) { return y.q(1) - 5; })) {
+        CHECK(std::abs(x.q(1) - 5) <= 1e-12);
+        CHECK(std::abs(x.q(0) - exact(5)) <= 1e-6);
+        ++passed;
+    }
+    CHECK(passed == 1);
     CHECK(farthest(compose(kahan_li<6>, embed(L, mid_point)).along(T, x0, p0), exact) <= 1e-5);
     // the same from a velocity
     auto const by_velocity = record(embed(L, mid_point).along(T, initial_velocity<vector<double>>{x0, vector<double>(0, 0.5, 0)}));
