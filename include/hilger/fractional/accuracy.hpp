@@ -10,6 +10,7 @@
 
 #include "hilger/fractional/flow.hpp"
 #include "hilger/integrator/accuracy.hpp"
+#include "hilger/integrator/doubling.hpp"
 
 namespace hilger {
 
@@ -32,16 +33,18 @@ template <class L, class Damping, class S, class W>
 auto solve(damped_problem<L, mean_over_step<Damping>> const& damped, interval<S> const& I, initial_velocity<W> const& from,
            detail::given_accuracy const& goal) {
     auto const start = detail::checked_start<S>(from, goal);
+    S const ratio = detail::relative_accuracy(goal, I, start);
     auto const run = [&](auto const& how, char const* method, int order) {
-        double const tolerance = std::is_floating_point_v<S> ? 0 : goal.wanted / 1024; // many digits are not had for nothing
+        // Many digits are not had for nothing.
+        double const tolerance = std::is_floating_point_v<S> or ratio < S(1 << 20) * epsilon<S>() ? 0 : static_cast<double>(ratio) / 1024;
         auto const flow = embed(detail::with_powers(damped, tolerance), how);
-        return *detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, detail::given_state_t<S, W>>(flow, method, order, I,
-                                                                                                                 start)
-                    .reach(goal);
+        return detail::solving_by_doubling<std::remove_const_t<decltype(flow)>, S, detail::given_state_t<S, W>>(flow, method, order, I,
+                                                                                                                start)
+            .reach(goal);
     };
     if constexpr (std::is_floating_point_v<S>) // as fast at 1e-8, where more stages take fewer steps and a longer start
-        return goal.wanted > 1e-8 ? run(detail::radau_of<S, 3>, "Galerkin, 3 Radau nodes", 5)
-                                  : run(detail::radau_of<S, 5>, "Galerkin, 5 Radau nodes", 9);
+        return ratio > S(1e-8) ? run(detail::radau_of<S, 3>, "Galerkin, 3 Radau nodes", 5)
+                               : run(detail::radau_of<S, 5>, "Galerkin, 5 Radau nodes", 9);
     else
         return run(detail::radau_of<S, 8>, "Galerkin, 8 Radau nodes", 15);
 }

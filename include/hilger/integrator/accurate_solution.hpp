@@ -7,19 +7,34 @@
 #include <type_traits>
 #include <utility>
 
+#include "hilger/error.hpp"
 #include "hilger/function/function.hpp"
 #include "hilger/step/state.hpp"
 
 namespace hilger {
 
-/// The largest error of a position at any point, in the unit of the position. It is positive and at least 64 epsilon of the scalar.
+/// The largest error of a position at any point: `wanted`, in the unit of the position, and `relative` times the largest position; one of
+/// them may be 0. In all it is at least 64 epsilon of the largest position.
 struct accuracy {
-    double wanted;
-    /// The longest step of all runs, to resolve short pulses, in the unit of time; 0 for eight steps at first.
+    double wanted = 0;
+    /// The longest step of all runs, to resolve short pulses, in the unit of time; 0 for a part of the interval.
     double longest_step = 0;
     /// Throws error::no_convergence when a stop is requested.
     std::stop_token stop = {};
+    double relative = 0;
+
+    /// For positions of this size.
+    template <class S>
+    [[nodiscard]] S of(S const& size) const {
+        return S(wanted) + S(relative) * size;
+    }
 };
+inline std::ostream& operator<<(std::ostream& out, accuracy const& goal) {
+    if (goal.wanted > 0 or not(goal.relative > 0)) out << round_trip(goal.wanted);
+    if (goal.wanted > 0 and goal.relative > 0) out << " + ";
+    if (goal.relative > 0) out << round_trip(goal.relative) << " of the largest position";
+    return out;
+}
 
 namespace detail {
 /// An accuracy, given as such or as a number.
@@ -33,15 +48,15 @@ struct given_accuracy : accuracy {
 /// A solution on the scale of its last run, with an estimate of its error.
 template <class S, class V, class Function>
 struct accurate_solution {
-    Function q;                 ///< positions, a function on T
-    Function p;                 ///< momenta there, with an error of their own
-    state<S, V> end;            ///< at the end of the interval
-    index_type steps;           ///< of T
-    char const* method;         ///< the embedding that was chosen
-    S error;                    ///< its distance from the run with half as many steps, more than its own error where L is smooth, and no
-                                ///< less than the rounding of its largest position, which both runs share - the accuracy where all of them
-                                ///< are 0; elsewhere four times the largest distance from five other runs, or more
-    index_type evaluated_steps; ///< of all runs together
+    Function q;         ///< positions, a function on T
+    Function p;         ///< momenta there, with an error of their own
+    state<S, V> end;    ///< at the end of the interval
+    index_type steps;   ///< of T
+    char const* method; ///< the embedding that was chosen
+    S error;            ///< its distance from a run in longer steps, more than its own error where L is smooth, and no less than the
+                        ///< rounding of its largest position, which both runs share - the accuracy where all of them are 0; four
+                        ///< times that distance, an estimate, where L has branches or a force jumps
+    index_type evaluated_steps;                                      ///< of all runs together
     std::function<state<S, V>(state<S, V> const&, S const&)> onward; ///< from a state on T to a time within the step that begins there
 
     /// The state at t, as accurate as those at the points; with a history it costs all steps before it. @throws error::outside_domain, and

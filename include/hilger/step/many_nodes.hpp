@@ -84,7 +84,10 @@ public:
         first_guess(steps_);
         // The result of a failed step is no guess for another one; increments with a constant matrix are not kept.
         long long const steps = std::exchange(steps_, 0), made = e_.is_constant ? 0 : steps;
-        if (not whole_corrections(problem, x, watch, made)) search(problem, x, watch.saw_any(), made);
+        if (not whole_corrections(problem, x, watch, made)) {
+            if (not searches_ and not watch.saw_any()) refuse(x, newton_outcome::lost, e_.residual);
+            search(problem, x, watch.saw_any(), made);
+        }
         e_.gather(problem, x, correction_, corrected_);
         if (not e_.is_constant) past_.keep(e_.moved);
         steps_ = made + 1;
@@ -98,6 +101,8 @@ public:
         iterates_ = false;
         stiff_ = true;
     }
+    /// Refuses a step in which full corrections do not converge, unless L has branches: for who takes a shorter one then.
+    void do_not_search() { searches_ = false; }
     /// Forgets earlier steps, except for v as a guess.
     void restart(V const& v) {
         steps_ = 0;
@@ -165,8 +170,8 @@ private:
     bool whole_newton(given_problem<V> const& problem, state<S, V> const& x, branch_watch const& watch, long long made) {
         constexpr bool exact = std::numeric_limits<S>::is_exact;
         bool singular = false;
-        S size(0), previous(-1);
-        S const small = small_correction();
+        S size(0), previous(-1), farthest(0);
+        S const small = small_correction(), guessed = magnitude(e_.moved);
         for (int iteration = 0; iteration < most_iterations<S>; ++iteration) {
             (void)e_.evaluate(problem, x, wanted::with_seconds);
             if (watch.saw_any()) return false;
@@ -178,10 +183,14 @@ private:
             correct(e_.full_matrix);
             if (iteration == 0 or exact) weigh(x, e_.full_matrix);
             size = weighed_.size_of(correction_);
+            S const largest = magnitude(correction_);
             if ((weighed_.is_last(correction_, e_.moved, small) or (iteration > 0 and e_.is_rounding(x)) or
                  is_rounding_of(x, size, previous)) and
                 not is_elsewhere(x))
                 return exact or is_near_the_last(iteration, made);
+            if (not searches_ and largest <= epsilon<S>() * guessed) return true; // what is left of the guess: nothing moves
+            if (not searches_ and iteration > 2 and not(S(2) * largest < farthest)) return false;
+            farthest = largest;
             previous = size;
         }
         if (exact) refuse(x, singular ? newton_outcome::singular : newton_outcome::lost, e_.residual);
@@ -267,7 +276,7 @@ private:
     equation e_;
     long long steps_ = 0; ///< with this step length
     int guessed_ = 0;
-    bool iterates_ = true, stiff_ = false;
+    bool iterates_ = true, searches_ = true, stiff_ = false;
     corrected corrected_ = corrected::in_nothing;
     V velocity_; ///< guess without steps of this length
     past_steps<unknown, S, 8> past_;

@@ -32,7 +32,7 @@ void meets(double wanted) {
     CAPTURE(wanted);
     interval<S> const I{S(0), S(10)};
     auto const x = solve(kepler, I, initial_velocity<plane<S>>{{S(2) / S(5), S(0)}, {S(0), S(2)}}, accuracy{wanted});
-    auto const T = uniform(I, x.steps);
+    auto const& T = x.q.root();
     S worst(0);
     for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, S((x.q[i] - ellipse(T.element(i))).norm()));
     CHECK(worst <= S(wanted));
@@ -133,7 +133,7 @@ TEST_CASE("with a Lagrangian of time and a force of time") {
     interval const I{0.0, 10.0};
     for (double const wanted : {1e-2, 1e-4, 1e-11}) {
         auto const x = solve(with_force(L, force), I, initial_velocity<double>{1.0, 0.5}, accuracy{wanted});
-        auto const T = uniform(I, x.steps);
+        auto const& T = x.q.root();
         double worst = 0;
         for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, std::abs(x.q[i] - driven(T.element(i))));
         CHECK(worst <= wanted);
@@ -165,13 +165,12 @@ TEST_CASE("where L has a kink, an agreement of two runs is no accuracy") {
             CAPTURE(wanted);
             interval const I{0.0, end};
             auto const x = solve(L, I, initial_velocity<double>{1.0, 0.0}, accuracy{wanted});
-            auto const T = uniform(I, x.steps);
+            auto const& T = x.q.root();
             double worst = 0;
             for (hilger::index_type i = 0; i <= x.steps; ++i) worst = std::max(worst, std::abs(x.q[i] - parabolas(T.element(i))));
             CHECK(worst <= wanted);
             CHECK(worst <= 1.25 * x.error);
-            CHECK((wanted > 1e-3 or std::string(x.method) == "mid-point")); // of what steps over kinks, what costs least
-            CHECK(x.evaluated_steps > 2 * x.steps);
+            CHECK(x.evaluated_steps > x.steps + x.steps / 2);
         }
     // Branches that change nothing, where the orbit is smooth, do not take the order away.
     auto const smooth = [](auto const& q, auto const& v) { return v * v / 2 - (q > 50.0 ? q : q * q / 2); };
@@ -196,7 +195,7 @@ TEST_CASE("where the force jumps in time") {
         auto const x = solve(with_force(oscillator, push), I, initial_velocity<double>{1.0, 0.0}, accuracy{wanted});
         double worst = 0;
         for (hilger::index_type i = 0; i <= x.steps; ++i) {
-            double const t = uniform(I, x.steps).element(i);
+            double const t = x.q.root().element(i);
             worst = std::max(worst, std::abs(x.q[i] - std::cos(t) - (t > s ? 1 - std::cos(t - s) : 0)));
         }
         CHECK(worst <= wanted);
@@ -210,11 +209,10 @@ TEST_CASE("where the force jumps in time") {
     auto const free = [](auto const& q, auto const& v) { return v * v / 2 + 0 * q; };
     auto const y = solve(with_force(free, wave), interval{0.0, 20.0}, initial_velocity<double>{0.0, 0.0}, accuracy{0.3});
     CHECK(std::abs(y.end.q - 1.0 / 3.25 * 10) <= 0.3);
-    // Of an order that the jump leaves to none, the steps that cost least do as much.
+    // Where the jump is, the steps are short.
     auto const switched = [](auto const& t, auto const& q, auto const& v) { return (t < 0.3 ? 0.0 : 1.0) + 0 * q + 0 * v; };
     auto const z = solve(with_force(free, switched), interval{0.0, 1.0}, initial_velocity<double>{0.0, 0.0}, accuracy{1e-4});
     CHECK(std::abs(z.end.q - 0.245) <= 1e-4);
-    CHECK(std::string(z.method) == "mid-point");
 }
 
 TEST_CASE("steps that are not longer than a pulse") {
@@ -226,7 +224,7 @@ TEST_CASE("steps that are not longer than a pulse") {
     double const gained = std::sqrt(std::acos(-1.0)) / 200, at_end = gained * (25 - 8.3);
     auto const x = solve(pulse, I, initial_velocity<double>{0.0, 0.0}, accuracy{.wanted = 1e-4, .longest_step = 0.02});
     CHECK(std::abs(x.end.q - at_end) <= 1e-4);
-    CHECK(25.0 / (static_cast<double>(x.steps) / 4) <= 0.02); // it is the third run, at the earliest
+    for (index_type i = 0; i < x.steps; ++i) CHECK(x.q.root().step(i) <= 0.02 * (1 + 8 * epsilon<double>()));
     initial_velocity<double> const from{0.0, 0.0};
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, -1.0}), error::invalid_parameter);
     CHECK_THROWS_AS(solve(pulse, I, from, accuracy{1e-6, 1e-7}), error::invalid_parameter);
@@ -246,7 +244,7 @@ TEST_CASE("where rounding keeps the runs apart that is said, and no other method
         return solve(kepler, interval{0.0, 20.0}, initial_velocity<plane<double>>{{0.1, 0.0}, {0.0, std::sqrt(19.0)}}, accuracy{wanted});
     };
     CHECK(eccentric(1e-12).error <= 1e-12);
-    CHECK_THROWS_WITH_AS((void)eccentric(1e-13), doctest::Contains("rounding keeps it there; a scalar with more digits gets further"),
+    CHECK_THROWS_WITH_AS((void)eccentric(3e-15), doctest::Contains("rounding keeps it there; a scalar with more digits gets further"),
                          error::no_convergence);
 }
 
@@ -257,7 +255,7 @@ TEST_CASE("who asks it to stop is heard") {
     accuracy goal{1e-6};
     goal.stop = stop->get_token();
     CHECK_THROWS_WITH_AS(solve(pendulum, interval{0.0, 1.0}, initial_velocity<double>{1.0, 0.0}, goal),
-                         "an accuracy of 1e-06 was given up on request, after 8 steps of Galerkin, 8 Gauss nodes", error::no_convergence);
+                         "an accuracy of 1e-06 was given up on request, after 0 steps of Galerkin, 8 Gauss nodes", error::no_convergence);
 }
 
 } // namespace accuracy_tests

@@ -137,7 +137,7 @@ TEST_CASE("a motion that ends before its interval does is not looked for in ever
         (void)solve(cubic, interval{0.0, 0.1}, {.q0 = 0.3, .v0 = 0.2}, accuracy{1e-8});
         FAIL("there is no solution");
     } catch (error::no_convergence const& why) {
-        CHECK(std::string(why.what()).find("come no further than t = 0.06") != std::string::npos);
+        CHECK(std::string(why.what()).find("the step from t = 0.06") != std::string::npos);
     }
 }
 

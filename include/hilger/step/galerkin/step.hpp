@@ -36,6 +36,8 @@ public:
     void start_with(V const& v) {
         if (known_ == 0) start_ = v;
     }
+    /// See many_nodes.
+    void do_not_search() { equation_.do_not_search(); }
     [[nodiscard]] S const& h() const { return h_; }
     [[nodiscard]] Extra& extra() { return equation_.extra(); }
     /// Everything that later steps depend on and h does not determine, for checkpoints.
