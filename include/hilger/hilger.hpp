@@ -38,6 +38,7 @@
 // Flows and solutions
 #include "hilger/composition/methods.hpp"
 #include "hilger/composition/residual.hpp"
+#include "hilger/composition/times.hpp"
 #include "hilger/integrator/accuracy.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"

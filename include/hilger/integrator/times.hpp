@@ -15,6 +15,15 @@ namespace hilger {
 
 namespace detail {
 
+/// g at a node of a step from tau. @throws error::invalid_parameter where it is not positive
+template <class S>
+S const& positive_rate(S const& g, S const& tau) {
+    if (not(S(0) < g))
+        error::raise<error::invalid_parameter>("a transformed time goes on, dt/dtau = g(q) > 0, and in the step from tau = ", tau, " g is ",
+                                               g);
+    return g;
+}
+
 /// t_{i+1} = t_i + sum_k w_k g(A_k) over the nodes of step i.
 struct to_times {
     template <class Equation, class X, class Force>
@@ -27,16 +36,12 @@ struct to_times {
         constexpr index_type in_a_step = Base::last(2) - Base::last(1);
         constexpr index_type first = std::same_as<typename Action::weight, nabla_weight> ? 1 : 0;
         auto const& T = x.root();
-        running_sum<number, number> t(T.point(0));
+        running_sum<number, number> t(number(0));
+        t.add(number(T.point(0)));
         std::vector<number> times{t.value()};
         for (index_type i = 0; i < T.steps(); ++i) {
-            for (index_type k = first + in_a_step * i; k < first + in_a_step * (i + 1); ++k) {
-                number const rate = g.get(k);
-                if (not(number(0) < rate))
-                    error::raise<error::invalid_parameter>(
-                        "a transformed time goes on, dt/dtau = g(q) > 0, and in the step from tau = ", T.point(i), " g is ", rate);
-                t.add(number(rate * weight_at<typename Action::weight>(g, k)));
-            }
+            for (index_type k = first + in_a_step * i; k < first + in_a_step * (i + 1); ++k)
+                t.add(number(positive_rate(number(g.get(k)), number(T.point(i))) * weight_at<typename Action::weight>(g, k)));
             times.push_back(t.value());
         }
         return function_on(T, std::move(times));
@@ -46,8 +51,8 @@ struct to_times {
 } // namespace detail
 
 /// t in C(T) of a motion in a transformed time: along a trajectory, times_of(path); at recorded states, times_of(method, recording); at
-/// positions in C(T), times_of(method, q). A composition has positions between its parts that a trajectory does not have: there the time is
-/// a coordinate, transform_time(L, g). @throws error::invalid_parameter where g is not positive; as largest_residual does
+/// positions in C(T), times_of(method, q); for compositions see composition/times.hpp. @throws error::invalid_parameter where g is not
+/// positive; as largest_residual does
 template <class Moved, class... Run>
     requires requires(Moved const& method, Run const&... run) {
         { judged(detail::to_times{}, method, run...) } -> discrete_function;

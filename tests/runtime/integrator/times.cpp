@@ -80,6 +80,12 @@ TEST_CASE("t is the antiderivative of g, at the points that the embedding integr
     }
 }
 
+TEST_CASE("t begins at the first point of T") {
+    auto const path = embed(transform_time(pendulum, twice, 0.25), mid_point).along(uniform(1.0, 0.25, 4), 1.0, 0.5);
+    auto const t = times_of(path);
+    for (index_type i = 0; i <= 4; ++i) CHECK(t[i] == 1 + 0.5 * static_cast<double>(i));
+}
+
 TEST_CASE("a time that stands still or goes back is refused") {
     auto const T = uniform(0.0, 0.1, 4);
     function_on const x(T, std::vector<double>{1, 0.5, 0.25, 0, -1});
