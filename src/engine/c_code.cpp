@@ -9,6 +9,8 @@ namespace engine {
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is for Lagrangians and forces, without fractional damping");
+    if (what.time_transformation)
+        hilger::error::raise<hilger::error::invalid_parameter>("C code is of a Lagrangian in t, and this one has a transformed time");
     if (not what.besides.empty())
         hilger::error::raise<hilger::error::invalid_parameter>("C code is of one Lagrangian, and this is a sum of ",
                                                                what.besides.size() + 1);

@@ -2,11 +2,24 @@
 #include "engine/machine_code/machine_code.hpp"
 #include "engine/methods.hpp"
 #include "engine/motions.hpp"
+#include "engine/transformed_time.hpp"
 
 namespace engine {
 
+void require_constant_energy(problem const& what) {
+    char const* const why = what.has_memory()              ? "fractional damping remembers the past in t"
+                            : what.force                   ? "a force changes the energy"
+                            : what.lagrangian.reads_time() ? "the energy changes where a Lagrangian contains the time"
+                            : not what.besides.empty()     ? "a sum of actions has several embeddings"
+                                                           : nullptr;
+    if (why != nullptr)
+        hilger::error::raise<hilger::error::invalid_parameter>(why,
+                                                               ", and a transformed time dt = g(q) dtau is for one Lagrangian L(q, v)");
+}
+
 template <>
 std::unique_ptr<motion<double>> make_motion(problem const& what, std::string const& method, points<double> const& T) {
+    if (what.time_transformation) return in_transformed_time(what, method, T);
     prepare_machine_code();
     if (what.besides.empty())
         if (auto made = by_newmark(what, method, T)) return made;
@@ -33,6 +46,8 @@ accurate solve_accurately(problem const& what, double a, double b, vector<double
                           double longest_step, std::stop_token const& stop) {
     if (what.has_memory())
         hilger::error::raise<hilger::error::invalid_parameter>("an accuracy is for Lagrangians and forces, without fractional damping");
+    if (what.time_transformation)
+        hilger::error::raise<hilger::error::invalid_parameter>("an accuracy chooses its own steps in t: it is for Lagrangians in t");
     return with_mechanics(what, [&](auto const& mechanics) {
         auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},
                                      hilger::accuracy{wanted, longest_step, stop});

@@ -40,8 +40,13 @@ struct problem {
         std::string method;
     };
     std::vector<summand> besides{};
+    /// g(q) of dt = g(q) dtau: T is then in tau, and the times of states are part of the solution (transformed_time.hpp).
+    std::optional<hilger::text::stated_rate> time_transformation{};
     [[nodiscard]] bool has_memory() const { return not damping.empty() or material; }
 };
+
+/// @throws hilger::error::invalid_parameter unless the problem is one Lagrangian L(q, v), of constant energy, as a transformed time wants
+void require_constant_energy(problem const& what);
 
 /// T: {start + i step}, or any increasing points.
 template <class S>
@@ -87,6 +92,10 @@ struct state {
     S t;
     vector<S> q, p;
 };
+
+/// int g(q) over step i, which goes from x to y; for the steps of one walk.
+template <class S>
+using step_integral = std::function<S(hilger::index_type i, state<S> const& x, state<S> const& y)>;
 
 /// The solution between two ends, at the points of T; no momenta when the equation has none. A warning is a sentence, or empty.
 template <class S>
@@ -156,6 +165,13 @@ public:
     /// The state at t between two neighbouring ones, of order 4.
     /// @throws hilger::error::invalid_parameter with a memory, which a state does not contain
     [[nodiscard]] virtual state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const = 0;
+    /// The integral of g over steps, by the nodes of the method.
+    /// @throws hilger::error::invalid_parameter when the method has no nodes in a step
+    [[nodiscard]] virtual step_integral<S> integral_of(std::function<S(vector<S> const&)> g) const {
+        (void)g;
+        hilger::error::raise<hilger::error::invalid_parameter>(
+            "the times of a transformed motion are sums over the nodes of steps, and this method has none");
+    }
 };
 
 /// @throws hilger::error::invalid_parameter when there is no such method for this problem, or in this scalar

@@ -5,12 +5,14 @@
 
 #include "engine/methods.hpp"
 #include "engine/methods/one_step.hpp"
+#include "engine/transformed_time.hpp"
 
 namespace engine {
 
 /// @throws hilger::error::invalid_parameter
 template <class S>
 std::unique_ptr<motion<S>> motion_in_digits(problem const& what, std::string const& method, points<S> const& T) {
+    if (what.time_transformation) return in_transformed_time(what, method, T);
     std::string const scalar =
         std::numeric_limits<S>::is_exact ? "rationals" : std::to_string(std::numeric_limits<S>::digits10) + " digits";
     if (what.has_memory() and what.besides.empty())

@@ -20,6 +20,12 @@ concept has_memory = requires(Flow const& f) {
     f.undamped();
 };
 
+/// Whether its steps have nodes, or parts with nodes.
+template <class Flow, class S>
+concept has_nodes = requires(Flow const& f, S const& h, vector<S> const& like) {
+    hilger::detail::timed_part<Flow, S, vector<S>>(f, h, like);
+};
+
 /// Whether its memory is of stages, on any T.
 template <class Flow>
 concept has_stages = requires(Flow const& f) {
@@ -131,6 +137,19 @@ public:
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
         else
             return motion_of_mechanics_of<S, Flow>::between_states(x, y, t);
+    }
+    [[nodiscard]] step_integral<S> integral_of(std::function<S(vector<S> const&)> g) const override {
+        if constexpr (has_nodes<Flow, S>) {
+            using part_type = hilger::detail::timed_part<Flow, S, vector<S>>;
+            return [g = std::move(g), flow = flow_, T = T_, part = std::shared_ptr<part_type>()](hilger::index_type i, state<S> const& x,
+                                                                                                 state<S> const& y) mutable {
+                S const h = T.step(i);
+                if (not part) part = std::make_shared<part_type>(flow, h, x.q);
+                hilger::state<S, vector<S>> at{x.t, x.q, x.p};
+                return part->over(flow, at, h, vector<S>((y.q - x.q) / h), &y.q, g);
+            };
+        } else
+            return motion<S>::integral_of(std::move(g));
     }
 
 private:

@@ -78,6 +78,7 @@ std::string written_on(Scale const& T, problem const& what, std::string const& m
 } // namespace
 
 std::string equation_of_method(problem const& what, std::string const& method, bool uniform, bool latex_wanted) {
+    if (what.time_transformation) return method; // E is that of the initial values
     if (is_newmark(method)) return structure_equation(what, method, latex_wanted);
     auto const equal = hilger::uniform(0.0, 1.0, 2);
     if (is_two_sided(method)) {

@@ -12,6 +12,8 @@
 //                                                    or one formula also stands for all components of a name
 //   embedding = "mid-point"                          or "theta:0.3", or operators: "integral(L((q + sigma[q])/2, Delta_plus[q]))"
 //   damping = [ { rho = 0.2, alpha = 0.5 } ]         and history = "exponentials"
+//   time_transformation = "sundman(1.5)"             or "inverse_potential", or a formula of the positions: the g of dt = g(q) dtau, with
+//                                                    interval and steps in tau (hilger/text/time_transformation.hpp)
 //   material = { relaxed_modulus = 1e6, unrelaxed_modulus = 5e7, relaxation_time = 1e-3, alpha = 0.5 }     instead, of a linear structure
 //   first = { q = 0 }                                and last = { q = 1 } instead of initial: between two ends
 // Observed quantities and the reference are in observed_in_file.cpp.
@@ -49,6 +51,7 @@ public:
         auto const words = vocabulary();
         mechanics_in_file const mechanics(file_, words);
         stated_problem what = mechanics.read();
+        mechanics.transform_time(what, all_coordinates());
         interval(what);
         if (file_.get("first") != nullptr or file_.get("last") != nullptr)
             both_ends(what, words);
@@ -119,12 +122,12 @@ private:
         }
         return text;
     }
-    static constexpr std::array<std::string_view, 21> keys{"title",    "lagrangian", "force",   "parameters", "coordinates", "velocities",
-                                                           "interval", "steps",      "initial", "first",      "last",        "embedding",
-                                                           "damping",  "material",   "history", "units",      "conserved",   "observed",
-                                                           "pictures", "reference",  "exact"};
+    static constexpr std::array<std::string_view, 22> keys{
+        "title",    "lagrangian", "force",     "parameters", "coordinates",         "velocities", "interval", "steps", "initial",
+        "first",    "last",       "embedding", "damping",    "time_transformation", "material",   "history",  "units", "conserved",
+        "observed", "pictures",   "reference", "exact"};
 
-    std::shared_ptr<text::vocabulary const> vocabulary() const {
+    std::vector<text::coordinate> all_coordinates() const {
         if (names_.size() != velocities_.size()) file_.refuse(file_.get("velocities"), "there is one velocity for each coordinate");
         std::vector<text::coordinate> all;
         for (std::size_t k = 0; k < names_.size(); ++k) {
@@ -133,7 +136,10 @@ private:
                                                           "' has not that of '" + names_[k].first + "': velocities = \"v[3]\" says it");
             all.push_back({names_[k].first, velocities_[k].first, names_[k].second});
         }
-        return file_.saying_where(file_.get("coordinates"), [&] {
+        return all;
+    }
+    std::shared_ptr<text::vocabulary const> vocabulary() const {
+        return file_.saying_where(file_.get("coordinates"), [&, all = all_coordinates()] {
             auto words = std::make_shared<text::vocabulary>(all);
             if (auto const* given = file_.get("parameters"))
                 for (auto const& [key, node] : file_.table_of(*given, "parameters are a table, as { m = 1, g = 9.81 }"))
@@ -188,6 +194,8 @@ private:
     void both_ends(stated_problem& what, std::shared_ptr<text::vocabulary const> const& words) const {
         if (auto const* n = file_.get("initial")) file_.refuse(n, "there are initial values, or first and last ones, and here are both");
         if (what.of.has_memory()) file_.refuse(file_.get("last"), "fractional damping has initial values, and not a last one");
+        if (what.of.time_transformation)
+            file_.refuse(file_.get("last"), "in a transformed time a motion has initial values, with its energy, and not a last one");
         values_in_file const values(file_, words);
         std::vector<initial_formula> not_asked_for;
         values.read("first", "first values are a table, as { q = 0 }", {{names_, what.q, not_asked_for}});

@@ -21,6 +21,17 @@ public:
         if (auto const* m = file_.get("material")) what.of.material = material(*m, what.of);
         return what;
     }
+    /// g of dt = g(q) dtau.
+    void transform_time(stated_problem& what, std::vector<hilger::text::coordinate> const& coordinates) const {
+        auto const* given = file_.get("time_transformation");
+        if (given == nullptr) return;
+        auto const g = hilger::text::read(file_.text_of(*given, "time_transformation"), file_.path(), toml_file::begin_of_text(*given));
+        file_.saying_where(given, [&] {
+            engine::require_constant_energy(what.of);
+            what.of.time_transformation.emplace(g, what.of.lagrangian.formula(), coordinates, file_.path());
+            return 0;
+        });
+    }
     /// A list has one embedding for each part of the Lagrangian.
     [[nodiscard]] std::string embedding(toml::node const& n, stated_problem const& what) const {
         auto const* list = n.as_array();

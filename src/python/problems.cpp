@@ -11,22 +11,24 @@ namespace text = hilger::text;
 
 using given_parameter = std::variant<std::string, std::vector<std::string>>;
 
-engine::problem made(text::expression const& L, std::vector<std::tuple<std::string, std::string, int>> const& coordinates,
-                     std::string const& time, std::map<std::string, given_parameter> const& parameters) {
+using coordinates_of_python = std::vector<std::tuple<std::string, std::string, int>>;
+
+std::vector<text::coordinate> names_of(coordinates_of_python const& coordinates) {
     std::vector<text::coordinate> all;
     for (auto const& [q, v, size] : coordinates) all.push_back({q, v, size});
-    auto words = std::make_shared<text::vocabulary>(all, time);
+    return all;
+}
+engine::problem made(text::expression const& L, coordinates_of_python const& coordinates, std::string const& time,
+                     std::map<std::string, given_parameter> const& parameters) {
+    auto words = std::make_shared<text::vocabulary>(names_of(coordinates), time);
     for (auto const& [name, digits] : parameters) std::visit([&, &n = name](auto const& d) { words->set(n, d); }, digits);
     return {text::stated_lagrangian(text::stated(L, std::move(words), "L")), {}, {}, "direct"};
 }
-std::string written(engine::problem const& of, std::vector<std::tuple<std::string, std::string, int>> const& coordinates,
-                    std::string const& time, bool latex_wanted) {
+std::string written(engine::problem const& of, coordinates_of_python const& coordinates, std::string const& time, bool latex_wanted) {
     constexpr long long page = 2000;
     if (auto const n = of.lagrangian.formula().operations(); n > page)
         return (latex_wanted ? "\\text{a formula of " : "a formula of ") + std::to_string(n) + " operations" + (latex_wanted ? "}" : "");
-    std::vector<text::coordinate> names;
-    for (auto const& [q, v, size] : coordinates) names.push_back({q, v, size});
-    auto const L = hilger::formula_of(of.lagrangian.formula(), names, time);
+    auto const L = hilger::formula_of(of.lagrangian.formula(), names_of(coordinates), time);
     std::ostringstream out;
     if (latex_wanted)
         out << latex(L);
@@ -59,6 +61,11 @@ void add_problems(py::module_& m) {
         .def("add",
              [](engine::problem& p, engine::problem const& other, std::string const& method) {
                  p.besides.push_back({other.lagrangian, method});
+             })
+        .def("transform_time",
+             [](engine::problem& p, text::expression const& g, coordinates_of_python const& coordinates) {
+                 engine::require_constant_energy(p);
+                 p.time_transformation.emplace(g, p.lagrangian.formula(), names_of(coordinates), "g");
              })
         // The same problem, with these parameters, in this order, given by the members of an ensemble.
         .def("brought_by_members",

@@ -6,10 +6,11 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "hilger/differentiation/traced/trace.hpp"
 #include "hilger/error.hpp"
-#include "hilger/text/stated.hpp"
+#include "hilger/text/time_transformation.hpp"
 
 namespace hilger::text {
 
@@ -17,8 +18,8 @@ namespace detail {
 
 /// f in the numbers of a state: traced ones, or jets without variables, as jets of dynamic states have none
 /// (differentiation/derivatives.hpp).
-template <class T, class Q, class V>
-auto value_at_state(stated const& f, T const& t, Q const& q, V const& v) {
+template <class Formula, class T, class Q, class V>
+auto value_at_state(Formula const& f, T const& t, Q const& q, V const& v) {
     using X = plain_t<decltype(q(0) * v(0))>;
     if constexpr (is_jet<X>) {
         static_assert(X::count == 1 and Q::SizeAtCompileTime == Eigen::Dynamic, "states of formulas in text are vectors of dynamic size");
@@ -40,7 +41,14 @@ public:
     auto operator()(T const& t, Q const& q, V const& v) const {
         if (int const d = of_.words().dimension(); d != q.size())
             error::raise<error::mismatch>(of_.source(), " has ", d, " coordinates, and the state has ", q.size());
+        if (in_time_) return detail::value_at_state(*in_time_, t, q, v);
         return detail::value_at_state(of_, t, q, v);
+    }
+    /// g(q) (L(q, q'/g(q)) + E), in the time tau with dt = g(q) dtau (variational/time_transformation.hpp). `formula` remains that of L.
+    [[nodiscard]] stated_lagrangian in_time(stated_rate rate, stated energy) const {
+        stated_lagrangian made(of_);
+        made.in_time_.emplace(formula_in_time{of_, std::move(rate), std::move(energy)});
+        return made;
     }
     [[nodiscard]] stated const& formula() const { return of_; }
     [[nodiscard]] bool reads_time() const { return of_.reads(meaning::role::time); }
@@ -54,6 +62,7 @@ public:
 
 private:
     stated of_;
+    std::optional<formula_in_time> in_time_;
     std::shared_ptr<hilger::detail::kept_formulas> kept_ = std::make_shared<hilger::detail::kept_formulas>();
 };
 

@@ -128,6 +128,9 @@ problem with_words(problem const& what, hilger::text::vocabulary const& words) {
 
 cast make_cast(problem const& what, std::string const& method, points<double> const& T, bool in_lanes,
                std::function<walker(problem const&)> make) {
+    if (what.time_transformation)
+        hilger::error::raise<hilger::error::invalid_parameter>(
+            "members of an ensemble have one scale, and in a transformed time each has times of its own: solve them one by one");
     cast made{what, T, std::move(make), nullptr, in_lanes and T.steps > 0 ? lanes::of(what, method, T) : nullptr};
     if (what.lagrangian.formula().words().brought() == 0) made.common = made.make(what);
     return made;

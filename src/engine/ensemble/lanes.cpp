@@ -112,6 +112,7 @@ int lanes::width_here() {
 
 std::unique_ptr<lanes> lanes::of(problem const& what, std::string const& method, points<double> const& T, int width) {
     int const d = what.lagrangian.formula().words().dimension();
+    if (what.time_transformation) return nullptr;
     if (what.has_memory() or not what.besides.empty() or d > most_coordinates or wanted_machine_code() == machine_code::off) return nullptr;
     std::size_t size = 0;
     int const brought = what.lagrangian.formula().words().brought();

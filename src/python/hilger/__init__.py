@@ -83,7 +83,7 @@ from .formulas import (
     tanh,
     variables,
 )
-from .lagrangians import Lagrangian
+from .lagrangians import Lagrangian, inverse_potential, sundman, transform_time
 from .operators import Delta_minus, Delta_plus, adjoint, apply, embedding, identity, rho, sigma
 from .scales import Identity, TimeScale, Uniform, identities, uniform
 from .solutions import AccurateSolution, DoubtfulSolution, Events, Solution, StepFailure

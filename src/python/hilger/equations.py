@@ -147,6 +147,8 @@ class Equation:
     besides: "tuple[tuple[Lagrangian, Method], ...]" = ()
 
     def __add__(self, other: "Equation | Force | Damping | Zener") -> "Equation":
+        if self.lagrangian._rate is not None and isinstance(other, (Equation, Force, Damping, Zener)):
+            raise _core.InvalidParameter("a transformed time is for one Lagrangian of constant energy, and nothing is added to its equation")
         if isinstance(other, Equation):
             return self._with(other)
         if self.besides and isinstance(other, (Damping, Zener)):
@@ -176,8 +178,8 @@ class Equation:
             raise _core.Mismatch(f"equations add up of the same coordinates, and here are {L.coordinates} and {M.coordinates}")
         if self.scale != other.scale:
             raise _core.Mismatch(f"equations add up on one scale, and here are {self.scale!r} and {other.scale!r}")
-        if other.forces or other.dampings or other.material is not None or self.dampings or self.material is not None:
-            raise _core.InvalidParameter("equations add up without damping, and forces are beside the first one, or added to the sum")
+        if M._rate is not None or other.forces or other.dampings or other.material is not None or self.dampings or self.material is not None:
+            raise _core.InvalidParameter("equations add up without damping and in t, and forces are beside the first one, or added to the sum")
         made = replace(self, besides=(*self.besides, (M, other.method), *other.besides))
         made._motion()  # raises unless every method has one step
         return made
@@ -240,7 +242,7 @@ class Equation:
 
     def _lagrangians(self, latex: bool) -> str:
         if not self.besides:
-            return f"L = {self.lagrangian._written(latex)}"
+            return f"L = {self.lagrangian._written(latex)}{self.lagrangian._rate_written(latex)}"
         name = (lambda k: f"L_{{{k}}}") if latex else (lambda k: "L" + "".join("₀₁₂₃₄₅₆₇₈₉"[int(digit)] for digit in str(k)))
         all_of_them = (self.lagrangian, *(L for L, _ in self.besides))
         return (",\\quad " if latex else ",   ").join(f"{name(k)} = {L._written(latex)}" for k, L in enumerate(all_of_them, 1))

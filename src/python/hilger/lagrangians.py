@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
 import pickle
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Callable, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _core
 from ._core import Expression
-from .formulas import Formula, Vector, variables
+from .formulas import Formula, Number, Vector, variables
 from .scales import digits
 
 MOST_COORDINATES = 1_000_000
@@ -107,15 +109,23 @@ class Lagrangian:
             except _core.InvalidParameter as why:
                 raise _core.InvalidParameter(f"the parameter {name} is a number or a list of numbers: {why}") from None
         self._formula, self._parameters = formula, given
+        self._rate = None  # g of dt = g(q) dtau, by transform_time
         try:
-            self._problem = _core.Problem(formula, self.coordinates, time, given)
+            self._problem = self._stated()
         except _core.Unreadable as why:
             if "has no components" not in str(why):
                 raise
             raise _core.Unreadable(f'{why}; a vector says how many, as in Lagrangian(L, "q[3]", "v[3]")') from None
 
+    def _stated(self) -> "_core.Problem":
+        problem = _core.Problem(self._formula, self.coordinates, self.time, self._parameters)
+        if self._rate is not None:
+            problem.transform_time(self._rate, self.coordinates)
+        return problem
+
     def _said(self) -> tuple:
-        return pickle.dumps(self._formula), tuple(self.coordinates), self.time, repr(sorted(self._parameters.items()))
+        formulas = pickle.dumps(self._formula), pickle.dumps(self._rate)
+        return formulas, tuple(self.coordinates), self.time, repr(sorted(self._parameters.items()))
 
     def __eq__(self, other: object) -> bool:
         return self._said() == other._said() if isinstance(other, Lagrangian) else NotImplemented
@@ -128,7 +138,7 @@ class Lagrangian:
 
     def __setstate__(self, kept: dict) -> None:
         self.__dict__.update(kept)
-        self._problem = _core.Problem(self._formula, self.coordinates, self.time, self._parameters)
+        self._problem = self._stated()
 
     @property
     def dimension(self) -> int:
@@ -146,8 +156,56 @@ class Lagrangian:
         except _core.NoFormula:
             return "\\text{a formula with branches}" if latex else "a formula with branches"
 
+    def _rate_written(self, latex: bool) -> str:
+        if self._rate is None:
+            return ""
+        return f",\\quad dt = (\\text{{{self._rate}}})\\, d\\tau" if latex else f",   dt = ({self._rate}) dτ"
+
     def __repr__(self) -> str:
-        return f"L = {self._written(False)}"
+        return f"L = {self._written(False)}{self._rate_written(False)}"
 
     def _repr_latex_(self) -> str:
-        return f"$L = {self._written(True)}$"
+        return f"$L = {self._written(True)}{self._rate_written(True)}$"
+
+
+@dataclass(frozen=True)
+class InversePotential:
+    """The rate that inverse_potential returns."""
+
+    lagrangian: Lagrangian
+
+
+def inverse_potential(L: Lagrangian) -> InversePotential:
+    """The rate g(q) = 1 / L(q, 0) = -1 / U(q) of transform_time, for an attraction U < 0: of two bodies it is their distance, in a unit."""
+    if not isinstance(L, Lagrangian):
+        raise TypeError(f"a Lagrangian has a potential, and here is {L!r}")
+    return InversePotential(L)
+
+
+def sundman(gamma: Number, distance: "Optional[Formula]" = None) -> Expression:
+    """The rate g(q) = r**gamma of transform_time (Sundman 1912), r = |q| of all coordinates together or a given distance. With gamma = 1
+    steps on an orbit of Kepler's problem are equal in its eccentric anomaly, with 2 in the true one."""
+    return _core.call("sundman", gamma, *(() if distance is None else (distance,)))
+
+
+def transform_time(L: Lagrangian, g: "Formula | str | InversePotential") -> Lagrangian:
+    """L in the time τ with dt = g(q) dτ, g > 0: a scale that follows the motion (Poincaré's transformation).
+
+    g is a formula of the coordinates, or a text, sundman(gamma) or inverse_potential(L). variation(transform_time(L, g), T, method) has its T
+    in τ. Every method steps g(q) (L(q, q'/g(q)) + E), with E the energy of the initial values q0 and v0 = dq/dt or p0, so that it is as
+    symplectic and reversible as without g. x.t of the solution are times t, the sums of g over the nodes of the method; x(t), x.events
+    and x.energy() are of L in t. Raises InvalidParameter for an L that contains the time, for forces and damping, which change the energy,
+    and if g is not positive.
+    """
+    if not isinstance(L, Lagrangian):
+        raise TypeError(f"a Lagrangian is transformed, and here is {L!r}")
+    if L._rate is not None:
+        raise _core.InvalidParameter("the time of this Lagrangian is transformed already: multiply the rates")
+    if isinstance(g, InversePotential):
+        if g.lagrangian != L:
+            raise _core.Mismatch("the potential is that of the Lagrangian, and here are two Lagrangians")
+        g = _core.variable("inverse_potential")
+    made = copy.copy(L)
+    made._rate = _core.read(g, "g") if isinstance(g, str) else _core.as_expression(g)
+    made._problem = made._stated()
+    return made
