@@ -8,6 +8,9 @@
 // Mikkola and Tanikawa 1999). position_verlet follows the orbits of Kepler's problem to rounding; only the time has its error.
 #pragma once
 
+#include <Eigen/LU>
+
+#include "hilger/models/mechanical.hpp"
 #include "hilger/variational/legendre_transform.hpp"
 
 namespace hilger {
@@ -32,6 +35,32 @@ constexpr auto without_last(X const& x) {
     constexpr int size = plain_t<X>::SizeAtCompileTime;
     return evaluated(x.template head < size == Eigen::Dynamic ? size : size - 1 > (x.size() - 1));
 }
+/// p.M^-1 p / 2
+template <class Mass>
+struct kinetic_of_momentum {
+    static constexpr bool is_matrix = requires { requires Mass::ColsAtCompileTime != 1; };
+    Mass inverse;
+    explicit kinetic_of_momentum(Mass const& mass) : inverse(inverse_of(mass)) {}
+    template <class P>
+    auto operator()(P const& p) const {
+        if constexpr (is_matrix)
+            return evaluated(p.dot(inverse * p) / 2);
+        else if constexpr (requires { inverse.size(); })
+            return evaluated(p.dot(inverse.cwiseProduct(p)) / 2);
+        else
+            return evaluated(p.dot(p) * inverse / 2);
+    }
+
+private:
+    static Mass inverse_of(Mass const& mass) {
+        if constexpr (is_matrix)
+            return mass.inverse();
+        else if constexpr (requires { mass.size(); })
+            return mass.cwiseInverse();
+        else
+            return Mass(1) / mass;
+    }
+};
 } // namespace detail
 
 /// log(K(p) + p_t) of (p, p_t)
@@ -58,6 +87,11 @@ struct logarithm_of_potential {
 template <class Kinetic, class Potential>
 constexpr auto logarithmic(Kinetic kinetic, Potential potential) {
     return separated(logarithm_of_kinetic<Kinetic>{std::move(kinetic)}, logarithm_of_potential<Potential>{std::move(potential)});
+}
+/// The same of L = v.Mv/2 - U(q): logarithmic(mechanical{mass, U}).
+template <class Mass, class Potential>
+auto logarithmic(mechanical<Mass, Potential> const& L) {
+    return logarithmic(detail::kinetic_of_momentum<Mass>(L.mass()), L.potential());
 }
 
 } // namespace hilger

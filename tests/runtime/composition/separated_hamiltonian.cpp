@@ -68,6 +68,26 @@ TEST_CASE("the logarithmic Hamiltonian follows an orbit of eccentricity 0.9 to r
     CHECK(magnitude(Eigen::VectorXd(dynamic.q - fixed.q)) <= 64 * epsilon<double>());
 }
 
+TEST_CASE("of a mechanical system: masses of any shape") {
+    auto const check = [](auto const& mass, auto const& K) {
+        auto const of_model = logarithmic(mechanical{mass, attraction});
+        auto const by_parts = logarithmic(K, attraction);
+        for (vector<double> const& x : {vector<double>(0.5, 1, 2), vector<double>(-1, 0.25, 0.5)}) {
+            CHECK(std::abs(of_model(x, x) - by_parts(x, x)) <= 16 * epsilon<double>());
+            auto const at = state<double, vector<double>>{0, x, x};
+            auto const a = position_verlet(lagrangian_of(of_model)).step(at, 0.125);
+            auto const b = position_verlet(lagrangian_of(by_parts)).step(at, 0.125);
+            CHECK(magnitude(vector<double>(a.q - b.q)) <= 64 * epsilon<double>());
+            CHECK(magnitude(vector<double>(a.p - b.p)) <= 64 * epsilon<double>());
+        }
+    };
+    check(2.0, [](auto const& p) { return p.dot(p) / 4; });
+    check(Eigen::Vector2d(2, 4), [](auto const& p) { return (p(0) * p(0) / 2 + p(1) * p(1) / 4) / 2; });
+    Eigen::Matrix2d mass;
+    mass << 2, 1, 1, 1;
+    check(mass, [](auto const& p) { return (p(0) * p(0) - 2 * p(0) * p(1) + 2 * p(1) * p(1)) / 2; });
+}
+
 TEST_CASE("in 50 digits: symplectic, reversible, and of order 2 and 4 in the time") {
     vector<float50> const q(float50(1) / 2, 0, 0), p(0, sqrt(float50(3)), float50(1) / 2);
     auto const L = lagrangian_of(logarithmic(kinetic, attraction));

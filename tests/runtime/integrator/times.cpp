@@ -162,6 +162,27 @@ TEST_CASE("Kepler's problem, e = 0.9: equal steps in the eccentric anomaly") {
     CHECK(magnitude(Eigen::Vector2d(other.states.back().q - q)) <= 1e-11);
 }
 
+TEST_CASE("an eccentricity of 0.99: 200 times as many equal steps have a larger error of the energy") {
+    double const e = 0.99;
+    Eigen::Vector2d const q(1 + e, 0), p(0, std::sqrt((1 - e) / (1 + e))); // the aphelion
+    double const revolution = 2 * std::acos(-1.0);
+    double of_tau = 0; // int r^(-3/2) dt = int r^(-1/2) over the eccentric anomaly
+    for (int i = 0; i < 1000; ++i) of_tau += revolution / 1000 / std::sqrt(1 - e * std::cos(revolution * (i + 0.5) / 1000));
+    auto const largest = [&](auto const& L, auto const& how, auto const& T) {
+        return drift_along(embed(L, how).along(T, q, p), energy(kepler)).largest;
+    };
+    auto const L = transform_time(kepler, sundman(1.5), -0.5);
+    // 100 steps for each of 1000 revolutions; the first of them shows the largest error of all, which does not grow
+    double const first = largest(L, mid_point, uniform(0.0, of_tau / 100, 200));
+    double const all = largest(L, mid_point, uniform(0.0, of_tau / 100, 100'000));
+    CHECK(first <= all);
+    CHECK(all <= 1.05 * first);
+    CHECK(all < largest(kepler, mid_point, uniform(0.0, revolution / 20'000, 20'000)));
+    // and 50 of order 6
+    CHECK(largest(L, galerkin<3, gauss>, uniform(0.0, of_tau / 50, 500)) <
+          largest(kepler, galerkin<3, gauss>, uniform(0.0, revolution / 10'000, 10'000)));
+}
+
 TEST_CASE("over many steps the energy does not drift") {
     Eigen::Vector2d const q(0.1, 0), p(0, std::sqrt(19.0));
     auto const method = embed(transform_time(kepler, sundman(1), -0.5), mid_point);
