@@ -102,6 +102,8 @@ def solve(
     no branches, formulas of at most some hundred operations. Steps take the time of the same system in C++, and agree with `compiled=False`
     to rounding. The default is True for ten million steps and more; `x.compiled` tells whether the steps were compiled.
 
+    With the equation of transform_time(L, g) the scale is in τ, and x.t are the times t; it is solved from q0 and v0 or p0, which have its energy.
+
     Raises StepFailure, whose `solution` has the points so far, and the errors of this module for invalid input.
     """
     if isinstance(equation, Lagrangian):
