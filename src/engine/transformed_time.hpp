@@ -54,6 +54,7 @@ public:
         : base(free_problem{what.lagrangian, {}}), what_(what), method_(std::move(method)), T_(std::move(T)) {
         require_constant_energy(what);
         in_tau_ = with_energy(S(0)); // reports a wrong method or scale
+        in_t_ = make_motion<S>({what_.lagrangian, {}, {}, what_.history}, method_, T_);
     }
     [[nodiscard]] std::unique_ptr<cursor<S>> begin(initial<S> const& from) const override {
         auto const [start, in_tau] = started(from);
@@ -76,6 +77,10 @@ public:
                              bool absolute) const override {
         auto const [start, in_tau] = started(from);
         return in_tau->residual(start, positions, momenta, absolute);
+    }
+    /// By L in t.
+    [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
+        return in_t_->between_states(x, y, t);
     }
     [[nodiscard]] step_integral<S> integral_of(std::function<S(vector<S> const&)> g) const override {
         return in_tau_->integral_of(std::move(g));
@@ -107,6 +112,7 @@ private:
     std::string method_;
     points<S> T_;
     std::unique_ptr<motion<S>> in_tau_; ///< of energy 0
+    std::unique_ptr<motion<S>> in_t_;   ///< of L
 };
 /// The motion of a problem with a transformation of time. @throws hilger::error::invalid_parameter
 template <class S>
