@@ -85,3 +85,22 @@ string(REPLACE "exponentials:1e-7" "window:7" text "${text}")
 file(WRITE ${out}/none.toml "${text}")
 execute_process(COMMAND ${hilger} run none.toml --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
 expect("line 4, column 11: the history is one of exponentials, exponentials:1e-8, blocks, direct here, and not 'window:7'" said)
+
+# In a transformed time rows are in t, and the energy is that of L.
+file(WRITE ${out}/orbit.toml [[
+coordinates = ["x", "y"]
+velocities = ["vx", "vy"]
+lagrangian = "(vx^2 + vy^2)/2 + 1/hypot(x, y)"
+time_transformation = "sundman(1)"
+interval = [0, "2*pi"]
+steps = 64
+embedding = "gauss-4"
+initial = { x = "1/10", y = 0, vx = 0, vy = "sqrt(19)" }
+]])
+execute_process(COMMAND ${hilger} run orbit.toml --out rows WORKING_DIRECTORY ${out} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+expect("largest error of energy: [0-9.]+e-[01][0-9]\n" said)
+file(STRINGS ${out}/rows/orbit.csv rows)
+list(GET rows 33 aphelion)
+expect("^3.14159265[0-9]+,-1.9000000000" aphelion)
+list(GET rows 65 perihelion)
+expect("^6.283185307[0-9]+,0.(09999999999|1)" perihelion)
