@@ -64,6 +64,9 @@ class Lagrangian:
     parameters={"time": 3}.
     """
 
+    #: g of dt = g(q) dτ, by transform_time
+    _rate: "Optional[Expression]" = None
+
     def __init__(
         self,
         L: "Formula | str | Callable",
@@ -109,7 +112,6 @@ class Lagrangian:
             except _core.InvalidParameter as why:
                 raise _core.InvalidParameter(f"the parameter {name} is a number or a list of numbers: {why}") from None
         self._formula, self._parameters = formula, given
-        self._rate = None  # g of dt = g(q) dtau, by transform_time
         try:
             self._problem = self._stated()
         except _core.Unreadable as why:
