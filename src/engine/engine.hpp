@@ -162,7 +162,7 @@ public:
                                      bool absolute) const = 0;
     /// H(p, q) = p v - L at a state, with the velocity near the given one when several have its momentum.
     [[nodiscard]] virtual S energy(state<S> const& x, vector<S> const& near) const = 0;
-    /// The state at t between two neighbouring ones, of order 4.
+    /// The state at t between two neighbouring ones: a step of the method from the first, with a velocity near their mean one.
     /// @throws hilger::error::invalid_parameter with a memory, which a state does not contain
     [[nodiscard]] virtual state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const = 0;
     /// The integral of g over steps, by the nodes of the method.

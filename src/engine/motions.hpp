@@ -55,29 +55,24 @@ inline constexpr bool starts_from_two_positions<hilger::flow<F, Force, E, Sums>>
 template <class S>
 using beginning_by = std::function<std::unique_ptr<cursor<S>>(initial<S> const&)>;
 
-/// Functions of a single state. The formulas are traced once.
+/// Functions of a single state. The formula is traced once.
 template <class S, class Mechanics>
 class motion_of_mechanics : public motion<S> {
 public:
-    explicit motion_of_mechanics(Mechanics const& what) : derivatives_(what), energy_(hilger::energy(what.lagrangian)) {}
+    explicit motion_of_mechanics(Mechanics const& what)
+        : dimension_(what.lagrangian.formula().words().dimension()), energy_(hilger::energy(what.lagrangian)) {}
     [[nodiscard]] S energy(state<S> const& x, vector<S> const& near) const override {
         return energy_(hilger::state<S, vector<S>>{x.t, x.q, x.p}, near);
-    }
-    [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
-        for (vector<S> const* z : {&x.q, &x.p, &y.q, &y.p}) require_coordinates(*z);
-        hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
-        auto const z = hilger::dense_step<S, vector<S>>(derivatives_, from, to)(t);
-        return {z.t, z.q, z.p};
     }
 
 protected:
     void require_coordinates(vector<S> const& x) const {
-        if (int const d = derivatives_.what().lagrangian.formula().words().dimension(); x.size() != d)
-            hilger::error::raise<hilger::error::mismatch>("L has ", d, " coordinates, and a state has ", x.size());
+        if (x.size() != dimension_)
+            hilger::error::raise<hilger::error::mismatch>("L has ", dimension_, " coordinates, and a state has ", x.size());
     }
 
 private:
-    hilger::detail::kept_derivatives<Mechanics> derivatives_;
+    int dimension_;
     decltype(hilger::energy(std::declval<Mechanics const&>().lagrangian)) energy_;
 };
 
@@ -135,8 +130,13 @@ public:
     [[nodiscard]] state<S> between_states(state<S> const& x, state<S> const& y, S const& t) const override {
         if constexpr (has_memory<Flow>)
             refuse("has a memory, which is no part of a state: there is nothing between the points of T");
-        else
-            return motion_of_mechanics_of<S, Flow>::between_states(x, y, t);
+        else {
+            for (vector<S> const* z : {&x.q, &x.p, &y.q, &y.p}) this->require_coordinates(*z);
+            hilger::state<S, vector<S>> const from{x.t, x.q, x.p}, to{y.t, y.q, y.p};
+            if (t == y.t) return y;
+            auto const z = hilger::state_at(flow_, from, t, hilger::detail::mean_velocity(from, to));
+            return {z.t, z.q, z.p};
+        }
     }
     [[nodiscard]] step_integral<S> integral_of(std::function<S(vector<S> const&)> g) const override {
         if constexpr (has_nodes<Flow, S>) {

@@ -133,25 +133,6 @@ public:
         std::apply([&](auto const&, auto const&... other) { (require_the_same(p, other.momentum(t, q, v)), ...); }, flows_);
         return p;
     }
-    /// Checks that the flows step one problem, by their momenta and forces at x, so that they share velocities and slopes. Lambdas of one
-    /// type may hold different numbers. @throws error::mismatch
-    template <class S, class V>
-    void require_one_problem(state<S, V> const& x) const {
-        auto const& first = mechanics();
-        auto const check = [&](auto const& other, V const& q, V const& v) {
-            detail::at_time const L{first.lagrangian, x.t}, M{other.lagrangian, x.t};
-            require_the_same(gradient_first(L, q, v), gradient_first(M, q, v));
-            require_the_same(gradient_second(L, q, v), gradient_second(M, q, v));
-        };
-        auto const look = [&](auto const& flow) {
-            if constexpr (not detail::of_one_problem<Parts> and not std::is_empty_v<decltype(first.lagrangian)>) {
-                check(flow.mechanics(), x.q, x.p);
-                check(flow.mechanics(), x.p, x.q); // at rest or at the origin different problems may agree
-            }
-            if constexpr (requires { flow.require_one_problem(x); }) flow.require_one_problem(x);
-        };
-        std::apply([&](auto const&... flow) { (look(flow), ...); }, flows_);
-    }
     template <class S, class V>
     [[nodiscard]] V momentum_between(S const&, V const&, V const&, S const&) const {
         static_assert(sizeof(V) == 0, "two positions give a momentum where a step has no positions between them: give q0 and p0 or v0");
@@ -160,8 +141,7 @@ public:
     [[nodiscard]] auto const& mechanics() const {
         using first = std::remove_cvref_t<decltype(std::get<0>(flows_).mechanics())>;
         static_assert((std::same_as<first, std::remove_cvref_t<decltype(std::declval<Flows const&>().mechanics())>> and ...),
-                      "velocities, and slopes between the points, are those of one Lagrangian, and the flows of this composition have "
-                      "several: a walk from q0 and p0 has its points alone");
+                      "velocities are those of one Lagrangian, and this composition has several: it walks from q0 and p0");
         return std::get<0>(flows_).mechanics();
     }
     [[nodiscard]] Parts const& parts() const { return parts_; }
@@ -171,8 +151,8 @@ private:
     template <class V>
     static void require_the_same(V const& a, V const& b) {
         if (not(a == b) and is_finite(a) and is_finite(b))
-            error::raise<error::mismatch>("velocities, and slopes between the points, are those of one Lagrangian, and the flows of this "
-                                          "composition have several: a walk from q0 and p0 has its points alone");
+            error::raise<error::mismatch>(
+                "velocities are those of one Lagrangian, and this composition has several: it walks from q0 and p0");
     }
     [[no_unique_address]] Parts parts_;
     std::tuple<Flows...> flows_;

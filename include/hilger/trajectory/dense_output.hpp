@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// States between the points of a trajectory: the cubic Hermite polynomial in t through (q, p) at both ends of a step, with the slopes of
-// the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces, among them the one of a history. Its own error is of order 4 in the
-// step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.6); the error of the points adds to it.
+// States between the points of a trajectory, as accurate as the points: steps of its method from the point before (partial_step.hpp).
+// For recorded states without a method, and for flows with a history, which is in no state: the cubic Hermite polynomial in t through (q,
+// p) at both ends of a step, with the slopes of the continuous system, q' = dH/dp = v and p' = dL/dq(q, v) + forces, among them the one of
+// the history. Its own error is of order 4 in the step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.6);
+// the error of the points adds to it.
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
+#include "hilger/trajectory/partial_step.hpp"
 #include "hilger/trajectory/recording.hpp"
 #include "hilger/variational/legendre.hpp"
 #include "hilger/variational/problem.hpp"
@@ -54,21 +58,13 @@ slopes<V> slopes_at(Problem const& mechanics, state<S, V> const& x) {
 
 namespace detail {
 
-/// The kept derivatives of the problem of a method, without damping.
+/// The kept derivatives of the problem of a method with a history, without damping.
 template <class Method>
 auto derivatives_of(Method const& method) {
-    if constexpr (requires { method.undamped(); })
-        return kept_derivatives(method.undamped().mechanics());
-    else {
-        static_assert(not has_history<Method>, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's "
-                                               "scheme, whose forces are no function of a state");
-        return kept_derivatives(method.mechanics());
-    }
-}
-/// A composition of several problems has no slopes. @throws error::mismatch
-template <class Method, class State>
-void require_one_problem(Method const& method, State const& x) {
-    if constexpr (requires { method.require_one_problem(x); }) method.require_one_problem(x);
+    constexpr bool is_damped = requires { method.undamped(); };
+    static_assert(is_damped, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's scheme, whose "
+                             "forces are no function of a state");
+    return kept_derivatives(method.undamped().mechanics());
 }
 /// The slopes at x, the current state of an iterator or with `back` the one before, with the force of a history.
 template <class Walk, class Kept, class State, class V>
@@ -120,50 +116,67 @@ private:
     slopes<V> da_, db_;
 };
 
-/// The interpolant of a trajectory, which is computed for it, or of recorded states of a flow without a history: dense_output(path),
+/// The states of a trajectory, which is computed for it, or of recorded states of a flow without a history: dense_output(path),
 /// dense_output(flow.mechanics(), states).
 template <class S, class V>
 class dense_output {
+    using at = state<S, V>;
+
 public:
     /// States in the order of time, two at least. @throws error::mismatch for fewer, and as slopes_at does
     template <class Mechanics>
     dense_output(Mechanics const& mechanics, std::vector<state<S, V>> states) : states_(std::move(states)) {
         if (states_.size() < 2)
             error::raise<error::mismatch>("states are interpolated between two at least, and there are ", states_.size());
-        slopes_.reserve(states_.size());
+        std::vector<slopes<V>> all;
         detail::kept_derivatives const kept(mechanics);
         for (std::size_t i = 0; i < states_.size(); ++i) {
             std::size_t const before = i == 0 ? 0 : i - 1;
-            slopes_.push_back(detail::slopes_by(kept, states_[i], detail::mean_velocity(states_[before], states_[before + 1])));
+            all.push_back(detail::slopes_by(kept, states_[i], detail::mean_velocity(states_[before], states_[before + 1])));
         }
+        interpolate(std::move(all));
     }
-    /// @throws as the trajectory and slopes_at do
+    /// @throws as the trajectory does, and slopes_at where there is a history
     template <class Path>
         requires requires(Path const& path) { path.begin(), path.method(); }
     explicit dense_output(Path const& path) {
-        auto const kept = detail::derivatives_of(path.method());
-        auto at = path.begin();
-        detail::require_one_problem(path.method(), *at);
-        states_.push_back(*at);
-        for (++at; not(at == path.end()); ++at) {
-            V const near = detail::mean_velocity(states_.back(), *at);
-            if (slopes_.empty()) slopes_.push_back(detail::slopes_on(at, kept, states_.back(), near, true));
-            slopes_.push_back(detail::slopes_on(at, kept, *at, near, false));
-            states_.push_back(*at);
+        using method = std::remove_cvref_t<decltype(path.method())>;
+        if constexpr (detail::has_history<method>) {
+            auto const kept = detail::derivatives_of(path.method());
+            std::vector<slopes<V>> all;
+            auto x = path.begin();
+            states_.push_back(*x);
+            for (++x; not(x == path.end()); ++x) {
+                V const near = detail::mean_velocity(states_.back(), *x);
+                if (all.empty()) all.push_back(detail::slopes_on(x, kept, states_.back(), near, true));
+                all.push_back(detail::slopes_on(x, kept, *x, near, false));
+                states_.push_back(*x);
+            }
+            interpolate(std::move(all));
+        } else {
+            for (auto const& x : path) states_.push_back(x);
+            inside_ = [flow = path.method()](std::size_t, at const& x, at const& y, S const& t) {
+                return state_at(flow, x, t, detail::mean_velocity(x, y));
+            };
         }
     }
-    /// @throws error::outside_domain when t is before the first state or after the last.
+    /// @throws error::outside_domain when t is before the first state or after the last; what a step throws.
     [[nodiscard]] state<S, V> operator()(S const& t) const {
         if (not(states_.front().t <= t) or not(t <= states_.back().t))
             error::raise<error::outside_domain>(t, " is outside the interval [", states_.front().t, ", ", states_.back().t, "]");
         auto const after = std::upper_bound(states_.begin() + 1, states_.end() - 1, t, [](S const& s, auto const& x) { return s < x.t; });
-        auto const i = static_cast<std::size_t>(after - states_.begin());
-        return dense_step<S, V>(states_[i - 1], slopes_[i - 1], states_[i], slopes_[i])(t);
+        at const &x = *(after - 1), &y = *after;
+        return t == y.t ? y : t == x.t ? x : inside_(static_cast<std::size_t>(after - states_.begin()) - 1, x, y, t);
     }
 
 private:
-    std::vector<state<S, V>> states_;
-    std::vector<slopes<V>> slopes_;
+    void interpolate(std::vector<slopes<V>> all) {
+        inside_ = [all = std::move(all)](std::size_t i, at const& x, at const& y, S const& t) {
+            return dense_step<S, V>(x, all[i], y, all[i + 1])(t);
+        };
+    }
+    std::vector<at> states_;
+    std::function<at(std::size_t, at const&, at const&, S const&)> inside_; ///< step i, from x to y, at t
 };
 template <class Path>
 dense_output(Path const& path) -> dense_output<decltype((*path.begin()).t), decltype((*path.begin()).q)>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The zeros of a real function g of the state along a trajectory: Poincare sections, periods, impacts. A change of sign between two points
-// is located on the dense output of that step to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748); nothing is stored.
+// is located to the scalar's epsilon (Alefeld, Potra, Shi, algorithm 748) by shorter steps of the method from the first of them
+// (partial_step.hpp), so that events are as accurate as the points; with a history on the cubic of dense_output.hpp. Nothing is stored.
 //   for (auto const& x : events(path, g, crossing::rising)) ...        the states where g passes zero
 //   for (auto const& x : until(path, g)) ...                           the states up to there, and that one last
 // The events of a g that is true or false are its changes, rising where it becomes true. An event is where g, not zero before, reaches or
@@ -40,9 +41,8 @@ public:
     static_assert(not std::numeric_limits<S>::is_exact, "events are located by root finding, which an exact scalar has not");
 
     crossing_search(Path const& path, G const& g, crossing which)
-        : kept_(derivatives_of(path.method())), g_(&g), which_(which), walk_(path.begin()), before_(*walk_), now_(value(before_)) {
-        require_one_problem(path.method(), before_);
-    }
+        : method_(&path.method()), kept_(kept(*method_)), g_(&g), which_(which), walk_(path.begin()), before_(*walk_),
+          now_(value(before_)) {}
     [[nodiscard]] bool ended() const { return walk_ == std::default_sentinel; }
     [[nodiscard]] state_type const& state() const { return *walk_; }
     /// One step; true when there was an event in it, unless that step would lead beyond the end. A pole, where |g| is larger than at both
@@ -56,24 +56,41 @@ public:
         S const zero(0);
         bool const rising = was_ < zero and not(now_ < zero), falling = zero < was_ and not(zero < now_);
         if (not((rising and which_ != crossing::falling) or (falling and which_ != crossing::rising))) return false;
-        auto const near = mean_velocity(before_, *walk_);
-        auto const inside =
-            dense_step(before_, slopes_on(walk_, kept_, before_, near, true), *walk_, slopes_on(walk_, kept_, *walk_, near, false));
+        auto const inside = states_inside();
         S const largest = std::max(S(magnitude(was_)), S(magnitude(now_)));
         bool const stays = now_ == zero;
         // At a pole g may be infinite, with the sign of its side. Where it stays zero, as a penetration does, its first zero is located.
         auto const below_infinity = [&](S const& x) {
-            S const y = number(inside.at_fraction(x)), most = (std::numeric_limits<S>::max)();
+            S const y = number(inside(x)), most = (std::numeric_limits<S>::max)();
             if (stays and y == zero) return S(-was_);
-            return most < y ? most : y < -most ? S(-most) : finite(y, inside.at_fraction(x).t);
+            return most < y ? most : y < -most ? S(-most) : finite(y, S(before_.t + x * (walk_->t - before_.t)));
         };
-        located_ = inside.at_fraction(fraction_at_zero(below_infinity, was_, stays ? S(-was_) : now_));
+        located_ = inside(fraction_at_zero(below_infinity, was_, stays ? S(-was_) : now_));
         return magnitude(number(located_)) <= largest;
     }
     /// The first state at or behind the zero of g that step() found.
     [[nodiscard]] state_type const& located() const { return located_; }
 
 private:
+    using method = std::remove_cvref_t<decltype(std::declval<Path const&>().method())>;
+    struct nothing {};
+    static auto kept(method const& from) {
+        if constexpr (has_history<method>)
+            return derivatives_of(from);
+        else
+            return nothing{};
+    }
+    /// The states at fractions of the last step.
+    auto states_inside() const {
+        if constexpr (has_history<method>) {
+            auto const near = mean_velocity(before_, *walk_);
+            return [cubic = dense_step(before_, slopes_on(walk_, kept_, before_, near, true), *walk_,
+                                       slopes_on(walk_, kept_, *walk_, near, false))](S const& x) { return cubic.at_fraction(x); };
+        } else
+            return [this](S const& x) {
+                return x == S(1) ? *walk_ : partial_step(*method_, walk_.remembered(), before_, S(x * (walk_->t - before_.t)));
+            };
+    }
     S number(state_type const& x) const {
         if constexpr (std::same_as<std::remove_cvref_t<decltype((*g_)(x))>, bool>)
             return S((*g_)(x) ? 1 : -1);
@@ -86,7 +103,8 @@ private:
         return y;
     }
     S value(state_type const& x) const { return finite(number(x), x.t); }
-    decltype(derivatives_of(std::declval<Path const&>().method())) kept_;
+    method const* method_;
+    [[no_unique_address]] decltype(kept(std::declval<method const&>())) kept_;
     G const* g_;
     crossing which_;
     walk walk_;

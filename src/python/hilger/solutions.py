@@ -99,15 +99,21 @@ class Zeros:
     def passed(was, now, crossing: str = "any") -> bool:
         return (was < 0 <= now and crossing != "falling") or (was > 0 >= now and crossing != "rising")
 
+    @staticmethod
+    def come_near(values: list, i: int) -> bool:
+        """Whether values at points are nearer to zero at an end of step i than their second differences there: it may have two zeros."""
+        bends = (abs(values[j - 1] - 2 * values[j] + values[j + 1]) for j in (i, i + 1) if 0 < j < len(values) - 1)
+        return min(abs(values[i]), abs(values[i + 1])) < max(bends, default=0)
+
 
 class Solution:
     """A trajectory: points t, positions q and momenta p, one row for each point (one number for a scalar coordinate).
 
-    `x(t)` is q between the points, of order 4 in the step, without fractional damping; `x.events(g)` the zeros of a function; `x.residual()`
-    the residual of the equation, in roundings of its terms; `x.energy()` H at the points; `x.stopped` the reason why a trajectory ended
-    before its scale, `x.compiled` whether whole steps were machine code. The solution of a two-sided fractional equation has positions alone,
-    and p is None. It can be pickled. h.solve(later, q0=x.q[-1], p0=x.p[-1]) continues it, unless there is fractional damping, whose memory is
-    not part of a state.
+    `x(t)` is q between the points, as accurate as at them, by a step of the method from the point before: with fractional damping, whose
+    memory is no part of a state, there is none. `x.events(g)` are the zeros of a function, as accurate; `x.residual()` the residual of the
+    equation, in roundings of its terms; `x.energy()` H at the points; `x.stopped` the reason why a trajectory ended before its scale,
+    `x.compiled` whether whole steps were machine code. The solution of a two-sided fractional equation has positions alone, and p is None. It
+    can be pickled. h.solve(later, q0=x.q[-1], p0=x.p[-1]) continues it, unless there is fractional damping.
 
     Momenta are those of the discrete Legendre map, p_i = -dL_h/dq_i of the step that begins at t_i. A printed Hamiltonian system has dL/dv
     at the nodes of the embedding instead: for order_one its p at t_i is x.p at t_{i+1}.
@@ -174,22 +180,26 @@ class Solution:
         return self._motion.between_states(*ends, time(t))
 
     def events(self, g: Callable, crossing: str = "any") -> Events:
-        """The zeros of g(t, q, p), as in Poincaré sections, located on the dense output x(t) to the last digits.
+        """The zeros of g(t, q, p), as in Poincaré sections, located to the last digits on x(t), so as accurate as the points.
 
-        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event. Two zeros within one step are missed (for a solution to an
-        accuracy, within an eighth of one). A pole, with |g| larger than at both ends of its step, is no event. A bool g is zero where it changes.
+        `crossing` is "any", "rising" or "falling". g = 0 at the start is no event. Two zeros within one step are missed. In a solution to an
+        accuracy, g is evaluated at the eighths of a step, too, where its values at the ends are nearer to zero than its second differences:
+        two zeros are missed within an eighth. A pole, with |g| larger than at both ends of its step, is no event. A bool g is zero where it
+        changes.
         """
         if crossing not in ("any", "rising", "falling"):
             raise _core.InvalidParameter(f'crossing is "any", "rising" or "falling", and not {crossing!r}')
-        p, looks = self._momenta(), self._looks
         zeros = Zeros(g, self.equation.scale.kind(), self.q.ndim == 1, "what passes zero")
+        points = list(zip(self.t, self.q, self._momenta()))
+        values = [zeros.value(*x) for x in points]
         found = []
-        last = self.t[0], self.q[0], p[0]
-        was = zeros.value(*last)
         for i in range(len(self) - 1):
-            start, end = self.t[i], (self.t[i + 1], self.q[i + 1], p[i + 1])
-            for k in range(1, looks + 1):
-                state = end if k == looks else self._state(zeros, i, start + k * (end[0] - start) / looks)
+            if not zeros.passed(values[i], values[i + 1]) and (self._looks == 1 or not zeros.come_near(values, i)):
+                continue
+            last, was = points[i], values[i]
+            start, step = self.t[i], self.t[i + 1] - self.t[i]
+            inside = (self._state(zeros, i, start + k * step / self._looks) for k in range(1, self._looks))
+            for state in (*inside, points[i + 1]):
                 now = zeros.value(*state)
                 if zeros.passed(was, now, crossing):
                     zero = self._zero(zeros, i, last, state, was, now)
@@ -220,7 +230,7 @@ class Solution:
         fraction = self._motion.fraction_at_zero(g, self._time(was), self._time(-was if stays else now))
         return last if number_from(zeros.kind, fraction) == 1 else at(fraction)
 
-    #: Points in a step at which events are checked.
+    #: Parts of a step, at whose ends events are checked where they come near.
     _looks = 1
 
     def residual(self, absolute: bool = False):
@@ -287,8 +297,7 @@ class AccurateSolution(Solution):
     with half as many steps.
 
     For smooth L that exceeds its own error; it is at least the rounding shared by both runs, or the accuracy if all positions are 0. For L
-    with branches it is four times the largest distance from five other runs. Times at which L switches are points of the scale. Between the
-    points x(t) and x.events(g) are as accurate as at them, by a step of the same method from the point before.
+    with branches it is four times the largest distance from five other runs. Times at which L switches are points of the scale.
     """
 
     _looks = 8  # steps are long
@@ -296,17 +305,6 @@ class AccurateSolution(Solution):
     def __init__(self, equation: Equation, start: tuple, t, q, p, error: float) -> None:
         super().__init__(equation, start, "exponentials", t, q, p, None)
         self.error = error
-
-    def _inside(self, i: int, t):
-        for j in (i, i + 1):
-            if t == self.t[j]:
-                return self._row(self.q, j), self._row(self.p, j)
-        for steps in (1, 2, 4, 8):  # long steps may fail
-            shorter = replace(self.equation, scale=Uniform(self.t[i], (t - self.t[i]) / steps, steps))
-            _, q, p, stopped, _ = shorter._motion(self._history).walk(self._row(self.q, i), "p0", self._row(self.p, i), None, None)
-            if not stopped:
-                return q[-1], p[-1]
-        raise _core.NoConvergence(f"between the points, at t = {t}: {stopped}")
 
     @property
     def method(self) -> str:

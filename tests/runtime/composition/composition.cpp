@@ -263,19 +263,29 @@ TEST_CASE("a flow that fails in the second half leaves the state as it was") {
 TEST_CASE("what belongs to one Lagrangian is asked of compositions of one, down to its numbers") {
     auto const spring = [](double m, double k) { return [m, k](auto const& x, auto const& v) { return m * v * v / 2 - k * x * x / 2; }; };
     auto const T = uniform(0.0, 0.125, 10);
-    auto const zero = [](auto const& x) { return x.q - 0.5; };
     auto const of_two = compose(halves, embed(spring(1, 1), mid_point), embed(spring(4, 1), mid_point));
-    auto const of_two_forces = symmetrized(compose(halves, embed(spring(1, 0), mid_point), embed(spring(1, 8), mid_point)));
     auto const of_one = compose(halves, embed(spring(1, 8), mid_point), embed(spring(1, 8), theta<1, 3>));
     CHECK_THROWS_AS((void)of_two.along(T, {.q0 = 0.0, .v0 = 1.0}), error::mismatch);
     CHECK_NOTHROW((void)of_one.along(T, {.q0 = 0.0, .v0 = 1.0}));
-    for (double const q0 : {1.0, 0.0}) { // where the forces of both are the same
-        CHECK_THROWS_AS((void)dense_output(of_two_forces.along(T, q0, 0.25)), error::mismatch);
-        auto const found = events(of_two_forces.along(T, q0, 0.25), zero);
-        CHECK_THROWS_AS((void)found.begin(), error::mismatch);
-    }
-    CHECK_NOTHROW((void)dense_output(of_one.along(T, 1.0, 0.25)));
-    CHECK_NOTHROW((void)dense_output(symmetrized(embed(spring(1, 8), theta<1, 3>)).along(T, 1.0, 0.25)));
+}
+
+TEST_CASE("between its points a composition is a shorter step of itself, of several Lagrangians too") {
+    auto const spring = [](double k) { return [k](auto const& x, auto const& v) { return v * v / 2 - k * x * x / 2; }; };
+    auto const T = uniform(0.0, 0.125, 10);
+    auto const check = [&](auto const& flow) {
+        auto const path = flow.along(T, 1.0, 0.25);
+        auto const x = dense_output(path)(0.1875), y = flow.step(dense_output(path)(0.125), 0.0625);
+        CHECK(x.t == y.t);
+        CHECK(std::abs(x.q - y.q) <= 4 * epsilon<double>());
+        CHECK(std::abs(x.p - y.p) <= 8 * epsilon<double>());
+        auto const halves = events(path, [](auto const& z) { return z.q - 0.5; });
+        auto const z = *halves.begin();
+        CHECK(std::abs(z.q - 0.5) <= 2 * epsilon<double>());
+        CHECK(std::abs(dense_output(path)(z.t).p - z.p) <= 16 * epsilon<double>());
+    };
+    check(symmetrized(compose(halves, embed(spring(0), mid_point), embed(spring(8), mid_point))));
+    check(compose(halves, embed(spring(8), mid_point), embed(spring(8), theta<1, 3>)));
+    check(symmetrized(embed(spring(8), theta<1, 3>)));
 }
 
 TEST_CASE("parts that do not make up the step are refused") {

@@ -121,7 +121,7 @@ TEST_CASE("vectors, with a damping of one component and of several terms") {
     auto const first = embed(stiffer, mid_point).along(T, 1.0, 0.0);
     auto const second = along(with_fractional_damping(stiffer, 1.5, fraction<1, 2>{}), 80);
     dense_output const together(both);
-    dense_output const free(first);
+    dense_output const free(embed(stiffer, mid_point).mechanics(), record(first).states); // the cubic, as with a history
     dense_output const damped(second);
     dense_output const added(terms);
     for (double const t : {0.3, 1.01, 2.222, 3.99}) {
