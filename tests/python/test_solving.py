@@ -115,16 +115,37 @@ class Exact(unittest.TestCase):
 
 
 class Events(unittest.TestCase):
-    def test_order_four_between_the_points(self):
-        # q = cos t passes 1/2 at pi/3, here in the middle of a step; a method of order 16 is exact beside what lies between the points
-        def error(m):
-            step = np.pi / 3 / (m + 0.5)
-            x = h.solve(h.variation(oscillator, h.uniform(0, step, 2 * m), h.gauss(8)), q0=1.0, v0=0.0)
-            found = x.events(lambda t, q, p: q - 0.5)
-            self.assertEqual(found.t.shape, (1,))
-            return abs(found.t[0] - np.pi / 3)
+    def test_between_the_points_a_solution_is_as_good_as_at_them(self):
+        import mpmath
 
-        self.assertAlmostEqual(np.log(error(8) / error(17)) / np.log(17.5 / 8.5), 4, delta=0.02)
+        with mpmath.workdps(60):  # the pendulum and Jacobi's elliptic functions
+            k = mpmath.mpf(3) / 4
+            exact = lambda t: 2 * mpmath.asin(k * mpmath.ellipfun("sn", t, m=k * k))
+            for method, steps, bound in ((h.gauss(8), 200, "1e-32"), (h.kahan_li_8, 400, "1e-17")):
+                x = h.solve(h.variation(pendulum, h.uniform(mpmath.mpf(0), mpmath.mpf(10) / steps, steps), method), q0=0, v0=2 * k)
+                self.assertLess(abs(x.q[-1] - exact(mpmath.mpf(10))), mpmath.mpf(bound))
+                for t in (mpmath.mpf(5) / 3, mpmath.mpf(20) / 3):
+                    self.assertLess(abs(x(t) - exact(t)), mpmath.mpf(bound))
+                turns = x.events(lambda t, q, p: p)
+                self.assertEqual(len(turns.t), 3)
+                for i, t in enumerate(turns.t):
+                    self.assertLess(abs(t - (2 * i + 1) * mpmath.ellipk(k * k)), mpmath.mpf(bound))
+                self.assertTrue(all(x(x.t[i]) == x.q[i] for i in (0, 7, steps)))
+
+    def test_events_of_every_method_are_as_good_as_its_points(self):
+        for method, order in ((h.midpoint, 2), (h.verlet, 2), (h.gauss(2), 4), (h.kahan_li_8, 8)):
+            coarse, fine = (h.solve(h.variation(oscillator, h.uniform(0, 0.25 / n, 16 * n), method), q0=1.0, v0=0.0) for n in (1, 2))
+            error = [abs(x.events(lambda t, q, p: q - 0.5).t[0] - np.pi / 3) for x in (coarse, fine)]
+            self.assertAlmostEqual(np.log2(error[0] / error[1]), order, delta=0.15)
+
+    def test_a_contact_is_found_in_less_time_than_its_solution(self):
+        L = h.Lagrangian(v**2 / 2 - h.where(q < 0, h.read("2/5") * (-q) ** h.read("5/2"), 0), q, v)
+        begin = time.process_time()
+        x = h.solve(L, (0, 5), q0=0.5, v0=-1.0, accuracy=1e-9)
+        solved = time.process_time()
+        found = x.events(lambda t, q, p: q)
+        self.assertLess(time.process_time() - solved, solved - begin)
+        self.assertAlmostEqual(found.t[1] - found.t[0], 3.2180654597190431, delta=1e-12)
 
     def test_digits(self):
         import mpmath
@@ -156,7 +177,7 @@ class Events(unittest.TestCase):
         y = h.solve(h.variation(plane, h.uniform(0, 0.1, 100), h.gauss(4)), q0=[1.0, 0.0], v0=[0.0, 1.0])
         found = y.events(lambda t, q, p: q[0] - q[1], "falling")
         self.assertEqual(found.q.shape, (2, 2))
-        self.assertLess(np.abs(found.t - np.pi * np.array([0.25, 2.25])).max(), 1e-6)  # 0.1^4/384 and more of the dense output
+        self.assertLess(np.abs(found.t - np.pi * np.array([0.25, 2.25])).max(), 1e-11)  # gauss(4) is of order 8
 
     def test_what_has_none(self):
         x = h.solve(h.variation(oscillator, h.uniform(0, Fraction(1, 10), 40)), q0=1, v0=0)
@@ -339,10 +360,9 @@ class Double(unittest.TestCase):
         self.assertEqual(len(exact), len(exact.t))
         self.assertEqual(exact.equation.method.name, exact.method)
         self.assertLess(np.abs(exact.energy() - 0.5).max(), 1e-10)
-        h_ = exact.t[1]
         self.assertLess(exact.residual(), 64)  # of polynomials of degree 8 in each step
-        self.assertLess(abs(exact(1.25) - np.cos(1.25)), h_**4 / 384 + 1e-10)
-        self.assertLess(np.abs(exact.events(lambda t, q, p: q).t - np.pi * np.array([0.5, 1.5, 2.5])).max(), h_**4)
+        self.assertLess(abs(exact(1.25) - np.cos(1.25)), 1e-10)
+        self.assertLess(np.abs(exact.events(lambda t, q, p: q).t - np.pi * np.array([0.5, 1.5, 2.5])).max(), 1e-10)
         again = pickle.loads(pickle.dumps(exact))
         self.assertEqual((again.method, again.error, again.t.tolist()), (exact.method, exact.error, exact.t.tolist()))
 
