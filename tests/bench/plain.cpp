@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Lagrangians of many degrees of freedom written as plain lambdas, of which nothing is said but their formula: a coupled oscillator with
 // d = 6 and 12 (h = 0.01), and a chain of 1000 with walls, quartic springs and Eigen vectors of dynamic size (h = 0.1). And what it costs
-// to judge them: residuals, energies, slopes between states.
+// to judge them: residuals, energies, states between the points.
 #include <array>
 #include <iomanip>
 #include <iostream>
@@ -96,7 +96,7 @@ void judged(char const* name, hilger::index_type steps) {
     row("walked", [&] { return hilger::record(path).states.back().q(0); });
     row("and its equation: largest_residual", [&] { return hilger::largest_residual(path); });
     row("and its energy: drift_along", [&] { return hilger::drift_along(path, hilger::energy(System::L)).largest; });
-    row("and slopes between its states: dense_output", [&] { return hilger::dense_output(path)(0.5 * System::h).q(0); });
+    row("and kept for states between its points: dense_output", [&] { return hilger::dense_output(path)(0.5 * System::h).q(0); });
     std::cout << std::defaultfloat << std::setprecision(6) << "  (" << kept << ")\n";
 }
 

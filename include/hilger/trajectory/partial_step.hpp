@@ -3,6 +3,8 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <type_traits>
 
 #include "hilger/scalar.hpp"
 #include "hilger/trajectory/trajectory.hpp"
@@ -30,15 +32,17 @@ state<S, V> partial_step(Method const& method, Memory const& memory, state<S, V>
 
 } // namespace detail
 
-/// The state of a method at t, by a step from x with a velocity near the given one. @throws step_failure
+/// The state of a method at t, by a step from x: where several velocities have its momentum, with the one near that given. @throws
+/// step_failure
 template <class Method, class S, class V>
-state<S, V> state_at(Method const& method, state<S, V> const& x, S const& t, V const& near) {
+state<S, V> state_at(Method const& method, state<S, V> const& x, S const& t, std::type_identity_t<std::optional<V>> const& near = {}) {
     static_assert(not detail::has_history<Method>, "a step of a flow with a history begins at no state alone");
     S const length = t - x.t;
     state<S, V> y = x;
     if (S(1024) * (std::numeric_limits<S>::min)() < magnitude(length)) { // others have no inverse
         typename Method::template memory<S, V> memory(method, length, x.q);
-        if constexpr (requires { memory.start_with(method, x, near); }) memory.start_with(method, x, near);
+        if constexpr (requires { memory.start_with(method, x, *near); })
+            if (near) memory.start_with(method, x, *near);
         y = detail::partial_step(method, memory, x, length);
     }
     y.t = t;
