@@ -138,6 +138,15 @@ class Events(unittest.TestCase):
             error = [abs(x.events(lambda t, q, p: q - 0.5).t[0] - np.pi / 3) for x in (coarse, fine)]
             self.assertAlmostEqual(np.log2(error[0] / error[1]), order, delta=0.15)
 
+    def test_between_points_that_are_given_and_ends_that_are_joined(self):
+        EL = h.variation(oscillator, h.TimeScale([0, 0.1, 0.4, 0.9, 1.5]), h.gauss(8))
+        t = np.linspace(0, 1.5, 31)
+        for x in (h.solve(EL, q0=1.0, v0=0.0), h.solve(EL, q0=1.0, qN=np.cos(1.5))):
+            error = np.abs(x.q - np.cos(x.t)).max() + np.abs(x.p + np.sin(x.t)).max() + 8 * epsilon
+            self.assertLess(error, 1e-12)
+            self.assertLess(np.abs(x(t) - np.cos(t)).max(), error)
+            self.assertLess(abs(x.events(lambda t, q, p: q - 0.5).t[0] - np.pi / 3), 2 * error)
+
     def test_a_contact_is_found_in_less_time_than_its_solution(self):
         L = h.Lagrangian(v**2 / 2 - h.where(q < 0, h.read("2/5") * (-q) ** h.read("5/2"), 0), q, v)
         begin = time.process_time()

@@ -58,13 +58,17 @@ slopes<V> slopes_at(Problem const& mechanics, state<S, V> const& x) {
 
 namespace detail {
 
-/// The kept derivatives of the problem of a method with a history, without damping.
+struct no_derivatives {};
+/// The kept derivatives of the undamped problem of a method with a history, for slopes; nothing for other methods.
 template <class Method>
 auto derivatives_of(Method const& method) {
-    constexpr bool is_damped = requires { method.undamped(); };
-    static_assert(is_damped, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's scheme, whose "
-                             "forces are no function of a state");
-    return kept_derivatives(method.undamped().mechanics());
+    if constexpr (has_history<Method>) {
+        constexpr bool is_damped = requires { method.undamped(); };
+        static_assert(is_damped, "events and dense output are for flows of Lagrangians, damped or not, and not for Newmark's scheme, whose "
+                                 "forces are no function of a state");
+        return kept_derivatives(method.undamped().mechanics());
+    } else
+        return no_derivatives{};
 }
 /// The slopes at x, the current state of an iterator or with `back` the one before, with the force of a history.
 template <class Walk, class Kept, class State, class V>

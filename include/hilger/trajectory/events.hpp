@@ -41,7 +41,7 @@ public:
     static_assert(not std::numeric_limits<S>::is_exact, "events are located by root finding, which an exact scalar has not");
 
     crossing_search(Path const& path, G const& g, crossing which)
-        : method_(&path.method()), kept_(kept(*method_)), g_(&g), which_(which), walk_(path.begin()), before_(*walk_),
+        : method_(&path.method()), kept_(derivatives_of(*method_)), g_(&g), which_(which), walk_(path.begin()), before_(*walk_),
           now_(value(before_)) {}
     [[nodiscard]] bool ended() const { return walk_ == std::default_sentinel; }
     [[nodiscard]] state_type const& state() const { return *walk_; }
@@ -73,13 +73,6 @@ public:
 
 private:
     using method = std::remove_cvref_t<decltype(std::declval<Path const&>().method())>;
-    struct nothing {};
-    static auto kept(method const& from) {
-        if constexpr (has_history<method>)
-            return derivatives_of(from);
-        else
-            return nothing{};
-    }
     /// The states at fractions of the last step.
     auto states_inside() const {
         if constexpr (has_history<method>) {
@@ -104,7 +97,7 @@ private:
     }
     S value(state_type const& x) const { return finite(number(x), x.t); }
     method const* method_;
-    [[no_unique_address]] decltype(kept(std::declval<method const&>())) kept_;
+    [[no_unique_address]] decltype(derivatives_of(std::declval<method const&>())) kept_;
     G const* g_;
     crossing which_;
     walk walk_;
