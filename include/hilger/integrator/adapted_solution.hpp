@@ -10,27 +10,9 @@
 #include "hilger/integrator/accurate_solution.hpp"
 #include "hilger/integrator/adapted_steps.hpp"
 #include "hilger/integrator/pieces.hpp"
+#include "hilger/trajectory/partial_step.hpp"
 
 namespace hilger::detail {
-
-/// A step of the flow without a memory to a time behind a state. It may be too long for Newton's method from another start: then it is
-/// divided.
-template <class Flow>
-auto onward_by(Flow const& method) {
-    return [flow = method]<class S, class V>(state<S, V> const& from, S const& t) {
-        S const unit = std::max(S(epsilon<S>() * std::max(magnitude(from.t), magnitude(t))), S((std::numeric_limits<S>::min)()));
-        if (t - from.t < S(8) * unit) return state<S, V>{t, from.q, from.p}; // no T has so short a step
-        for (index_type steps = 1;; steps *= 2) {
-            try {
-                state<S, V> last = from;
-                for (auto const& x : flow.along(uniform(interval<S>{from.t, t}, steps), from.q, from.p)) last = x;
-                return last;
-            } catch (error::no_convergence const&) {
-                if (steps == 8) throw;
-            }
-        }
-    };
-}
 
 /// The flow is embed(L, galerkin<Degree, gauss>), with a force or without.
 template <int Degree, class Flow, class S, class V>
@@ -126,7 +108,14 @@ private:
         state<S, V> const end{made.t.back(), made.q.back(), made.p.back()};
         index_type const steps = made.steps();
         time_scale<S> const T(std::move(made.t));
-        return {function_on(T, std::move(made.q)), function_on(T, std::move(made.p)), end, steps, method_, error, made_, onward_by(flow_)};
+        return {function_on(T, std::move(made.q)),
+                function_on(T, std::move(made.p)),
+                end,
+                steps,
+                method_,
+                error,
+                made_,
+                [flow = flow_](state<S, V> const& x, S const& t) { return state_at(flow, x, t); }};
     }
 
     Flow flow_;
