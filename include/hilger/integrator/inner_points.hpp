@@ -32,14 +32,16 @@ auto inner_points_unless(euler_lagrange<Action> const& equation, X const& x, For
     std::vector<V> all(static_cast<std::size_t>(Base::last(T.steps()) + 1), V(x.get(0)));
     auto const at = [&](index_type j) -> V& { return all[static_cast<std::size_t>(j)]; };
     for (index_type i = 0; i <= T.steps(); ++i) at(parts * i) = V(x.get(i));
-    if constexpr (parts > 1)
+    if constexpr (parts > 1) {
+        auto const flow = flow_of(equation, force);
         for (index_type i = 0; i < T.steps(); ++i) {
             saying_where(state<S, V>{S(T.point(i)), at(parts * i), zero_like(at(0))}, S(T.step(i)), [&] {
                 if (put_known(all, i)) return;
                 put_straight_line(all, parts * i + 1, parts * (i + 1));
-                solve_rows(equation, T, all, parts * i + 1, parts * (i + 1), parts, force, "the equation inside a step");
+                solve_rows(flow, T, all, i, i + 1, "the equation inside a step");
             });
         }
+    }
     return function_on(derived_scale(T, domain<Base>{}), std::move(all));
 }
 template <class S, class V>

@@ -7,12 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "hilger/integrator/march.hpp"
-#include "hilger/newton/system.hpp"
+#include "hilger/integrator/flow.hpp"
+#include "hilger/linear/elimination.hpp"
+#include "hilger/newton/newton.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
+#include "hilger/step/action_of_step.hpp"
 #include "hilger/variational/relative_residual.hpp"
-#include "hilger/variational/variation.hpp"
 
 namespace hilger::detail {
 
@@ -40,26 +41,24 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
 /// The roundings of a row: some tens of its terms and of the operations in L, independent of the number of points.
 inline constexpr int most_roundings = 256;
 
-/// The rows with the numbers from `begin` to `end` - 1 as an equation (newton/newton.hpp) for the values with these numbers in x, which
-/// holds the values at all points of the equation, in order; a row reads values that are at most `reach` numbers from its own.
-template <class Action, class V, class Force>
+/// The rows inside the steps from `begin` to `end` - 1 and between them, as an equation (newton/newton.hpp) for the values there, which are
+/// some of x, the values at all points of the equation of a flow, in order. Each row is the derivative of the action by one value.
+template <class Flow, class Root, class V>
 class rows_of_equation {
-    using Root = typename Action::root_type;
     using s = shape<V>;
     using S = scalar_of<V>;
+    using embedding_type = std::remove_cvref_t<decltype(std::declval<Flow const&>().embedding())>;
+    static constexpr int parts = controls_of<embedding_type> - 1;
 
 public:
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-    rows_of_equation(euler_lagrange<Action> const& equation, Root const& T, std::vector<V>& x, index_type begin, index_type end,
-                     index_type reach, Force const& force, char const* what, std::stop_token stop)
-        : equation_(equation), T_(T), on_(T), x_(x), force_(force), derivatives_(equation.derivatives(force)), what_(what),
-          stop_(std::move(stop)), begin_(begin), n_(static_cast<int>(end - begin)), d_(s::dimension(x[0])), near_(static_cast<int>(reach)) {
-        std::vector<std::pair<int, int>> entries;
-        for (int m = 0; m < n_ * d_; ++m)
-            for (int k = first_near(m / d_) * d_; k < end_near(m / d_) * d_; ++k) entries.emplace_back(m, k);
-        K_.prepare(n_ * d_, entries);
-        most_ = std::max(S(magnitude(at(begin - 1))), S(magnitude(at(end))));
+    rows_of_equation(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what,
+                     std::stop_token stop)
+        : flow_(flow), problem_(flow.mechanics()), T_(T), on_(T), x_(x), what_(what), stop_(std::move(stop)), begin_(begin), end_(end),
+          n_(static_cast<int>(parts * (end - begin)) - 1), d_(s::dimension(x[0])), step_(x[0]), K_(n_ * d_, reach(), reach()),
+          before_(block::Zero(parts * d_, d_)), behind_(before_) {
+        most_ = std::max(S(magnitude(at(-1))), S(magnitude(at(n_))));
     }
     rows_of_equation(rows_of_equation const&) = delete;
     rows_of_equation& operator=(rows_of_equation const&) = delete;
@@ -68,54 +67,61 @@ public:
     [[nodiscard]] vector unknown(std::vector<V> const& of) const {
         vector y(n_ * d_);
         for (int m = 0; m < n_; ++m)
-            for (int c = 0; c < d_; ++c) y(m * d_ + c) = s::component(of[static_cast<std::size_t>(begin_ + m)], c);
+            for (int c = 0; c < d_; ++c) y(m * d_ + c) = s::component(of[number(m)], c);
         return y;
     }
     void put(vector const& y) {
         for (int m = 0; m < n_; ++m)
-            for (int c = 0; c < d_; ++c) s::component(at(begin_ + m), c) = y(m * d_ + c);
+            for (int c = 0; c < d_; ++c) s::component(at(m), c) = y(m * d_ + c);
     }
     /// The part of the time interval: the smaller it is, the nearer a straight line is to the root. 1 is the equation itself.
     void set_share(S const& part) { on_ = part == S(1) ? T_ : shortened(T_, part); }
     S evaluate(vector const& y, vector& r) {
         put(y);
-        auto const residual = equation_.residual(now_, force_); // on the current T
-        for (int m = 0; m < n_; ++m) {
-            V const row = residual.get(begin_ + m);
-            for (int c = 0; c < d_; ++c) r(m * d_ + c) = s::component(row, c);
-        }
+        r.setZero();
+        for_each_step(wanted::first_order, [&](int first) {
+            step_.for_each_row([&](int j, int c, S const& x, S const&) {
+                if (is_row(first + j)) r((first + j) * d_ + c) += x;
+            });
+        });
         return S(largest_ * std::max(most_, S(magnitude(y))));
     }
     bool linearize() {
-        K_.set_zero();
-        for (int k = 0; k < n_; ++k) {
-            stop_on_request(stop_, what_);
-            for_each_slope(k, [&](int row, int column, S const& y) { K_[K_.place(row, k * d_ + column)] = y; });
-        }
-        largest_ = K_.largest();
-        return K_.factorize();
+        stop_on_request(stop_, what_);
+        std::fill(K_.data().begin(), K_.data().end(), S(0));
+        before_.setZero();
+        behind_.setZero();
+        sizes_.setZero(n_ * d_);
+        for_each_step(wanted::with_seconds, [&](int first) {
+            step_.for_each_row([&](int j, int c, S const&, S const& size) {
+                if (is_row(first + j)) sizes_((first + j) * d_ + c) += size;
+            });
+            step_.for_each_slope([&](int j, int c, int m, int e, S const& slope) {
+                if (is_row(first + j)) entry((first + j) * d_ + c, first + m, e) += slope;
+            });
+        });
+        largest_ = S(0);
+        for (S const& x : K_.data()) largest_ = std::max(largest_, S(magnitude(x)));
+        return is_regular_ = K_.factorize();
     }
     void correct(vector const& r, vector& d) const {
-        d = r;
+        d = -r;
         K_.solve(d);
-        d = -d;
     }
-    /// The relative residual at the last values (variational/relative_residual.hpp).
-    [[nodiscard]] S roundings_of(vector const& r) const {
-        auto const sizes_of_terms = sizes_of_rows(equation_, now_, begin_, begin_ + n_ - 1, derivatives_);
-        S worst(0);
-        for (int m = 0; m < n_ * d_; ++m)
-            worst = larger(worst, in_roundings<S>(r(m), s::component(sizes_of_terms[static_cast<std::size_t>(m / d_)], m % d_)));
-        return worst;
+    /// The residual at y, into r, in roundings of the terms of its rows (variational/relative_residual.hpp), which is returned.
+    S roundings_at(vector const& y, vector& r) {
+        evaluate(y, r);
+        linearize();
+        add_sizes_of_values(y);
+        return roundings_of(r);
     }
-    /// Corrects y as long as this halves its residual in roundings, which is returned: where the derivative is nearly singular, a small
-    /// correction does not prove that the equation is solved; and one more correction makes elimination as exact in each row as in the
-    /// largest (Skeel 1980).
+    /// Corrects y as long as this halves its residual in roundings, which is returned: where the
+    /// derivative is nearly singular, a small correction does not prove that the equation is solved; and one more correction makes
+    /// elimination as exact in each row as in the largest (Skeel 1980). The corrections are so small that one derivative is enough.
     S polish(vector& y) {
         vector r = y, d = y, next = y;
-        evaluate(y, r);
-        S rest = roundings_of(r);
-        for (int k = 0; k < 6 and S(1) < rest and linearize(); ++k) {
+        S rest = roundings_at(y, r);
+        for (int k = 0; k < 6 and S(1) < rest and is_regular_; ++k) {
             correct(r, d);
             next = y + d;
             evaluate(next, r);
@@ -130,37 +136,63 @@ public:
         return rest;
     }
     /// The largest change of the unknown values for changes of 1 of the values beside them, each relative to the largest of its component,
-    /// by these columns of K^-1 alone. It is 1 for a straight line and less than 2 / |sin T| for an oscillator on [0, T], in any units and
-    /// steps, where the norm of K^-1 itself grows with the number of points.
-    S response_to_ends() {
-        if (not linearize()) return S(1) / epsilon<S>();
-        std::vector<vector> from_ends(static_cast<std::size_t>(2 * d_), vector::Zero(n_ * d_));
-        for (int const k : {-1, n_})
-            for_each_slope(
-                k, [&](int row, int column, S const& y) { from_ends[static_cast<std::size_t>(k < 0 ? column : d_ + column)](row) = y; });
+    /// by these columns of K^-1 alone, at the last derivative. It is 1 for a straight line and less than 2 / |sin T| for an oscillator on
+    /// [0, T], in any units and steps, where the norm of K^-1 itself grows with the number of points.
+    [[nodiscard]] S response_to_ends() const {
+        if (not is_regular_) return S(1) / epsilon<S>();
         vector const unit = component_sizes();
-        vector changes = vector::Zero(n_ * d_);
-        for (std::size_t c = 0; c < from_ends.size(); ++c) {
-            K_.solve(from_ends[c]);
-            for (index_type m = 0; m < changes.size(); ++m)
-                changes(m) += magnitude(from_ends[c](m)) * unit(static_cast<index_type>(c) % d_) / unit(m % d_);
-        }
+        vector changes = vector::Zero(n_ * d_), column(n_ * d_);
+        for (bool const front : {true, false})
+            for (int e = 0; e < d_; ++e) {
+                column.setZero();
+                for (int k = 0; k < std::min(parts, n_) * d_; ++k) column(front ? k : n_ * d_ - 1 - k) = (front ? before_ : behind_)(k, e);
+                K_.solve(column);
+                for (index_type m = 0; m < changes.size(); ++m) changes(m) += magnitude(column(m)) * unit(e) / unit(m % d_);
+            }
         return magnitude(changes);
     }
 
 private:
-    [[nodiscard]] V& at(index_type j) const { return x_[static_cast<std::size_t>(j)]; }
-    [[nodiscard]] int first_near(int m) const { return std::max(0, m - near_); }
-    [[nodiscard]] int end_near(int m) const { return std::min(n_, m + near_ + 1); }
-    /// use(row, component, derivative of the row by this component of value k)
+    using block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+    /// Entries of a row are so many places from its own.
+    [[nodiscard]] int reach() const { return parts * d_ + d_ - 1; }
+    /// The number in x of value m, which is unknown for 0 <= m < n_.
+    [[nodiscard]] std::size_t number(int m) const { return static_cast<std::size_t>(parts * begin_ + 1 + m); }
+    [[nodiscard]] V& at(int m) const { return x_[number(m)]; }
+    [[nodiscard]] bool is_row(int m) const { return 0 <= m and m < n_; }
+    /// The derivative of a row by component e of value m.
+    S& entry(int row, int m, int e) {
+        if (m < 0) return before_(row, e);
+        if (m == n_) return behind_(n_ * d_ - 1 - row, e);
+        return K_.data()[static_cast<std::size_t>(K_.place(row, m * d_ + e))];
+    }
+    /// Calls use(number of its first value) for each step, evaluated.
     template <class Use>
-    void for_each_slope(int k, Use const& use) const {
-        auto const slope = equation_.residual_slope(now_, begin_ + k, derivatives_);
-        for (int m = first_near(k); m < end_near(k); ++m) {
-            auto const block = slope.get(begin_ + m);
-            for (int c = 0; c < d_; ++c)
-                for (int e = 0; e < d_; ++e) use(m * d_ + c, e, s::entry(block, c, e));
+    void for_each_step(wanted which, Use const& use) {
+        for (index_type i = begin_; i < end_; ++i) {
+            S const h = on_.step(i);
+            if (not(step_.h() == h)) step_.prepare(tableau_of(flow_.embedding(), h), h);
+            int const first = static_cast<int>(parts * (i - begin_)) - 1;
+            step_.evaluate(problem_, S(on_.element(i)), &at(first), which);
+            use(first);
         }
+    }
+    /// Adds to the sizes of the rows the effect of the rounding of their values.
+    void add_sizes_of_values(vector const& y) {
+        int const last = n_ * d_;
+        for (int row = 0; row < last; ++row) {
+            for (int k = std::max(0, row - reach()), end = std::min(last, row + reach() + 1); k < end; ++k)
+                sizes_(row) += magnitude(S(K_.data()[static_cast<std::size_t>(K_.place(row, k))] * y(k)));
+            for (int e = 0; e < d_; ++e) {
+                if (row < parts * d_) sizes_(row) += magnitude(S(before_(row, e) * s::component(at(-1), e)));
+                if (last - row <= parts * d_) sizes_(row) += magnitude(S(behind_(last - 1 - row, e) * s::component(at(n_), e)));
+            }
+        }
+    }
+    [[nodiscard]] S roundings_of(vector const& r) const {
+        S worst(0);
+        for (int k = 0; k < n_ * d_; ++k) worst = larger(worst, in_roundings<S>(r(k), sizes_(k)));
+        return worst;
     }
     /// The largest value of each component; for a component that is zero the largest of all.
     [[nodiscard]] vector component_sizes() const {
@@ -173,35 +205,36 @@ private:
         return sizes;
     }
 
-    euler_lagrange<Action> const& equation_;
+    Flow const& flow_;
+    given<typename Flow::problem_type, V> const problem_;
     Root const& T_;
     Root on_; ///< shorter, on the way
     std::vector<V>& x_;
-    Force const& force_;
-    decltype(equation_.derivatives(force_)) derivatives_;
-    values_so_far<V, Root, typename Action::position_type::from> const now_{{}, &on_, &x_};
     char const* what_;
     std::stop_token stop_;
-    index_type begin_;
-    int n_, d_, near_;
-    patterned_matrix<S> K_;
+    index_type begin_, end_;
+    int n_, d_;
+    action_of_step<S, V, parts + 1> step_;
+    elimination<S> K_;
+    block before_, behind_; ///< derivatives of the first rows by the value before them, of the last ones, from behind, by that behind them
+    vector sizes_;          ///< of the terms of the rows
+    bool is_regular_ = false;
     S most_{0}, largest_{0}; ///< of the values beside the unknown ones; of the entries of K
 };
 
-/// The values of `x` with the numbers from `begin` to `end` - 1, such that the rows of the equation with these numbers hold: a root next to
-/// the present values or, where `straight_line` is given, near them, by decreasing corrections; where these find no root, the one to which
-/// motions in less time lead, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the rows in
-/// messages. A root solves its rows to the rounding of their terms. Returns the response of the values to those at both sides, where
+/// The values of `x` inside the steps from `begin` to `end` - 1 and between them, such that the rows of the equation there hold: a root
+/// next to the present values or, where `straight_line` is given, near them, by decreasing corrections; where these find no root, the one
+/// to which motions in less time lead, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the rows
+/// in messages. A root solves its rows to the rounding of their terms. Returns the response of the values to those at both sides, where
 /// `straight_line` is given.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
-template <class Action, class V, class Force>
-auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_type const& T, std::vector<V>& x, index_type begin,
-                index_type end, index_type reach, Force const& force, char const* what, std::vector<V> const* straight_line = nullptr,
-                solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
+template <class Flow, class Root, class V>
+auto solve_rows(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what,
+                std::vector<V> const* straight_line = nullptr, solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
     using S = scalar_of<V>;
-    using rows_type = rows_of_equation<Action, V, Force>;
+    using rows_type = rows_of_equation<Flow, Root, V>;
     using vector = typename rows_type::vector;
-    rows_type rows(equation, T, x, begin, end, reach, force, what, stop);
+    rows_type rows(flow, T, x, begin, end, what, stop);
     auto const evaluate = [&](vector const& y, vector& r) { return rows.evaluate(y, r); };
     auto const linearize = [&] { return rows.linearize(); };
     auto const correct = [&](vector const& r, vector& d) { rows.correct(r, d); };
@@ -209,8 +242,9 @@ auto solve_rows(euler_lagrange<Action> const& equation, typename Action::root_ty
     unwatched const inside;
     vector const guess = rows.unknown(x);
     vector y = guess, r = guess;
-    newton_outcome const how = newton<vector>(f, y, r, corrections::smaller);
-    if (straight_line == nullptr or std::numeric_limits<S>::is_exact) {
+    bool const is_exact = std::numeric_limits<S>::is_exact, is_known = not is_exact and rows.roundings_at(y, r) <= S(1);
+    newton_outcome const how = is_known ? newton_outcome::found : newton<vector>(f, y, r, corrections::smaller);
+    if (straight_line == nullptr or is_exact) {
         if (how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
         rows.put(y);
         return S(0);

@@ -55,6 +55,33 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
     }
     put_first_guess_inside(T, x, parts);
 }
+/// Solves the equation of a flow between the first and the last of x, its values at all points. @throws as solve below
+template <class Flow, class Root, class V, class Guess>
+void solve_between(Flow const& flow, Root const& T, std::vector<V>& x, Guess const& guess, std::stop_token const& stop,
+                   ends_report<scalar_of<V>>* report) {
+    using S = scalar_of<V>;
+    if (x.size() < 3) return;
+    auto const parts = static_cast<index_type>(x.size() - 1) / T.steps();
+    put_first_guess(T, x, parts, straight_line{});
+    auto const line = x;
+    if constexpr (not std::same_as<Guess, straight_line>) put_first_guess(T, x, parts, guess);
+    auto const rows = [&](auto const& scale, std::vector<V>& values, std::vector<V> const* straight) {
+        return solve_rows(flow, scale, values, 0, scale.steps(), "the equation between the ends of T", straight, by_the_ends, stop);
+    };
+    if constexpr (not std::numeric_limits<S>::is_exact) require_regular(derivatives_at_nodes(flow.mechanics()), T, x, parts);
+    ends_report<S> seen;
+    judge_response(S(rows(T, x, &line)), seen);
+    if constexpr (not std::numeric_limits<S>::is_exact)
+        if (report != nullptr)
+            compare_with_coarser(
+                T, x, parts,
+                [&](auto const& scale, std::vector<V>& values) {
+                    put_first_guess_inside(scale, values, parts);
+                    rows(scale, values, nullptr);
+                },
+                seen);
+    if (report != nullptr) *report = seen;
+}
 
 } // namespace detail
 
@@ -93,33 +120,10 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         "more, or over none");
     auto const [q0, qN] = detail::given_ends<S>(ends);
     using State = std::remove_cvref_t<decltype(q0)>;
-    constexpr index_type parts = Base::last(1);
-    index_type const last = Base::last(T.steps());
-    std::vector<State> x(static_cast<std::size_t>(last + 1), q0);
+    std::vector<State> x(static_cast<std::size_t>(Base::last(T.steps()) + 1), q0);
     x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // a refused equation need not be instantiated
-        if (last > 1) {
-            detail::put_first_guess(T, x, parts, detail::straight_line{});
-            auto const line = x;
-            if constexpr (not std::same_as<Guess, detail::straight_line>) detail::put_first_guess(T, x, parts, guess);
-            auto const rows = [&](auto const& scale, std::vector<State>& values, std::vector<State> const* straight_line) {
-                return detail::solve_rows(equation, scale, values, 1, Base::last(scale.steps()), parts, force,
-                                          "the equation between the ends of T", straight_line, detail::by_the_ends, stop);
-            };
-            if constexpr (not std::numeric_limits<S>::is_exact) detail::require_regular(equation.derivatives(force), T, x, parts);
-            ends_report<S> seen;
-            detail::judge_response(S(rows(T, x, &line)), seen);
-            if constexpr (not std::numeric_limits<S>::is_exact)
-                if (report != nullptr)
-                    detail::compare_with_coarser(
-                        T, x, parts,
-                        [&](auto const& scale, std::vector<State>& values) {
-                            detail::put_first_guess_inside(scale, values, parts);
-                            rows(scale, values, nullptr);
-                        },
-                        seen);
-            if (report != nullptr) *report = seen;
-        }
+        detail::solve_between(flow_of(equation, force), T, x, guess, stop, report);
     return function_on(derived_scale(T, domain<Base>{}), std::move(x));
 }
 template <class Action, class V, class Force = no_force>
