@@ -105,7 +105,11 @@ public:
                                     std::stop_token const& stop) const override {
         if constexpr (has_equation<Flow, Scale> and not has_memory<Flow>) {
             hilger::ends_report<S> report;
-            auto const x = solved_between(equation_of(flow_, T_), first, last, guess, stop, report);
+            hilger::boundary_values<vector<S>> const ends{first, last};
+            auto const EL = equation_of(flow_, T_);
+            auto const& force = flow_.mechanics().force;
+            auto const x = guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop, &report)
+                                         : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop, &report);
             return {values_on_T(x), values_on_T(momenta_of(flow_, x)), report.warning};
         } else
             refuse(has_memory<Flow> ? "is solved from initial values where there is fractional damping"
@@ -170,15 +174,6 @@ private:
     }
 
 protected:
-    template <class Equation>
-    [[nodiscard]] auto solved_between(Equation const& EL, vector<S> const& first, vector<S> const& last,
-                                      std::vector<vector<S>> const& guess, std::stop_token const& stop,
-                                      hilger::ends_report<S>& report) const {
-        hilger::boundary_values<vector<S>> const ends{first, last};
-        auto const& force = flow_.mechanics().force;
-        return guess.empty() ? solve(EL, T_, ends, force, hilger::detail::straight_line{}, stop, &report)
-                             : solve(EL, T_, ends, force, hilger::function_on(T_, guess), stop, &report);
-    }
     /// The values at the points of T, without those inside the steps.
     template <class X>
     [[nodiscard]] std::vector<vector<S>> values_on_T(X const& x) const {

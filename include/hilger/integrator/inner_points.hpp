@@ -38,7 +38,7 @@ auto inner_points_unless(euler_lagrange<Action> const& equation, X const& x, For
             saying_where(state<S, V>{S(T.point(i)), at(parts * i), zero_like(at(0))}, S(T.step(i)), [&] {
                 if (put_known(all, i)) return;
                 put_straight_line(all, parts * i + 1, parts * (i + 1));
-                solve_rows(flow, T, all, i, i + 1, "the equation inside a step");
+                solve_rows(flow, T, all, i, i + 1, "the equation inside a step", search::alone, much_work, all);
             });
         }
     }

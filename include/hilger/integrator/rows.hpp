@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hilger/integrator/flow.hpp"
-#include "hilger/linear/elimination.hpp"
+#include "hilger/linear/condensed_matrix.hpp"
 #include "hilger/newton/newton.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
@@ -41,6 +41,14 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
 /// The roundings of a row: some tens of its terms and of the operations in L, independent of the number of points.
 inline constexpr int most_roundings = 256;
 
+/// The effort to solve rows: Newton's method from the present values, with some rounds or as many as it takes; and, if it fails, from a
+/// straight line by continuation.
+enum class search { nearby, alone, everywhere };
+/// The work of a search in evaluations of the residual, of which a derivative costs four: Newton's method takes some 20 next to a root.
+inline constexpr int little_work = 48, much_work = 10000;
+/// From this number of steps on the solution on every eighth point is the first guess, and searches end there.
+inline constexpr index_type many_steps = 256;
+
 /// The rows inside the steps from `begin` to `end` - 1 and between them, as an equation (newton/newton.hpp) for the values there, which are
 /// some of x, the values at all points of the equation of a flow, in order. Each row is the derivative of the action by one value.
 template <class Flow, class Root, class V>
@@ -53,11 +61,10 @@ class rows_of_equation {
 public:
     using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-    rows_of_equation(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what,
+    rows_of_equation(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, int most_work, char const* what,
                      std::stop_token stop)
         : flow_(flow), problem_(flow.mechanics()), T_(T), on_(T), x_(x), what_(what), stop_(std::move(stop)), begin_(begin), end_(end),
-          n_(static_cast<int>(parts * (end - begin)) - 1), d_(s::dimension(x[0])), step_(x[0]), K_(n_ * d_, reach(), reach()),
-          before_(block::Zero(parts * d_, d_)), behind_(before_) {
+          work_left_(most_work), n_(static_cast<int>(parts * (end - begin)) - 1), d_(s::dimension(x[0])), step_(x[0]), K_(end - begin, d_) {
         most_ = std::max(S(magnitude(at(-1))), S(magnitude(at(n_))));
     }
     rows_of_equation(rows_of_equation const&) = delete;
@@ -75,35 +82,23 @@ public:
             for (int c = 0; c < d_; ++c) s::component(at(m), c) = y(m * d_ + c);
     }
     /// The part of the time interval: the smaller it is, the nearer a straight line is to the root. 1 is the equation itself.
-    void set_share(S const& part) { on_ = part == S(1) ? T_ : shortened(T_, part); }
+    void set_share(S const& part) {
+        on_ = part == S(1) ? T_ : shortened(T_, part);
+        is_regular_ = false;
+    }
     S evaluate(vector const& y, vector& r) {
         put(y);
         r.setZero();
-        for_each_step(wanted::first_order, [&](int first) {
-            step_.for_each_row([&](int j, int c, S const& x, S const&) {
-                if (is_row(first + j)) r((first + j) * d_ + c) += x;
-            });
+        --work_left_;
+        for_each_step(wanted::first_order, [&](index_type, int first, int from, int to) {
+            step_.put_residual();
+            for (int k = from; k < to; ++k) r(first + k) += step_.residual(k);
         });
-        return S(largest_ * std::max(most_, S(magnitude(y))));
+        return S(K_.largest() * std::max(most_, S(magnitude(y))));
     }
-    bool linearize() {
-        stop_on_request(stop_, what_);
-        std::fill(K_.data().begin(), K_.data().end(), S(0));
-        before_.setZero();
-        behind_.setZero();
-        sizes_.setZero(n_ * d_);
-        for_each_step(wanted::with_seconds, [&](int first) {
-            step_.for_each_row([&](int j, int c, S const&, S const& size) {
-                if (is_row(first + j)) sizes_((first + j) * d_ + c) += size;
-            });
-            step_.for_each_slope([&](int j, int c, int m, int e, S const& slope) {
-                if (is_row(first + j)) entry((first + j) * d_ + c, first + m, e) += slope;
-            });
-        });
-        largest_ = S(0);
-        for (S const& x : K_.data()) largest_ = std::max(largest_, S(magnitude(x)));
-        return is_regular_ = K_.factorize();
-    }
+    /// Factorizes the derivative at the last values, or keeps the factors at values that are nearly the same. @returns false if it is
+    /// singular, or where all work is done
+    bool linearize() { return 0 < work_left_ and (is_nearly_linearized() or factorize()); }
     void correct(vector const& r, vector& d) const {
         d = -r;
         K_.solve(d);
@@ -111,8 +106,7 @@ public:
     /// The residual at y, into r, in roundings of the terms of its rows (variational/relative_residual.hpp), which is returned.
     S roundings_at(vector const& y, vector& r) {
         evaluate(y, r);
-        linearize();
-        add_sizes_of_values(y);
+        factorize();
         return roundings_of(r);
     }
     /// Corrects y as long as this halves its residual in roundings, which is returned: where the
@@ -145,7 +139,10 @@ public:
         for (bool const front : {true, false})
             for (int e = 0; e < d_; ++e) {
                 column.setZero();
-                for (int k = 0; k < std::min(parts, n_) * d_; ++k) column(front ? k : n_ * d_ - 1 - k) = (front ? before_ : behind_)(k, e);
+                if (front)
+                    column.head(before_.rows()) = before_.col(e);
+                else
+                    column.tail(behind_.rows()) = behind_.col(e);
                 K_.solve(column);
                 for (index_type m = 0; m < changes.size(); ++m) changes(m) += magnitude(column(m)) * unit(e) / unit(m % d_);
             }
@@ -154,19 +151,34 @@ public:
 
 private:
     using block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-    /// Entries of a row are so many places from its own.
-    [[nodiscard]] int reach() const { return parts * d_ + d_ - 1; }
     /// The number in x of value m, which is unknown for 0 <= m < n_.
     [[nodiscard]] std::size_t number(int m) const { return static_cast<std::size_t>(parts * begin_ + 1 + m); }
     [[nodiscard]] V& at(int m) const { return x_[number(m)]; }
-    [[nodiscard]] bool is_row(int m) const { return 0 <= m and m < n_; }
-    /// The derivative of a row by component e of value m.
-    S& entry(int row, int m, int e) {
-        if (m < 0) return before_(row, e);
-        if (m == n_) return behind_(n_ * d_ - 1 - row, e);
-        return K_.data()[static_cast<std::size_t>(K_.place(row, m * d_ + e))];
+    [[nodiscard]] bool is_nearly_linearized() const {
+        if (not is_regular_ or std::numeric_limits<S>::is_exact) return false;
+        vector const near = component_sizes() * S(S(1) / S(1 << 24));
+        for (int k = 0; k < n_ * d_; ++k)
+            if (not(magnitude(S(s::component(at(k / d_), k % d_) - linearized_at_(k))) <= near(k % d_))) return false;
+        return true;
     }
-    /// Calls use(number of its first value) for each step, evaluated.
+    bool factorize() {
+        stop_on_request(stop_, what_);
+        work_left_ -= 4;
+        K_.set_zero();
+        sizes_.setZero(n_ * d_);
+        int const end = parts * d_;
+        for_each_step(wanted::with_seconds, [&](index_type i, int first, int from, int to) {
+            step_.put_slope();
+            step_.put_sizes(&at(static_cast<int>(parts * i) - 1));
+            for (int k = from; k < to; ++k) sizes_(first + k) += step_.sizes(k);
+            K_.add(i, step_.slope);
+            if (i == 0) before_ = step_.slope.block(from, 0, to - from, d_);
+            if (i + 1 == end_ - begin_) behind_ = step_.slope.block(from, end, to - from, d_);
+        });
+        linearized_at_ = unknown(x_);
+        return is_regular_ = K_.factorize();
+    }
+    /// Calls use(number, row of its first component, its components from `from` to `to` - 1 that have a row) for each step, evaluated.
     template <class Use>
     void for_each_step(wanted which, Use const& use) {
         for (index_type i = begin_; i < end_; ++i) {
@@ -174,19 +186,7 @@ private:
             if (not(step_.h() == h)) step_.prepare(tableau_of(flow_.embedding(), h), h);
             int const first = static_cast<int>(parts * (i - begin_)) - 1;
             step_.evaluate(problem_, S(on_.element(i)), &at(first), which);
-            use(first);
-        }
-    }
-    /// Adds to the sizes of the rows the effect of the rounding of their values.
-    void add_sizes_of_values(vector const& y) {
-        int const last = n_ * d_;
-        for (int row = 0; row < last; ++row) {
-            for (int k = std::max(0, row - reach()), end = std::min(last, row + reach() + 1); k < end; ++k)
-                sizes_(row) += magnitude(S(K_.data()[static_cast<std::size_t>(K_.place(row, k))] * y(k)));
-            for (int e = 0; e < d_; ++e) {
-                if (row < parts * d_) sizes_(row) += magnitude(S(before_(row, e) * s::component(at(-1), e)));
-                if (last - row <= parts * d_) sizes_(row) += magnitude(S(behind_(last - 1 - row, e) * s::component(at(n_), e)));
-            }
+            use(i - begin_, first * d_, i == begin_ ? d_ : 0, (i + 1 == end_ ? parts : parts + 1) * d_);
         }
     }
     [[nodiscard]] S roundings_of(vector const& r) const {
@@ -213,28 +213,29 @@ private:
     char const* what_;
     std::stop_token stop_;
     index_type begin_, end_;
+    int work_left_; ///< in evaluations of the residual
     int n_, d_;
     action_of_step<S, V, parts + 1> step_;
-    elimination<S> K_;
-    block before_, behind_; ///< derivatives of the first rows by the value before them, of the last ones, from behind, by that behind them
-    vector sizes_;          ///< of the terms of the rows
+    condensed_matrix<S, s::size, parts> K_;
+    block before_, behind_; ///< the derivatives of the rows of the first step by the value before them, of the last by that behind them
+    vector sizes_, linearized_at_; ///< of the terms of the rows; the values at which K is the derivative
     bool is_regular_ = false;
-    S most_{0}, largest_{0}; ///< of the values beside the unknown ones; of the entries of K
+    S most_{0}; ///< the larger one of the values beside the unknown ones
 };
 
 /// The values of `x` inside the steps from `begin` to `end` - 1 and between them, such that the rows of the equation there hold: a root
-/// next to the present values or, where `straight_line` is given, near them, by decreasing corrections; where these find no root, the one
-/// to which motions in less time lead, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the rows
-/// in messages. A root solves its rows to the rounding of their terms. Returns the response of the values to those at both sides, where
-/// `straight_line` is given.
+/// near the present values, by decreasing corrections; where these find no root and the search goes everywhere, the one to which motions in
+/// less time lead from the straight `line`, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the
+/// rows in messages. Unless Newton's method is alone, a root solves its rows to the rounding of their terms. Returns the response of the
+/// values to those at both sides then.
 /// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
 template <class Flow, class Root, class V>
-auto solve_rows(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what,
-                std::vector<V> const* straight_line = nullptr, solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
+auto solve_rows(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what, search how_far,
+                int most_work, std::vector<V> const& line, solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
     using S = scalar_of<V>;
     using rows_type = rows_of_equation<Flow, Root, V>;
     using vector = typename rows_type::vector;
-    rows_type rows(flow, T, x, begin, end, what, stop);
+    rows_type rows(flow, T, x, begin, end, most_work, what, stop);
     auto const evaluate = [&](vector const& y, vector& r) { return rows.evaluate(y, r); };
     auto const linearize = [&] { return rows.linearize(); };
     auto const correct = [&](vector const& r, vector& d) { rows.correct(r, d); };
@@ -242,19 +243,24 @@ auto solve_rows(Flow const& flow, Root const& T, std::vector<V>& x, index_type b
     unwatched const inside;
     vector const guess = rows.unknown(x);
     vector y = guess, r = guess;
-    bool const is_exact = std::numeric_limits<S>::is_exact, is_known = not is_exact and rows.roundings_at(y, r) <= S(1);
-    newton_outcome const how = is_known ? newton_outcome::found : newton<vector>(f, y, r, corrections::smaller);
-    if (straight_line == nullptr or is_exact) {
+    newton_outcome const how = newton<vector>(f, y, r, corrections::smaller);
+    if (how_far == search::alone or std::numeric_limits<S>::is_exact) {
         if (how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
         rows.put(y);
         return S(0);
     }
     vector const first = y, first_rest = r;
-    S rest = how == newton_outcome::found ? rows.polish(y) : S(2 * most_roundings);
     bool found = how == newton_outcome::found;
-    if (not(rest <= S(most_roundings))) {
+    S rest = found ? rows.polish(y) : S(2 * most_roundings);
+    if (found and magnitude(vector(y - guess)) <= S(2) * epsilon<S>() * magnitude(y)) { // rounding has moved a root
+        vector other = r;
+        rows.evaluate(y, r);
+        rows.evaluate(guess, other);
+        rows.put(magnitude(r) <= magnitude(other) ? y : y = guess);
+    }
+    if (how_far == search::everywhere and not(rest <= S(most_roundings))) {
         S const quarter = S(1) / S(4);
-        bool const arrives = continued<vector>(f, y, rows.unknown(*straight_line), r, {S(0), quarter, quarter / S(8)}, corrections::smaller,
+        bool const arrives = continued<vector>(f, y, rows.unknown(line), r, {S(0), quarter, quarter / S(8)}, corrections::smaller,
                                                [&](S const& part) { rows.set_share(part); }) and
                              magnitude(vector(y - guess)) <= S(4) * magnitude(guess);
         found = found or arrives;

@@ -55,32 +55,69 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
     }
     put_first_guess_inside(T, x, parts);
 }
-/// Solves the equation of a flow between the first and the last of x, its values at all points. @throws as solve below
-template <class Flow, class Root, class V, class Guess>
-void solve_between(Flow const& flow, Root const& T, std::vector<V>& x, Guess const& guess, std::stop_token const& stop,
-                   ends_report<scalar_of<V>>* report) {
-    using S = scalar_of<V>;
-    if (x.size() < 3) return;
-    auto const parts = static_cast<index_type>(x.size() - 1) / T.steps();
-    put_first_guess(T, x, parts, straight_line{});
-    auto const line = x;
-    if constexpr (not std::same_as<Guess, straight_line>) put_first_guess(T, x, parts, guess);
-    auto const rows = [&](auto const& scale, std::vector<V>& values, std::vector<V> const* straight) {
-        return solve_rows(flow, scale, values, 0, scale.steps(), "the equation between the ends of T", straight, by_the_ends, stop);
+/// Solves the equation of a flow for the inner ones of x, its values at all points, near them. A search on few of `steps` points may take
+/// as long as some iterations on all of them. @returns their response to the ends
+template <class Flow, class Root, class V>
+scalar_of<V> solve_near(Flow const& flow, Root const& T, std::vector<V>& x, bool is_straight, index_type steps,
+                        std::stop_token const& stop) {
+    constexpr index_type parts = controls_of<std::remove_cvref_t<decltype(flow.embedding())>> - 1;
+    auto const rows = [&](search how, index_type work) {
+        auto line = x;
+        put_first_guess(T, line, parts, straight_line{});
+        return solve_rows(flow, T, x, 0, T.steps(), "the equation between the ends of T", how, static_cast<int>(work), line, by_the_ends,
+                          stop);
     };
+    if (T.steps() < many_steps or std::numeric_limits<scalar_of<V>>::is_exact)
+        return rows(search::everywhere, T.steps() == steps ? much_work : std::max<index_type>(2000, 40 * steps / T.steps()));
+    auto const guess = x;
+    Root const other = coarsened(coarsened(coarsened(T)));
+    auto const from_guess = [&] {
+        x = guess;
+        return rows(search::nearby, little_work);
+    };
+    auto const from_every_eighth_point = [&] {
+        auto y = on_straight_lines(T, guess, parts, other);
+        put_first_guess_inside(other, y, parts);
+        solve_near(flow, other, y, is_straight, steps, stop);
+        x = on_straight_lines(other, y, parts, T);
+        put_first_guess_inside(T, x, parts);
+        return rows(search::nearby, little_work);
+    };
+    try {
+        return is_straight ? from_every_eighth_point() : from_guess();
+    } catch (error::exception const&) {
+        stop_on_request(stop, "the equation between the ends of T");
+        if (is_straight and many_steps <= other.steps()) throw; // it was sought on many points
+    }
+    return is_straight ? from_guess() : from_every_eighth_point();
+}
+/// The values at all points of the solution of a flow's equation between two ends. @throws as solve below
+template <class Flow, class Root, class V, class Guess>
+auto solve_between(Flow const& flow, Root const& T, boundary_values<V> const& ends, Guess const& guess, std::stop_token const& stop,
+                   ends_report<typename Root::scalar_type>* report) {
+    using S = typename Root::scalar_type;
+    auto const [q0, qN] = given_ends<S>(ends);
+    using State = std::remove_cvref_t<decltype(q0)>;
+    constexpr index_type parts = controls_of<std::remove_cvref_t<decltype(flow.embedding())>> - 1;
+    std::vector<State> x(static_cast<std::size_t>(parts * T.steps() + 1), q0);
+    x.back() = qN;
+    if (x.size() < 3) return x;
+    put_first_guess(T, x, parts, guess);
     if constexpr (not std::numeric_limits<S>::is_exact) require_regular(derivatives_at_nodes(flow.mechanics()), T, x, parts);
     ends_report<S> seen;
-    judge_response(S(rows(T, x, &line)), seen);
+    judge_response(solve_near(flow, T, x, std::same_as<Guess, straight_line>, T.steps(), stop), seen);
     if constexpr (not std::numeric_limits<S>::is_exact)
         if (report != nullptr)
             compare_with_coarser(
                 T, x, parts,
-                [&](auto const& scale, std::vector<V>& values) {
+                [&](auto const& scale, std::vector<State>& values) {
                     put_first_guess_inside(scale, values, parts);
-                    rows(scale, values, nullptr);
+                    solve_rows(flow, scale, values, 0, scale.steps(), "the equation between the ends of T", search::nearby, little_work,
+                               values, by_the_ends, stop);
                 },
                 seen);
     if (report != nullptr) *report = seen;
+    return x;
 }
 
 } // namespace detail
@@ -109,7 +146,6 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
            Guess const& guess, std::stop_token const& stop = {}, ends_report<typename Action::root_type::scalar_type>* report = nullptr) {
     using EL = euler_lagrange<Action>;
     using Base = typename Action::position_type::from;
-    using S = typename Action::root_type::scalar_type;
     constexpr bool one_step = -EL::reads.on_T.first == 2 and EL::reads.on_T.last == 2;
     static_assert(EL::reads.is_local(), "of the equations that look to both ends of T those are solved, without a force and a first guess, "
                                         "whose action is the nabla integral of "
@@ -118,13 +154,8 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
         one_step,
         "the first and the last value determine the solution of an equation that reaches over one step, and this one reaches over "
         "more, or over none");
-    auto const [q0, qN] = detail::given_ends<S>(ends);
-    using State = std::remove_cvref_t<decltype(q0)>;
-    std::vector<State> x(static_cast<std::size_t>(Base::last(T.steps()) + 1), q0);
-    x.back() = qN;
     if constexpr (EL::reads.is_local() and one_step) // a refused equation need not be instantiated
-        detail::solve_between(flow_of(equation, force), T, x, guess, stop, report);
-    return function_on(derived_scale(T, domain<Base>{}), std::move(x));
+        return function_on(derived_scale(T, domain<Base>{}), detail::solve_between(flow_of(equation, force), T, ends, guess, stop, report));
 }
 template <class Action, class V, class Force = no_force>
 auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T, boundary_values<V> const& ends,

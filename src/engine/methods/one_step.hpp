@@ -103,9 +103,13 @@ public:
     [[nodiscard]] joined<S> between(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess,
                                     std::stop_token const& stop) const override {
         for (vector<S> const* x : {&first, &last}) this->require_coordinates(*x);
-        if constexpr (not std::numeric_limits<S>::is_exact) require_regular(first, last, guess);
         hilger::ends_report<S> report;
-        auto const x = this->solved_between(equation(), first, last, guess, stop, report);
+        hilger::boundary_values<vector<S>> const ends{first, last};
+        auto const& T = this->T_;
+        using hilger::detail::solve_between;
+        auto const x =
+            hilger::function_on(T, guess.empty() ? solve_between(this->flow_, T, ends, hilger::detail::straight_line{}, stop, &report)
+                                                 : solve_between(this->flow_, T, ends, hilger::function_on(T, guess), stop, &report));
         std::vector<vector<S>> p(static_cast<std::size_t>(x.size()), vector<S>::Zero(first.size()));
         for_each_part([&](auto const& flow) {
             auto const of_part = momenta_of(flow, x);
@@ -122,18 +126,6 @@ public:
     }
 
 private:
-    /// @throws hilger::error::not_finite when a part is singular on the first guess
-    void require_regular(vector<S> const& first, vector<S> const& last, std::vector<vector<S>> const& guess) const {
-        std::vector<vector<S>> x(static_cast<std::size_t>(this->T_.size()), first);
-        if (guess.size() == x.size()) x = guess;
-        x.front() = first;
-        x.back() = last;
-        if (not hilger::detail::all_finite(first) or not hilger::detail::all_finite(last)) return; // the solver reports it
-        if (guess.empty()) hilger::detail::put_first_guess(this->T_, x, 1, hilger::detail::straight_line{});
-        for_each_part([&](auto const& flow) {
-            hilger::detail::require_regular(hilger::detail::derivatives_at_nodes(flow.mechanics()), this->T_, x, 1);
-        });
-    }
     template <class Use>
     void for_each_part(Use const& use) const {
         auto const& how = this->flow_.embedding().parts;
