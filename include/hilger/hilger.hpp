@@ -40,6 +40,7 @@
 #include "hilger/composition/residual.hpp"
 #include "hilger/composition/times.hpp"
 #include "hilger/integrator/accuracy.hpp"
+#include "hilger/integrator/accuracy_between.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 
