@@ -9,6 +9,7 @@
 //   hilger_bench formulas       formulas known at run time
 //   hilger_bench ensemble       many members, in lanes and alone
 //   hilger_bench boundary       two-sided fractional problems
+//   hilger_bench ends           problems between two ends, beside walks
 #include "timing.hpp"
 
 int main(int count, char** arguments) {
@@ -27,6 +28,8 @@ int main(int count, char** arguments) {
         bench::ensembles();
     else if (what == "boundary")
         bench::boundary();
+    else if (what == "ends")
+        bench::ends();
     else if (what == "fractional")
         bench::fractional();
     else {

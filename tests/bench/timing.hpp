@@ -45,6 +45,7 @@ void small_systems();
 void large_systems();
 void plain_lambdas();
 void boundary();
+void ends();
 void formulas();
 void ensembles();
 void rounding(double log10_of_steps);
