@@ -33,7 +33,6 @@ class solving_between {
     using Position = std::remove_cvref_t<decltype(std::declval<Flow const&>().embedding().position)>;
     static constexpr index_type parts = controls_of<std::remove_cvref_t<decltype(std::declval<Flow const&>().embedding())>> - 1;
     static_assert(parts % 2 == 0, "a value of an even number of parts is in the middle of the step");
-    static constexpr index_type most = index_type{1} << 15;
 
 public:
     using function = decltype(function_on(std::declval<time_scale<S>>(), std::vector<V>{}));
@@ -50,15 +49,14 @@ public:
                 coarse = solved(points, coarse);
                 fine = solved(all, every(coarse, parts / 2));
             } catch (error::no_convergence const&) {
-                if (goal_.stop.stop_requested() or static_cast<index_type>(points.size()) > 256) throw;
-                points = all;
-                coarse.clear();
+                if (goal_.stop.stop_requested() or points.size() > 256) throw;
+                points = all, coarse.clear();
                 continue;
             }
             S error(0);
             std::vector<S> const inside = differences(coarse, fine, error);
             if (before >= S(0) and error <= S(goal_.wanted)) return made(all, std::move(fine), error);
-            if (static_cast<index_type>(all.size()) > most or (before >= S(0) and before <= error and error < square_root_of_epsilon<S>()))
+            if (all.size() > (1u << 15) or (before >= S(0) and before <= error and error < square_root_of_epsilon<S>()))
                 error::raise<error::no_convergence>("an accuracy of ", goal_.wanted, " between two ends is not reached with ",
                                                     all.size() - 1, " steps of ", method_, "; the solution is within ", error);
             S const worst = *std::max_element(inside.begin(), inside.end()), least = std::max(S(goal_.wanted) / S(64), S(worst / S(256)));
@@ -88,10 +86,7 @@ private:
     }
     static std::vector<S> divided(std::vector<S> const& points) {
         std::vector<S> all{points[0]};
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            all.push_back(S((points[i - 1] + points[i]) / S(2)));
-            all.push_back(points[i]);
-        }
+        for (std::size_t i = 1; i < points.size(); ++i) all.insert(all.end(), {S((points[i - 1] + points[i]) / S(2)), points[i]});
         return all;
     }
     /// The values at all points and inside the steps, from values at the points or, where there are none, from a straight line.

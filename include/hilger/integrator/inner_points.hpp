@@ -10,7 +10,7 @@
 
 #include "hilger/function/function.hpp"
 #include "hilger/integrator/flow.hpp"
-#include "hilger/integrator/rows.hpp"
+#include "hilger/integrator/solve_rows.hpp"
 #include "hilger/step/state.hpp"
 #include "hilger/variational/variation.hpp"
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Solves some rows of an equation for the values at their points: those inside a step, or all between two ends.
+// Some rows of an equation for the values at their points: those inside a step, or all between two ends.
 #pragma once
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "hilger/integrator/flow.hpp"
 #include "hilger/linear/condensed_matrix.hpp"
-#include "hilger/newton/newton.hpp"
+#include "hilger/newton/stop.hpp"
 #include "hilger/scale/time_scale.hpp"
 #include "hilger/scale/uniform.hpp"
 #include "hilger/step/action_of_step.hpp"
@@ -38,16 +37,6 @@ time_scale<S> shortened(time_scale<S> const& T, S const& part) {
     for (S const& t : T) points.push_back(S(a + (t - a) * part));
     return time_scale<S>(std::move(points));
 }
-/// The roundings of a row: some tens of its terms and of the operations in L, independent of the number of points.
-inline constexpr int most_roundings = 256;
-
-/// The effort to solve rows: Newton's method from the present values, with some rounds or as many as it takes; and, if it fails, from a
-/// straight line by continuation.
-enum class search { nearby, alone, everywhere };
-/// The work of a search in evaluations of the residual, of which a derivative costs four: Newton's method takes some 20 next to a root.
-inline constexpr int little_work = 48, much_work = 10000;
-/// From this number of steps on the solution on every eighth point is the first guess, and searches end there.
-inline constexpr index_type many_steps = 256;
 
 /// The rows inside the steps from `begin` to `end` - 1 and between them, as an equation (newton/newton.hpp) for the values there, which are
 /// some of x, the values at all points of the equation of a flow, in order. Each row is the derivative of the action by one value.
@@ -109,9 +98,9 @@ public:
         factorize();
         return roundings_of(r);
     }
-    /// Corrects y as long as this halves its residual in roundings, which is returned: where the
-    /// derivative is nearly singular, a small correction does not prove that the equation is solved; and one more correction makes
-    /// elimination as exact in each row as in the largest (Skeel 1980). The corrections are so small that one derivative is enough.
+    /// Corrects y as long as this halves its residual in roundings, which is returned: where the derivative is nearly singular, a small
+    /// correction does not prove that the equation is solved; and one more correction makes elimination as exact in each row as in the
+    /// largest (Skeel 1980). The corrections are so small that one derivative is enough.
     S polish(vector& y) {
         vector r = y, d = y, next = y;
         S rest = roundings_at(y, r);
@@ -222,58 +211,5 @@ private:
     bool is_regular_ = false;
     S most_{0}; ///< the larger one of the values beside the unknown ones
 };
-
-/// The values of `x` inside the steps from `begin` to `end` - 1 and between them, such that the rows of the equation there hold: a root
-/// near the present values, by decreasing corrections; where these find no root and the search goes everywhere, the one to which motions in
-/// less time lead from the straight `line`, if it is not far away. The other arguments are those of rows_of_equation, and `what` names the
-/// rows in messages. Unless Newton's method is alone, a root solves its rows to the rounding of their terms. Returns the response of the
-/// values to those at both sides then.
-/// @throws newton_failure, an error::no_convergence; error::singular, error::not_finite
-template <class Flow, class Root, class V>
-auto solve_rows(Flow const& flow, Root const& T, std::vector<V>& x, index_type begin, index_type end, char const* what, search how_far,
-                int most_work, std::vector<V> const& line, solvability const& by = by_the_velocity, std::stop_token const& stop = {}) {
-    using S = scalar_of<V>;
-    using rows_type = rows_of_equation<Flow, Root, V>;
-    using vector = typename rows_type::vector;
-    rows_type rows(flow, T, x, begin, end, most_work, what, stop);
-    auto const evaluate = [&](vector const& y, vector& r) { return rows.evaluate(y, r); };
-    auto const linearize = [&] { return rows.linearize(); };
-    auto const correct = [&](vector const& r, vector& d) { rows.correct(r, d); };
-    newton_equation<vector> const f{evaluate, linearize, correct, true};
-    unwatched const inside;
-    vector const guess = rows.unknown(x);
-    vector y = guess, r = guess;
-    newton_outcome const how = newton<vector>(f, y, r, corrections::smaller);
-    if (how_far == search::alone or std::numeric_limits<S>::is_exact) {
-        if (how != newton_outcome::found) throw_newton_failure(what, how, y, r, by);
-        rows.put(y);
-        return S(0);
-    }
-    vector const first = y, first_rest = r;
-    bool found = how == newton_outcome::found;
-    S rest = found ? rows.polish(y) : S(2 * most_roundings);
-    if (found and magnitude(vector(y - guess)) <= S(2) * epsilon<S>() * magnitude(y)) { // rounding has moved a root
-        vector other = r;
-        rows.evaluate(y, r);
-        rows.evaluate(guess, other);
-        rows.put(magnitude(r) <= magnitude(other) ? y : y = guess);
-    }
-    if (how_far == search::everywhere and not(rest <= S(most_roundings))) {
-        S const quarter = S(1) / S(4);
-        bool const arrives = continued<vector>(f, y, rows.unknown(line), r, {S(0), quarter, quarter / S(8)}, corrections::smaller,
-                                               [&](S const& part) { rows.set_share(part); }) and
-                             magnitude(vector(y - guess)) <= S(4) * magnitude(guess);
-        found = found or arrives;
-        if (arrives) rest = rows.polish(y);
-    }
-    if (not found) throw_newton_failure(what, how, first, first_rest, by);
-    if (not(rest <= S(most_roundings))) {
-        std::ostringstream message;
-        message << what << " did not converge: what is nearest to a solution leaves " << rest
-                << " times the rounding of the terms of a row, and a solution less than " << most_roundings << ". " << by.advice;
-        throw newton_failure<vector>(message.str(), y, r);
-    }
-    return rows.response_to_ends();
-}
 
 } // namespace hilger::detail

@@ -6,7 +6,7 @@
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/inner_points.hpp"
 #include "hilger/integrator/march.hpp"
-#include "hilger/integrator/rows.hpp"
+#include "hilger/integrator/solve_rows.hpp"
 #include "hilger/integrator/two_ends.hpp"
 
 namespace hilger {
@@ -55,6 +55,8 @@ void put_first_guess(Root const& T, std::vector<V>& x, index_type parts, Guess c
     }
     put_first_guess_inside(T, x, parts);
 }
+/// From this number of steps on the solution on every eighth point is the first guess, and searches end there.
+inline constexpr index_type many_steps = 256;
 /// Solves the equation of a flow for the inner ones of x, its values at all points, near them. A search on few of `steps` points may take
 /// as long as some iterations on all of them. @returns their response to the ends
 template <class Flow, class Root, class V>
@@ -134,10 +136,11 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
 /// The solution with q(a) = q0 and q(b) = qN, of an equation that reaches over one step, by Newton's method for all points at once: a
 /// function on T, and inside its steps where the equation has points there. solve(EL, T, {.q0 = 0.0, .qN = 1.0}), or boundary_values{x, y},
 /// in O(N). Forces as above. The first guess is the straight line, or a function on T, whose values at the ends are ignored: solve(EL, T,
-/// ends, no_force{}, guess). Of several solutions one near the guess is sought (hilger/newton/newton.hpp), and mostly found; to find a
-/// certain one, start from the solution of a slightly different problem. Throws no_convergence when `stop` is requested. A `report`
-/// receives the response of the solution to its ends and its distance from the solutions on every second and fourth point, at half the cost
-/// again, and a warning where either suggests that it may be near no motion (integrator/two_ends.hpp).
+/// ends, no_force{}, guess). From 256 steps on the solution on every eighth point comes first, and a search that finds nothing ends there;
+/// only a given guess is tried on T at once. Of several solutions one near the guess is sought (hilger/newton/newton.hpp), and mostly
+/// found; to find a certain one, start from the solution of a slightly different problem. Throws no_convergence when `stop` is requested. A
+/// `report` receives the response of the solution to its ends and its distance from the solutions on every second and fourth point, at half
+/// the cost again, and a warning where either suggests that it may be near no motion (integrator/two_ends.hpp).
 /// @throws newton_failure, an error::no_convergence, where nothing solves the equation to the rounding of its terms; error::singular and
 ///         error::ill_conditioned where the ends do not determine the solution, as half a period of an oscillator; error::not_finite where
 ///         L is singular at an end or on the first guess; error::mismatch
