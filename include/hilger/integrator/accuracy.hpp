@@ -40,6 +40,17 @@ S relative_accuracy(accuracy const& goal, interval<S> const& I, initial_velocity
     S const size = std::max(S(magnitude(from.q0)), S(magnitude(from.v0) * (I.b - I.a)));
     return size > S(0) ? S(goal.of(size) / size) : S(0);
 }
+/// use(number of Gauss nodes, name), by the accuracy over the size of the motion. Wide scalars are for many digits: only the embeddings for
+/// these are instantiated.
+template <class S, class Use>
+auto with_gauss_for(S const& ratio, Use const& use) {
+    if constexpr (std::is_floating_point_v<S>) {
+        if (ratio > S(1e-5)) return use(std::integral_constant<int, 6>{}, "Galerkin, 6 Gauss nodes");
+    } else {
+        if (ratio < S(1e-18)) return use(std::integral_constant<int, 16>{}, "Galerkin, 16 Gauss nodes");
+    }
+    return use(std::integral_constant<int, 8>{}, "Galerkin, 8 Gauss nodes");
+}
 
 } // namespace detail
 
@@ -50,20 +61,13 @@ S relative_accuracy(accuracy const& goal, interval<S> const& I, initial_velocity
 template <class F, class S, class W>
 auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, detail::given_accuracy const& goal) {
     auto const start = detail::checked_start<S>(from, goal);
-    auto const solution_by = [&]<int Nodes>(std::integral_constant<int, Nodes>, char const* method) {
+    return detail::with_gauss_for(detail::relative_accuracy(goal, I, start), [&]<int Nodes>(std::integral_constant<int, Nodes>,
+                                                                                            char const* method) {
         auto const flow = embed(L, galerkin<Nodes, gauss>);
         return detail::solving_in_adapted_steps<Nodes, std::remove_const_t<decltype(flow)>, S, detail::given_state_t<S, W>>(flow, method, I,
                                                                                                                             start, goal)
             .solution();
-    };
-    S const ratio = detail::relative_accuracy(goal, I, start);
-    // Wide scalars are for many digits: only the embeddings for these are instantiated.
-    if constexpr (std::is_floating_point_v<S>) {
-        if (ratio > S(1e-5)) return solution_by(std::integral_constant<int, 6>{}, "Galerkin, 6 Gauss nodes");
-    } else {
-        if (ratio < S(1e-18)) return solution_by(std::integral_constant<int, 16>{}, "Galerkin, 16 Gauss nodes");
-    }
-    return solution_by(std::integral_constant<int, 8>{}, "Galerkin, 8 Gauss nodes");
+    });
 }
 #define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
     template <class F, class S>                                                                                                            \

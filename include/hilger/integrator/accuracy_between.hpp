@@ -55,11 +55,12 @@ public:
             }
             S error(0);
             std::vector<S> const inside = differences(coarse, fine, error);
-            if (before >= S(0) and error <= S(goal_.wanted)) return made(all, std::move(fine), error);
+            S const wanted = goal_.of(largest_position(fine));
+            if (before >= S(0) and error <= wanted) return made(all, std::move(fine), error);
             if (all.size() > (1u << 15) or (before >= S(0) and before <= error and error < square_root_of_epsilon<S>()))
-                error::raise<error::no_convergence>("an accuracy of ", goal_.wanted, " between two ends is not reached with ",
-                                                    all.size() - 1, " steps of ", method_, "; the solution is within ", error);
-            S const worst = *std::max_element(inside.begin(), inside.end()), least = std::max(S(goal_.wanted) / S(64), S(worst / S(256)));
+                error::raise<error::no_convergence>("an accuracy of ", goal_, " between two ends is not reached with ", all.size() - 1,
+                                                    " steps of ", method_, "; the solution is within ", error);
+            S const worst = *std::max_element(inside.begin(), inside.end()), least = std::max(S(wanted / S(64)), S(worst / S(256)));
             std::vector<bool> divides;
             for (S const& x : inside) divides.push_back(not(x < std::min(worst, least)));
             before = error;
@@ -128,17 +129,12 @@ auto solve(F const& L, interval<S> const& I, boundary_values<W> const& ends, det
     index_type steps = 8;
     while (goal.longest_step > 0 and steps < 4096 and S(goal.longest_step) * S(steps) < I.b - I.a) steps *= 2;
     for (S const& t : uniform(I, steps)) points.push_back(t);
-    auto const run = [&](auto const& how, char const* method) {
-        auto const flow = embed(L, how);
+    S const size = std::max(S(magnitude(given.q0)), S(magnitude(given.qN))), ratio = size > S(0) ? S(goal.of(size) / size) : S(0);
+    return detail::with_gauss_for(ratio, [&]<int Nodes>(std::integral_constant<int, Nodes>, char const* method) {
+        auto const flow = embed(L, galerkin<Nodes, gauss>);
         using V = std::remove_cvref_t<decltype(given.q0)>;
         return detail::solving_between<std::remove_const_t<decltype(flow)>, S, V>(flow, method, given, goal).reach(points);
-    };
-    if constexpr (std::is_floating_point_v<S>) {
-        if (cheapest_for(goal.wanted) <= cheapest::gauss_4) return run(detail::gauss_of<S, 4>, "Galerkin, 4 Gauss nodes");
-    } else {
-        if (cheapest_for(goal.wanted) == cheapest::gauss_16) return run(detail::gauss_of<S, 16>, "Galerkin, 16 Gauss nodes");
-    }
-    return run(detail::gauss_of<S, 8>, "Galerkin, 8 Gauss nodes");
+    });
 }
 #define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
     template <class F, class S>                                                                                                            \

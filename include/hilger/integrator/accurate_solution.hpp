@@ -2,10 +2,12 @@
 // The goal of a solution to an accuracy, and its result: functions on a scale that was found, and an estimate of their error.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <stop_token>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "hilger/error.hpp"
 #include "hilger/function/function.hpp"
@@ -43,6 +45,15 @@ struct given_accuracy : accuracy {
     template <class Number>
         requires std::is_arithmetic_v<Number> given_accuracy(Number number) : accuracy{static_cast<double>(number)} {}
 };
+} // namespace detail
+
+namespace detail {
+template <class V>
+scalar_of<V> largest_position(std::vector<V> const& q) {
+    scalar_of<V> found(0);
+    for (V const& x : q) found = std::max(found, scalar_of<V>(magnitude(x)));
+    return found;
+}
 } // namespace detail
 
 /// A solution on the scale of its last run, with an estimate of its error.

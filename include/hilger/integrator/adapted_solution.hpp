@@ -39,7 +39,7 @@ public:
                 continue;
             }
             auto& [coarse, fine, beside] = *made;
-            S const size = largest(coarse.q), wanted = goal_.of(size), unit = epsilon<S>() * size;
+            S const size = largest_position(coarse.q), wanted = goal_.of(size), unit = epsilon<S>() * size;
             // Behind a kink both may err alike, by more than their distance.
             S const error = distance(coarse.q, beside) * S(coarse.is_rough ? 4 : 1);
             if (error <= wanted) return result_of(std::move(fine), std::max(error, unit > S(0) ? unit : wanted));
@@ -93,11 +93,6 @@ private:
         if (longest > 0 and not(part <= S(longest) * S(1 << 19)))
             error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", 1 << 24, " on this interval");
         return longest > 0 ? std::min(part, S(longest)) : part;
-    }
-    static S largest(std::vector<V> const& q) {
-        S found(0);
-        for (V const& x : q) found = std::max(found, S(magnitude(x)));
-        return found;
     }
     static S distance(std::vector<V> const& x, std::vector<V> const& y) {
         S found(0);

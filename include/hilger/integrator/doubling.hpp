@@ -75,7 +75,7 @@ public:
                 require_advance(goal, steps);
             else if (not coarse.empty()) {
                 seen.add(distance(coarse, 1, fine, 2));
-                S const error = seen.error, size = largest(fine), wanted = goal.of(size),
+                S const error = seen.error, size = largest_position(fine), wanted = goal.of(size),
                         unit = hilger::epsilon<S>() * S(magnitude(end_.q)), lowest = S(1 << 20) * unit;
                 bool const may_be_smooth = not watch.saw_any() and seen.falls_once(), is_smooth = may_be_smooth and seen.falls_twice();
                 told = error;
@@ -167,11 +167,6 @@ private:
             for (auto const& x : flow.along(time_scale<S>(std::move(points)), start)) last = x;
             return last;
         };
-    }
-    static S largest(std::vector<V> const& x) {
-        S found(0);
-        for (V const& q : x) found = std::max(found, S(magnitude(q)));
-        return found;
     }
     /// The largest distance between every j-th position of x and every k-th of y.
     static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
