@@ -36,11 +36,11 @@
 #include "hilger/models/mechanical.hpp"
 
 // Flows and solutions
+#include "hilger/accuracy/between_ends.hpp"
+#include "hilger/accuracy/from_start.hpp"
 #include "hilger/composition/methods.hpp"
 #include "hilger/composition/residual.hpp"
 #include "hilger/composition/times.hpp"
-#include "hilger/integrator/accuracy.hpp"
-#include "hilger/integrator/accuracy_between.hpp"
 #include "hilger/integrator/flow.hpp"
 #include "hilger/integrator/solve.hpp"
 

@@ -23,7 +23,7 @@ set(order
   "step"
   "trajectory"
   "integrator"
-  "composition"
+  "composition accuracy"
   "fractional"
   "boundary"
   "multiprecision.hpp" # text alone computes with numbers of its own: it compares operators exactly

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // expect 1: solve takes an equation, variation(S), and this is a method: method.along(T, {.q0 = ..., .v0 = ...}) steps it
 // expect 2: solve takes an equation, variation(S), or a Lagrangian with an interval and an accuracy: embed(L, mid_point).along(T, {.q0
-#include "hilger/integrator/accuracy.hpp"
+#include "hilger/accuracy/from_start.hpp"
 #include "hilger/integrator/solve.hpp"
 
 using namespace hilger;

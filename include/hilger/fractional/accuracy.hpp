@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A solution to a wanted accuracy (integrator/accuracy.hpp) with fractional damping:
+// A solution to a wanted accuracy (accuracy/from_start.hpp) with fractional damping:
 //   auto const x = solve(with_fractional_damping(L, rho, fraction<1, 2>{}), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-12});
 // by the damping at Radau's nodes (fractional/stages.hpp) on a T that is graded at its start, and behind the times where a callable
 // switches: there the solution begins like a broken power. It is the motion of the differential equation, with whatever generating function
@@ -8,9 +8,9 @@
 
 #include <vector>
 
+#include "hilger/accuracy/doubling.hpp"
+#include "hilger/accuracy/from_start.hpp"
 #include "hilger/fractional/flow.hpp"
-#include "hilger/integrator/accuracy.hpp"
-#include "hilger/integrator/doubling.hpp"
 
 namespace hilger {
 

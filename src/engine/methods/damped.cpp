@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hilger/integrator/pieces.hpp"
+#include "hilger/accuracy/pieces.hpp"
 
 namespace engine {
 

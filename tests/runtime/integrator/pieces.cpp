@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "hilger/integrator/pieces.hpp"
+#include "hilger/accuracy/pieces.hpp"
 
 namespace pieces_tests {
 

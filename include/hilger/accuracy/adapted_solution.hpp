@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A solution to a wanted accuracy on a scale that follows the motion (integrator/adapted_steps.hpp): a walk in adapted steps, and one in
+// A solution to a wanted accuracy on a scale that follows the motion (accuracy/adapted_steps.hpp): a walk in adapted steps, and one in
 // half as many again, at other points. The distance of the two is the error of the first and more than that of the second, which is the
 // solution; where it is more than is wanted, both are made again for a smaller tolerance. The switching_times(a, b) of a callable, as
 // formulas in text have them, are points of the scale. Between them the solution is a step of the same embedding.
@@ -7,9 +7,9 @@
 
 #include <optional>
 
-#include "hilger/integrator/accurate_solution.hpp"
-#include "hilger/integrator/adapted_steps.hpp"
-#include "hilger/integrator/pieces.hpp"
+#include "hilger/accuracy/adapted_steps.hpp"
+#include "hilger/accuracy/pieces.hpp"
+#include "hilger/accuracy/solution.hpp"
 #include "hilger/trajectory/partial_step.hpp"
 
 namespace hilger::detail {

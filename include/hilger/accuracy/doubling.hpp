@@ -12,9 +12,9 @@
 #include <limits>
 #include <optional>
 
-#include "hilger/integrator/accurate_solution.hpp"
+#include "hilger/accuracy/pieces.hpp"
+#include "hilger/accuracy/solution.hpp"
 #include "hilger/integrator/flow.hpp"
-#include "hilger/integrator/pieces.hpp"
 
 namespace hilger {
 

@@ -1,59 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
-// A time scale that follows the motion: T is made step by step, for a Galerkin flow whose positions are polynomials of degree s in a step.
-// Their coefficients c_k in Legendre polynomials fall like rho^k, and at its end the step errs by about rho^s times the last of them: rho
-// is measured on the last four, as Jorba and Zou (2005) measure the radius of convergence of a Taylor series. Over a kink or a jump rho is
-// near 1, what remains is the last coefficient itself, and steps become short there. The error of a velocity, times the rest of the
-// interval, is kept below a tolerance; a step that exceeds it is refused and made again.
+// A time scale that follows the motion: T is made step by step, for a Galerkin flow. The error of a velocity, times the rest of the
+// interval, is kept below a tolerance; a step that exceeds it (accuracy/step_shape.hpp) is refused and made again.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
-#include "hilger/embedding/quadrature.hpp"
+#include "hilger/accuracy/step_shape.hpp"
 #include "hilger/integrator/flow.hpp"
 
 namespace hilger::detail {
-
-/// Of the polynomial through 0 and values at the parts m / s of a step, m = 1, ..., s: its coefficients of degrees s - 3 to s, and h^2
-/// times its second derivative at the start and at the end.
-template <class S, int Degree>
-struct numbers_of_polynomial {
-    static_assert(Degree >= 4, "the decay of the coefficients is measured on four of them");
-    std::array<std::array<S, Degree>, 6> row;
-    /// h^2 times the second derivative of the last Legendre polynomial at the end.
-    static constexpr int last_bend = (Degree - 1) * Degree * (Degree + 1) * (Degree + 2) / 2;
-    static numbers_of_polynomial const& here() {
-        static numbers_of_polynomial const table;
-        return table;
-    }
-
-private:
-    [[gnu::noinline, gnu::cold]] numbers_of_polynomial() {
-        Eigen::Matrix<S, Degree + 1, Degree + 1> values;
-        for (int m = 0; m <= Degree; ++m) {
-            auto const P = legendre(Degree, S(S(2 * m) / S(Degree) - S(1)));
-            for (int k = 0; k <= Degree; ++k) values(m, k) = P[static_cast<std::size_t>(k)];
-        }
-        auto const coefficient = values.partialPivLu().inverse().eval();
-        for (int m = 1; m <= Degree; ++m) {
-            auto const at = [&](int j) -> S& { return row[static_cast<std::size_t>(j)][static_cast<std::size_t>(m - 1)]; };
-            for (int j = 0; j < 4; ++j) at(j) = coefficient(Degree - 3 + j, m);
-            at(4) = at(5) = S(0);
-            for (int k = 2; k <= Degree; ++k) {
-                S const bend = S((k - 1) * k * (k + 1) * (k + 2) / 2) * coefficient(k, m); // P_k''(1) = (k - 1) k (k + 1) (k + 2) / 8
-                at(4) = k % 2 == 0 ? S(at(4) + bend) : S(at(4) - bend);
-                at(5) = at(5) + bend;
-            }
-        }
-    }
-};
 
 /// The states at the points of a scale, and the steps that were made for them, with those refused.
 template <class S, class V>
@@ -96,9 +56,8 @@ std::vector<S> other_points(std::vector<S> const& t, std::size_t begin, std::siz
 template <int Degree, class Flow, class S, class V, class Watch>
 class adapted_steps {
     using stepper = typename Flow::template stepper<S, V>;
-    using s = shape<V>;
     using walk = walked_states<S, V>;
-    using numbers = numbers_of_polynomial<S, Degree>;
+    using shape_of_step = step_shape<Degree, S, V>;
 
 public:
     adapted_steps(Flow const& flow, std::vector<S> const& ends, initial_velocity<V> const& from, Watch const& watch)
@@ -116,11 +75,11 @@ public:
         S h = std::min(longest, S((ends_[1] - ends_[0]) / S(1024))), size = magnitude(x.q);
         branch_watch const branches;
         auto by = stepper_from_start(h);
-        noise_of_velocity noise;
+        noise_of_velocity<S> noise;
         S farthest = x.t; // from where a step was taken back
         int backs = 0;    // up to there
         for (std::size_t k = 1; k < ends_.size(); ++k)
-            for (std::optional<step_shape> last{}; x.t < ends_[k];) {
+            for (std::optional<shape_of_step> last{}; x.t < ends_[k];) {
                 count(all);
                 S const to = end_of_step(x.t, h, ends_[k]), unit = epsilon<S>() * std::max(magnitude(x.t), S(epsilon<S>() * whole));
                 h = to - x.t;
@@ -131,12 +90,12 @@ public:
                     continue;
                 }
                 size = std::max(size, S(magnitude(next.q)));
-                step_shape const shape = shape_of(by, x.q, h, noise.level * h);
-                S const allowed = tolerance(size) * (h / whole), error = error_of(shape);
+                shape_of_step const shape([&](int m) { return by.inside(m); }, x.q, h, S(noise.level * h));
+                S const allowed = tolerance(size) * (h / whole), error = shape.error();
                 if (not(error <= allowed) and not noise.is_seen(shape, h <= S(16) * unit)) {
                     if (h <= S(16) * unit) no_shorter(x, h, {});
                     h = h * std::min(change_of_length(error, allowed), S(S(1) / S(2)));
-                } else if (last and backs < 24 and S(1024) * unit < last->h and allowed < hidden_between(*last, shape)) {
+                } else if (last and backs < 24 and S(1024) * unit < last->h and allowed < shape_of_step::hidden_between(*last, shape)) {
                     ++backs;
                     farthest = std::max(farthest, x.t);
                     h = last->h / S(4);
@@ -146,7 +105,7 @@ public:
                 } else {
                     x = {to, next.q, next.p};
                     all.keep(x);
-                    all.is_rough = all.is_rough or is_rough(shape);
+                    all.is_rough = all.is_rough or shape.is_rough();
                     last = shape;
                     h = std::min(longest, S(h * change_of_length(error, allowed)));
                     h = std::max(h, noise.step_is_taken());
@@ -188,44 +147,6 @@ public:
     }
 
 private:
-    /// The length of a step and the numbers of the polynomial of its positions.
-    struct step_shape {
-        S h;
-        std::array<V, 6> of;
-        /// The larger of two coefficients, component c.
-        [[nodiscard]] S larger_of(std::size_t j, int c) const {
-            return std::max(S(magnitude(s::component(of[j], c))), S(magnitude(s::component(of[j + 1], c))));
-        }
-        S floor; ///< below it coefficients are rounding
-        [[nodiscard]] S tail() const {
-            S most(0);
-            for (int c = 0; c < s::dimension(of[0]); ++c) most = std::max(most, larger_of(2, c));
-            return most;
-        }
-    };
-    /// Velocities may have more rounding than the displacement shows, where a small mass moves with a large one. It is seen where the last
-    /// coefficients are small and fall like the step alone, in three steps that are refused one after the other.
-    struct noise_of_velocity {
-        S level{0}, before{-1}, earlier{-1};
-        S first{0}, wasted{0}; ///< the first length that was refused; that length where the refusals were for nothing
-        bool is_seen(step_shape const& shape, bool is_shortest) {
-            S const now = shape.tail() / shape.h;
-            bool const seen = (is_shortest or (earlier >= S(0) and earlier < S(2) * now)) and shape.tail() < S(1 << 14) * shape.floor;
-            if (before < S(0)) first = shape.h;
-            earlier = std::exchange(before, now);
-            if (seen) {
-                level = std::max(level, S(S(4) * now));
-                wasted = first;
-            }
-            return seen;
-        }
-        /// @returns the least length of the next step
-        S step_is_taken() {
-            before = earlier = S(-1);
-            level = level * S(3) / S(4);
-            return std::exchange(wasted, S(0));
-        }
-    };
     stepper stepper_from_start(S const& h) const {
         stepper by(flow_, h, first_.q);
         by.do_not_search();
@@ -261,53 +182,6 @@ private:
             if (failure) std::rethrow_exception(failure);
         } catch (error::no_convergence const&) {}
         stop_at(x, h, error::no_convergence("no step is short enough: a position, a velocity or a force grows without bound"));
-    }
-    /// Of the last step.
-    step_shape shape_of(stepper const& by, V const& like, S const& h, S const& noise) const {
-        auto const& table = numbers::here();
-        step_shape shape{h, {}, noise};
-        shape.of.fill(zero_like(like));
-        for (int m = 1; m <= Degree; ++m) {
-            V const value = by.inside(m);
-            shape.floor = std::max(shape.floor, S(S(64) * epsilon<S>() * magnitude(value)));
-            for (std::size_t j = 0; j < shape.of.size(); ++j)
-                shape.of[j] = shape.of[j] + value * table.row[j][static_cast<std::size_t>(m - 1)];
-        }
-        return shape;
-    }
-    /// The error of a step, as h times that of a velocity. Coefficients of the size of rounding say nothing.
-    static S error_of(step_shape const& shape) {
-        S worst(0);
-        for (int c = 0; c < s::dimension(shape.of[0]); ++c) {
-            S const before = shape.larger_of(0, c), end = shape.larger_of(2, c);
-            if (end <= shape.floor) continue;
-            double const fall = static_cast<double>(S(end / before));                                    // rho^2
-            worst = std::max(worst, fall < 0.125 ? S(end * S(std::pow(fall, Degree / 2))) : S(8) * end); // of a jump the nodes see a part
-        }
-        return S(4 * Degree - 2) * worst;
-    }
-    /// Whether the last coefficients hardly fall, as over a kink.
-    static bool is_rough(step_shape const& shape) {
-        for (int c = 0; c < s::dimension(shape.of[0]); ++c)
-            if (shape.floor < shape.larger_of(2, c) and shape.larger_of(0, c) <= S(8) * shape.larger_of(2, c)) return true;
-        return false;
-    }
-    /// The same of what jumps between the last node of one step and the first of the next, which neither sees: from their second
-    /// derivatives at the point between them.
-    static S hidden_between(step_shape const& x, step_shape const& y) {
-        S worst(0);
-        S const longer = std::max(x.h, y.h), part = y.h / longer;
-        for (int c = 0; c < s::dimension(x.of[0]); ++c) {
-            auto const bend = [&](step_shape const& z, std::size_t j) {
-                return S(s::component(z.of[j], c) * ((longer / z.h) * (longer / z.h)));
-            };
-            auto const noise = [&](step_shape const& z) {
-                return S(S(2 * numbers::last_bend) * (z.larger_of(2, c) + z.floor) * ((longer / z.h) * (longer / z.h)));
-            };
-            S const jump = magnitude(S(bend(y, 4) - bend(x, 5)));
-            if (noise(x) + noise(y) < jump) worst = std::max(worst, jump);
-        }
-        return worst * part * (S(3) / S(Degree * Degree)); // twice the distance from the last node to the end
     }
     /// The next length as a part of this one.
     static S change_of_length(S const& error, S const& allowed) {

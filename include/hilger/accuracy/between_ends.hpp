@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "hilger/integrator/accuracy.hpp"
+#include "hilger/accuracy/from_start.hpp"
 #include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/solve.hpp"
 

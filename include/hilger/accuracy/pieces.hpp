@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // An interval divided at the times at which a callable switches, its switching_times(a, b), with equal steps in each piece: the scale of an
-// accurate solution (integrator/doubling.hpp). With a memory the solution begins anew at such a time like a broken power, and the first
+// accurate solution (accuracy/doubling.hpp). With a memory the solution begins anew at such a time like a broken power, and the first
 // eighth of each piece is a graded one of its own.
 #pragma once
 

@@ -2,13 +2,13 @@
 // A solution to a wanted accuracy instead of a number of steps:
 //   auto const x = solve(L, interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{1e-10});      x.q, x.p, x.steps, x.method, x.error
 //   auto const y = solve(with_force(L, f), interval{0.0, 50.0}, {.q0 = q, .v0 = v}, accuracy{.relative = 1e-10});
-// T follows the motion (integrator/adapted_steps.hpp): its steps are short where the motion is fast, and over kinks and jumps of a force. A
+// T follows the motion (accuracy/adapted_steps.hpp): its steps are short where the motion is fast, and over kinks and jumps of a force. A
 // Lagrangian or force that switches in time has a member switching_times(a, b), as formulas in text have: the solution then has points
 // there. A pulse much narrower than a thirty-second of the interval may be missed unless the longest step says so. L must have no jumps in
 // the state: no derivative shows them.
 #pragma once
 
-#include "hilger/integrator/adapted_solution.hpp"
+#include "hilger/accuracy/adapted_solution.hpp"
 
 namespace hilger {
 
