@@ -124,9 +124,7 @@ public:
                 if (stepper_.needs_guess()) stepper_.guess(velocity_of(detail::at_time{f.problem_.lagrangian, x.t}, x.q, x.p, v));
         }
         /// For who takes shorter steps where Newton's method does not converge: other ways to the root cost more than these.
-        void do_not_search() {
-            if constexpr (requires { stepper_.do_not_search(); }) stepper_.do_not_search();
-        }
+        void do_not_search() { stepper_.do_not_search(); }
         /// Advances x by one step h. @throws error::no_convergence, error::singular, error::not_finite, and x is as it was.
         void advance(flow const& f, state<S, V>& x, S const& h) {
             begin(f, x, h);

@@ -146,6 +146,9 @@ TEST_CASE("with a force in the plane") {
     auto const x = solve(with_force(L, drag), interval{0.0, 10.0}, initial_velocity<Eigen::Vector2d>{q, v}, accuracy{1e-9});
     CHECK(std::abs(x.end.q(0) - damped(10, 1, 0.5)) <= 1e-9);
     CHECK(std::abs(x.end.q(1) - damped(10, 0, -1)) <= 1e-9);
+    // of dynamic size, as in text
+    auto const y = solve(with_force(L, drag), interval{0.0, 10.0}, initial_velocity<Eigen::VectorXd>{q, v}, accuracy{1e-9});
+    CHECK((y.end.q - x.end.q).norm() <= 2e-9);
 }
 
 namespace {
