@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hilger/accuracy/from_start.hpp"
+#include "hilger/accuracy/pieces.hpp"
 #include "hilger/integrator/momenta.hpp"
 #include "hilger/integrator/solve.hpp"
 
@@ -125,10 +126,10 @@ template <class F, class S, class W>
 auto solve(F const& L, interval<S> const& I, boundary_values<W> const& ends, detail::given_accuracy const& goal) {
     auto const given = detail::given_ends<S>(ends);
     (void)detail::checked_start<S>(initial_velocity<W>{ends.q0, ends.qN}, goal);
+    (void)uniform(I, index_type{1}); // or it says what is wrong
     std::vector<S> points;
-    index_type steps = 8;
-    while (goal.longest_step > 0 and steps < 4096 and S(goal.longest_step) * S(steps) < I.b - I.a) steps *= 2;
-    for (S const& t : uniform(I, steps)) points.push_back(t);
+    for (S const& t : uniform(I, detail::first_steps(std::vector<S>{I.a, I.b}, goal.longest_step, index_type{1} << 12)[0]))
+        points.push_back(t);
     S const size = std::max(S(magnitude(given.q0)), S(magnitude(given.qN))), ratio = size > S(0) ? S(goal.of(size) / size) : S(0);
     return detail::with_gauss_for(ratio, [&]<int Nodes>(std::integral_constant<int, Nodes>, char const* method) {
         auto const flow = embed(L, galerkin<Nodes, gauss>);

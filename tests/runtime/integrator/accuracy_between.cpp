@@ -74,6 +74,9 @@ TEST_CASE("to 40 digits") {
 TEST_CASE("an accuracy that is none, and ends that do not fit") {
     CHECK_THROWS_AS((void)solve(oscillator, interval{0.0, 1.0}, {.q0 = 0.0, .qN = 1.0}, 0.0), error::invalid_parameter);
     CHECK_THROWS_AS((void)solve(oscillator, interval{0.0, 1.0}, {.q0 = 0.0, .qN = std::nan("")}, 1e-8), error::not_finite);
+    for (double const longest : {-1.0, std::nan(""), 1e-5})
+        CHECK_THROWS_AS((void)solve(oscillator, interval{0.0, 1.0}, {.q0 = 0.0, .qN = 1.0}, accuracy{1e-8, longest}),
+                        error::invalid_parameter);
 }
 
 } // namespace accuracy_between_tests
