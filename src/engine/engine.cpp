@@ -42,22 +42,4 @@ std::unique_ptr<motion<double>> make_motion(problem const& what, std::string con
     refuse_method(method, scalar_kind::machine, "double");
 }
 
-accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
-                          double longest_step, std::stop_token const& stop) {
-    if (what.has_memory())
-        hilger::error::raise<hilger::error::invalid_parameter>("an accuracy is for Lagrangians and forces, without fractional damping");
-    if (what.time_transformation)
-        hilger::error::raise<hilger::error::invalid_parameter>("an accuracy chooses its own steps in t: it is for Lagrangians in t");
-    return with_mechanics(what, [&](auto const& mechanics) {
-        auto const x = hilger::solve(mechanics, hilger::interval<double>{a, b}, hilger::initial_velocity<vector<double>>{q0, v0},
-                                     hilger::accuracy{wanted, longest_step, stop});
-        accurate made{elements_of<double>(x.q.root()), {}, {}, x.method, x.error};
-        for (hilger::index_type i = x.q.first(); i <= x.q.last(); ++i) {
-            made.q.push_back(x.q[i]);
-            made.p.push_back(x.p[i]);
-        }
-        return made;
-    });
-}
-
 } // namespace engine

@@ -15,8 +15,11 @@
 
 #include <Eigen/Core>
 
+#include "hilger/accuracy/solution.hpp"
 #include "hilger/multiprecision.hpp"
+#include "hilger/scale/uniform.hpp"
 #include "hilger/text/lagrangian.hpp"
+#include "hilger/trajectory/initial_data.hpp"
 
 namespace engine {
 
@@ -191,15 +194,19 @@ std::unique_ptr<motion<hilger::float100>> make_motion(problem const&, std::strin
 /// method's name. @throws hilger::error::invalid_parameter, hilger::error::unreadable
 std::string equation_of_method(problem const& what, std::string const& method, bool uniform, bool latex);
 
-/// A motion over [a, b] to a wanted accuracy.
+/// A motion over an interval to a wanted accuracy, at the points of the scale that was found.
 struct accurate {
     std::vector<double> t;
     std::vector<vector<double>> q, p;
     std::string method;
     double error;
 };
-accurate solve_accurately(problem const& what, double a, double b, vector<double> const& q0, vector<double> const& v0, double wanted,
-                          double longest_step, std::stop_token const& stop);
+/// From initial values (hilger/accuracy/from_start.hpp) or between two ends (hilger/accuracy/between_ends.hpp).
+/// @throws hilger::error::invalid_parameter with a memory or a transformed time; and what the solvers throw
+accurate solve_accurately(problem const& what, hilger::interval<double> const& I, hilger::initial_velocity<vector<double>> const& from,
+                          hilger::accuracy const& goal);
+accurate solve_accurately(problem const& what, hilger::interval<double> const& I, hilger::boundary_values<vector<double>> const& ends,
+                          hilger::accuracy const& goal);
 
 /// One step as standalone C99 (hilger/text/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name);

@@ -167,11 +167,15 @@ void add_motions(py::module_& m) {
         engine::list_methods(out);
         return out.str();
     });
-    m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0,
-                                 crossing<double>::given const& v0, double wanted, double longest_step) {
-        auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(v0);
-        auto made = interruptible(
-            [&](std::stop_token const& stop) { return engine::solve_accurately(what, a, b, x, y, wanted, longest_step, stop); });
+    m.def("solve_accurately", [](engine::problem const& what, double a, double b, crossing<double>::given const& q0, bool between,
+                                 crossing<double>::given const& other, double wanted, double relative, double longest_step) {
+        auto const x = crossing<double>::vector_of(q0), y = crossing<double>::vector_of(other);
+        hilger::interval<double> const I{a, b};
+        auto made = interruptible([&](std::stop_token const& stop) {
+            hilger::accuracy const goal{wanted, longest_step, stop, relative};
+            return between ? engine::solve_accurately(what, I, hilger::boundary_values<engine::vector<double>>{x, y}, goal)
+                           : engine::solve_accurately(what, I, hilger::initial_velocity<engine::vector<double>>{x, y}, goal);
+        });
         auto const rows = [&](auto const& states) {
             std::vector<double> numbers;
             for (auto const& at : states) numbers.insert(numbers.end(), at.data(), at.data() + at.size());

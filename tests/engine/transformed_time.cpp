@@ -183,8 +183,10 @@ TEST_CASE("what has no constant energy, or no positive rate, is refused in one s
                         ->begin({vector::Ones(1), velocity, vector::Ones(1)}),
                     invalid_parameter);
     CHECK_THROWS_AS((void)engine::make_motion<double>(transformed(oscillator, "1"), "no-method", equal), invalid_parameter);
-    CHECK_THROWS_AS((void)engine::solve_accurately(transformed(oscillator, "1"), 0, 1, vector::Ones(1), vector::Ones(1), 1e-6, 0, {}),
-                    invalid_parameter);
+    hilger::initial_velocity<vector> const from{vector::Ones(1), vector::Ones(1)};
+    CHECK_THROWS_AS((void)engine::solve_accurately(transformed(oscillator, "1"), {0, 1}, from, {1e-6}), invalid_parameter);
+    hilger::boundary_values<vector> const ends{vector::Ones(1), vector::Ones(1)};
+    CHECK_THROWS_AS((void)engine::solve_accurately(transformed(oscillator, "1"), {0, 1}, ends, {1e-6}), invalid_parameter);
 }
 
 } // namespace transformed_time_tests

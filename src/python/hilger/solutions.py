@@ -270,34 +270,41 @@ class Solution:
 
     def plot(self, ax=None, **style):
         """Positions over time, by matplotlib. Returns the axes."""
-        if ax is None:
-            import matplotlib.pyplot as plt
-
-            _, ax = plt.subplots()
+        ax = _axes(ax, "q")
         ax.plot(self.t, self.q, **style)
-        ax.set_xlabel("t")
-        ax.set_ylabel("q")
         return ax
 
     def plot_energy_error(self, ax=None, **style):
         """H(t) - H(0), by matplotlib. Returns the axes."""
-        if ax is None:
-            import matplotlib.pyplot as plt
-
-            _, ax = plt.subplots()
-        H = self.energy()
+        ax, H = _axes(ax, "H − H(0)"), self.energy()
         ax.plot(self.t, H - H[0], **style)
-        ax.set_xlabel("t")
-        ax.set_ylabel("H − H(0)")
+        return ax
+
+    def plot_steps(self, ax=None, **style):
+        """The lengths of the steps over time, each constant along its step and on a logarithmic axis, by matplotlib. Returns the axes."""
+        ax = _axes(ax, "length of the step")
+        ax.plot(np.repeat(self.t, 2)[1:-1], np.repeat(np.diff(self.t), 2), **style)
+        ax.set_yscale("log")
         return ax
 
 
-class AccurateSolution(Solution):
-    """A solution to a requested accuracy. `equation.method` and `equation.scale` were chosen for it; `error` is the distance of q from the run
-    with half as many steps.
+def _axes(ax, label: str):
+    """The given axes, or new ones, over time."""
+    if ax is None:
+        import matplotlib.pyplot as plt
 
-    For smooth L that exceeds its own error; it is at least the rounding shared by both runs, or the accuracy if all positions are 0. For L
-    with branches it is four times the largest distance from five other runs. Times at which L switches are points of the scale.
+        _, ax = plt.subplots()
+    ax.set_xlabel("t")
+    ax.set_ylabel(label)
+    return ax
+
+
+class AccurateSolution(Solution):
+    """A solution to a requested accuracy. `method` and the scale `equation.scale` were chosen for it. `error` estimates the largest error of q.
+
+    From initial values it is the distance of q from a walk in longer steps: for smooth L more than its own error, and at least the rounding
+    shared by both, or the accuracy if all positions are 0. For L with branches it is four times that distance. Times at which L switches are
+    points of the scale. Between two ends it is the distance from the solution on the scale with pairs of steps joined.
     """
 
     _looks = 8  # steps are long
@@ -311,4 +318,4 @@ class AccurateSolution(Solution):
         return self.equation.method.name
 
     def __repr__(self) -> str:
-        return f"<{self.method}, {len(self) - 1} steps, {self.error:.1e} from half as many>"
+        return f"<{self.method}, {len(self) - 1} steps, error {self.error:.1e}>"

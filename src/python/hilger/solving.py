@@ -11,7 +11,7 @@ from typing import Callable, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
-from .equations import Equation, gauss, midpoint, variation
+from .equations import Equation, gauss, variation
 from .lagrangians import Lagrangian
 from .scales import TimeScale, digits, real, require_real, rounds, uniform
 from .solutions import AccurateSolution, DoubtfulSolution, Solution, StepFailure, Zeros, numbers_from
@@ -75,6 +75,7 @@ def solve(
     history: str = "exponentials",
     progress: "bool | Callable[[int], None]" = False,
     accuracy: "Optional[float]" = None,
+    relative: "Optional[float]" = None,
     longest_step: float = 0.0,
     compiled: "Optional[bool]" = None,
 ) -> "Solution | AccurateSolution":
@@ -92,10 +93,14 @@ def solve(
     a callable gets the number of steps so far, now and then and at the end. An interrupt (Ctrl-C) ends the walk, and the points so far are
     returned with a warning; between two ends, and to an accuracy, it raises KeyboardInterrupt.
 
-    With a Lagrangian, an interval and an accuracy, solve chooses the method and the number of steps: solve(L, (0, 50), q0=1, v0=0,
-    accuracy=1e-10). `longest_step` bounds the steps, which could otherwise miss a narrow feature, as a smooth pulse in time. If the formula
-    compares the time alone, as in where(abs(t - 7) < 0.01, 100, 0) or abs(t - pi), the switching times become points of the scale. They are
-    exact if the comparison is affine in t on each side; otherwise, as for sin(t) < 0, two changes within a 4096th of the interval are missed.
+    With a Lagrangian, an interval and an accuracy, solve chooses the method and the scale T: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10),
+    or between two ends solve(L, (0, 1), q0=0, qN=1, accuracy=1e-10). `accuracy` is the largest error of a position, in its unit; `relative` is
+    a part of the largest position, instead of it or in addition. From q0 and v0, T follows the motion: its steps are short where the motion is
+    fast, and over kinks and jumps of a force. No step is longer than a thirty-second of the interval, or than `longest_step`, which is for
+    features so narrow that steps could miss them, as a smooth pulse in time. If the formula compares the time alone, as in
+    where(abs(t - 7) < 0.01, 100, 0) or abs(t - pi), the switching times become points of T. They are exact if the comparison is affine in t on
+    each side; otherwise, as for sin(t) < 0, two changes within a 4096th of the interval are missed. Between two ends no step is
+    longer than a sixteenth of the interval, and steps are short in boundary layers.
 
     `compiled=True` compiles whole steps to machine code, by the system's C compiler, in some tenths of a second the first time. The conditions
     are those for lanes in solve_many: order_one, order_one_left, midpoint, verlet and kahan_li_8, up to six coordinates in double, no memory,
@@ -107,17 +112,20 @@ def solve(
     Raises StepFailure, whose `solution` has the points so far, and the errors of this module for invalid input.
     """
     if isinstance(equation, Lagrangian):
-        if interval is None or accuracy is None or v0 is None:
+        if interval is None or (accuracy is None and relative is None) or (v0 is None and qN is None):
             raise _core.InvalidParameter("a Lagrangian is solved over an interval to an accuracy: solve(L, (0, 50), q0=1, v0=0, accuracy=1e-10)")
-        if any(x is not None for x in (p0, q1, qN, guess, until, compiled)) or progress or history != "exponentials":
-            raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given")
-        return _solve_accurately(equation, interval, q0, v0, real(accuracy, "an accuracy"), real(longest_step, "the longest step"))
+        if v0 is not None and qN is not None:
+            raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from v0 or to qN, and here are both")
+        if any(x is not None for x in (p0, q1, guess, until, compiled)) or progress or history != "exponentials":
+            raise _core.InvalidParameter("to an accuracy a Lagrangian is solved from q0 and v0, and nothing else is given, or between q0 and qN")
+        goal = (0.0 if x is None else real(x, "an accuracy") for x in (accuracy, relative))
+        return _solve_accurately(equation, interval, q0, ("v0", v0) if qN is None else ("qN", qN), *goal, real(longest_step, "the longest step"))
     if not isinstance(equation, Equation):
         raise TypeError(f"an equation, as h.variation(L, T, h.midpoint), or a Lagrangian is solved, and not a {type(equation).__name__}")
     require_history(history)
     if not isinstance(compiled, (bool, type(None))):
         raise _core.InvalidParameter(f"compiled is True, False or None, and was {compiled!r}")
-    if interval is not None or accuracy is not None:
+    if interval is not None or accuracy is not None or relative is not None:
         raise _core.InvalidParameter("an equation has its scale: an interval and an accuracy go with a Lagrangian")
     given = {name: x for name, x in (("v0", v0), ("p0", p0), ("q1", q1), ("qN", qN)) if x is not None}
     if len(given) != 1:
@@ -183,17 +191,21 @@ def require_room(numbers: int, what: str, remedy: str) -> None:
         raise _core.InvalidParameter(f"{what} take {needed / 2**30:.3g} GiB or more, and this machine has {there / 2**30:.3g}: {remedy}")
 
 
-def _solve_accurately(L: Lagrangian, interval: object, q0: State, v0: State, accuracy: float, longest_step: float) -> AccurateSolution:
+def _solve_accurately(
+    L: Lagrangian, interval: object, q0: State, other: "tuple[str, State]", accuracy: float, relative: float, longest_step: float
+) -> AccurateSolution:
     if isinstance(interval, str) or np.ndim(interval) != 1 or len(interval) != 2:
         raise _core.InvalidParameter(f"an interval is two numbers, as (0, 50), and here is {interval!r}")
     a, b = (real(x, f"the {end} of an interval") for x, end in zip(interval, ("beginning", "end")))
-    start = _state("double", q0, L, "q0"), "v0", _state("double", v0, L, "v0")
-    t, q, p, method, error = _core.solve_accurately(L._problem, a, b, start[0], start[2], accuracy, longest_step)
-    nodes = re.search("[0-9]+", method)
+    name, between = other[0], other[0] == "qN"
+    start = _state("double", q0, L, "q0"), name, _state("double", other[1], L, name)
+    t, q, p, method, error = _core.solve_accurately(L._problem, a, b, start[0], between, start[2], accuracy, relative, longest_step)
+    if between:
+        start = start[0], "q1", q[1].copy()
     T = uniform(a, (b - a) / (len(t) - 1), len(t) - 1)
     if not np.allclose(t, np.linspace(a, b, len(t)), rtol=0, atol=8 * np.finfo(float).eps * max(abs(a), abs(b))):
-        T = TimeScale(t)  # includes the switching times of L
-    equation = variation(L, T, gauss(int(nodes[0])) if nodes else midpoint)
+        T = TimeScale(t)
+    equation = variation(L, T, gauss(int(re.search("[0-9]+", method)[0])))
     return AccurateSolution(equation, start, t, q[:, 0] if L.is_scalar else q, p[:, 0] if L.is_scalar else p, error)
 
 
