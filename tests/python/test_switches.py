@@ -53,9 +53,9 @@ class OfAccurateSolutions(unittest.TestCase):
         x = h.solve(h.Lagrangian(oscillator + q * h.where(h.t < 2, 0, 1), q, v), (0, 9), q0=0.0, v0=0.0, accuracy=1e-9)
         self.assertAlmostEqual(x.q[-1], behind(2, 9), delta=1e-9)
 
-    def test_points_stay_equal_where_nothing_switches(self):
+    def test_few_points_where_nothing_switches(self):
         x = h.solve(h.Lagrangian(oscillator + q * h.sin(h.t), q, v), (0, 9), q0=0.0, v0=0.0, accuracy=1e-9)
-        self.assertIsInstance(x.equation.scale, type(h.uniform(0, 1, 1)))
+        self.assertLess(len(x), 64)  # of at most a thirty-second of the interval
 
 
 class OfNewmark(unittest.TestCase):

@@ -47,8 +47,8 @@ class Velocities(unittest.TestCase):
                 self.assertLess(x.residual(), 64)
 
     def test_a_motion_that_ends(self):
-        # v reaches 0 at t = 0.08, where its speed changes without bound
-        with self.assertRaisesRegex(h.NoConvergence, "come no further than t = 0.0"):
+        # v reaches 0 at t = 0.0655, where its speed changes without bound
+        with self.assertRaisesRegex(h.NoConvergence, "the step from t = 0.06.* grows without bound"):
             h.solve(cubic, (0, 0.1), q0=0.3, v0=0.2, accuracy=1e-8)
 
     def test_poles_are_no_events(self):

@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from .equations import Equation, gauss, variation
 from .lagrangians import Lagrangian
-from .scales import TimeScale, digits, real, require_real, rounds, uniform
+from .scales import TimeScale, digits, real, require_real, rounds
 from .solutions import AccurateSolution, DoubtfulSolution, Solution, StepFailure, Zeros, numbers_from
 
 State = Union[float, Sequence[float], "np.ndarray"]
@@ -202,10 +202,7 @@ def _solve_accurately(
     t, q, p, method, error = _core.solve_accurately(L._problem, a, b, start[0], between, start[2], accuracy, relative, longest_step)
     if between:
         start = start[0], "q1", q[1].copy()
-    T = uniform(a, (b - a) / (len(t) - 1), len(t) - 1)
-    if not np.allclose(t, np.linspace(a, b, len(t)), rtol=0, atol=8 * np.finfo(float).eps * max(abs(a), abs(b))):
-        T = TimeScale(t)
-    equation = variation(L, T, gauss(int(re.search("[0-9]+", method)[0])))
+    equation = variation(L, TimeScale(t), gauss(int(re.search("[0-9]+", method)[0])))
     return AccurateSolution(equation, start, t, q[:, 0] if L.is_scalar else q, p[:, 0] if L.is_scalar else p, error)
 
 
