@@ -186,7 +186,7 @@ double predictor_corrector(stated_problem const& what, int steps) {
 
 std::vector<peer_run> run_peers(scene const& what) {
     auto const& one = *what.stated;
-    if (one.of.force or not one.last.empty()) return {};
+    if (one.of.force or one.of.time_transformation or not one.last.empty()) return {};
     if (not one.of.has_memory())
         return engine::with_small_size(what.dimension, [&]<int D>(std::integral_constant<int, D>) { return second_order<D>(one).run(); });
     std::vector<peer_run> runs;

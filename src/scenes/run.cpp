@@ -17,6 +17,7 @@
 #include "hilger/error.hpp"
 #include "hilger/version.hpp"
 #include "plot.hpp"
+#include "problems/from_file.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -186,9 +187,15 @@ std::string write_summary(scene const& what, run_options const& options, configu
     return (files::path(options.out) / name).string();
 }
 
+std::string interval_of(scene const& what) {
+    std::ostringstream out;
+    out << (what.stated->of.time_transformation ? "tau" : "t") << " = " << what.t0 << " to " << what.t1
+        << (what.units.empty() ? "" : " " + what.units);
+    return out.str();
+}
+
 void say(scene const& what, configuration const& c, walk const& w, double seconds) {
-    std::cout << what.name << ": " << description(c) << ", t = " << what.t0 << " to " << what.t1
-              << (what.units.empty() ? "" : " " + what.units) << ", " << std::setprecision(3) << seconds << " s\n";
+    std::cout << what.name << ": " << description(c) << ", " << interval_of(what) << ", " << std::setprecision(3) << seconds << " s\n";
     auto const drift = w.drift();
     for (std::size_t k = 0; k < what.invariants.size(); ++k)
         std::cout << "  largest error of " << what.invariants[k] << ": " << drift[k] << '\n';
@@ -260,8 +267,7 @@ void list_scenes(std::ostream& out) {
     for (auto const& s : all_scenes())
         out << std::left << std::setw(23) << s.name << s.title << '\n'
             << std::setw(23) << ""
-            << "d = " << s.dimension << ", t = " << s.t0 << " to " << s.t1 << (s.units.empty() ? "" : " " + s.units) << "; usually "
-            << description(s.usual) << '\n';
+            << "d = " << s.dimension << ", " << interval_of(s) << "; usually " << description(s.usual) << '\n';
 }
 
 } // namespace program

@@ -13,7 +13,7 @@
 #include "measure.hpp"
 #include "peers.hpp"
 #include "plot.hpp"
-#include "problems/scene.hpp"
+#include "problems/from_file.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -72,6 +72,14 @@ void keep(std::vector<point>& points, point p) {
         known->seconds = std::min(known->seconds, p.seconds);
 }
 
+/// Keeps a measurement whose end approximates the reference.
+void keep_end(std::vector<point>& points, truth const& reference, numbers const& end, point p) {
+    p.error = static_cast<double>(distance(end, reference.position));
+    if (not(p.error < reference.largest_error())) return;
+    p.error = std::max(p.error, reference.own_error);
+    keep(points, std::move(p));
+}
+
 /// Increases the number of steps (8, 10, 12, 14, 16, 20, ...; for many digits 8, 12, 16, 24, ...) of one configuration, until it is too
 /// slow or rounding dominates. Many digits begin where steps are short enough for the iterations of high orders.
 void climb(scene const& what, configuration c, truth const& reference, double budget, std::vector<point>& points) {
@@ -99,6 +107,27 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
             before = seconds;
             if (slower > 1 or (best < most and worse > 6) or error < fine) return;
         } catch (hilger::error::exception const&) { // the steps are too long
+        }
+    }
+}
+
+/// Measures steps that adapt to tolerances 1, 1e-1, ..., 1e-13, for motions from initial values, in t and without memory.
+void adapt(scene const& what, truth const& reference, double budget, std::vector<point>& points) {
+    auto const& one = *what.stated;
+    if (one.of.has_memory() or one.of.time_transformation or not one.last.empty()) return;
+    hilger::interval<double> const I{number_of(one.start), number_of(one.end)};
+    for (std::string const method : {"gauss-6", "gauss-8"}) {
+        auto const walk = engine::walk_in_adapted_steps(one.of, method, I, numbers_of(one.q), numbers_of(one.v));
+        double seconds = 0;
+        for (int digits = 0; digits <= 13 and seconds <= budget; ++digits) {
+            double const tolerance = std::pow(10.0, -digits);
+            try {
+                engine::vector<double> end;
+                seconds = fastest([&] { end = walk(tolerance); }, std::min(0.2, 50 * budget));
+                keep_end(points, reference, {end.begin(), end.end()},
+                         {method + ", adapted", (std::ostringstream() << tolerance).str(), seconds, 0});
+            } catch (hilger::error::exception const&) { // a tolerance that the method cannot keep
+            }
         }
     }
 }
@@ -214,13 +243,10 @@ int run_trade(trade_options const& options) {
                             climb(what, {embedding, scalar, history, 0}, reference, options.budget, points);
                         bar.advance();
                     }
-            for (auto const& run : run_peers(what)) {
-                numbers const end(run.position.begin(), run.position.end());
-                double const error = static_cast<double>(distance(end, reference.position));
-                if (error < reference.largest_error())
-                    keep(points, {"peer " + run.method, (std::ostringstream() << run.parameter).str(), run.seconds,
-                                  std::max(error, reference.own_error), false});
-            }
+            adapt(what, reference, options.budget, points);
+            for (auto const& run : run_peers(what))
+                keep_end(points, reference, {run.position.begin(), run.position.end()},
+                         {"peer " + run.method, (std::ostringstream() << run.parameter).str(), run.seconds, 0, false});
         }
     }
     auto const ours = front_of(points, [](point const& p) { return p.ours; });
