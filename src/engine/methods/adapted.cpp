@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Walks of Galerkin's embedding in steps that adapt to a tolerance (hilger/integrator/adapted_steps.hpp), with states of static size for
+// Walks of Galerkin's embedding in steps that adapt to a tolerance (hilger/accuracy/adapted_steps.hpp), with states of static size for
 // few coordinates and no force.
 #include "engine/motions.hpp"
 #include "engine/small_lagrangian.hpp"
-#include "hilger/integrator/adapted_steps.hpp"
-#include "hilger/integrator/pieces.hpp"
+#include "hilger/accuracy/adapted_steps.hpp"
+#include "hilger/accuracy/pieces.hpp"
 
 namespace engine {
 
