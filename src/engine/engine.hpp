@@ -210,10 +210,11 @@ accurate solve_accurately(problem const& what, hilger::interval<double> const& I
 
 /// The position at the end of a walk, to an absolute tolerance.
 using adapted_walk = std::function<vector<double>(double tolerance)>;
-/// Walks over I from q0 and v0 by gauss-6 or gauss-8, in steps that adapt to the tolerance; one at a time. They throw the errors of steps.
+/// Walks over [a, b] from q0 and v0 by gauss-6 or gauss-8, in steps that adapt to the tolerance; one at a time. They throw the errors of
+/// steps.
 /// @throws hilger::error::invalid_parameter for another method, and with a memory, a transformed time or several Lagrangians
-adapted_walk walk_in_adapted_steps(problem const& what, std::string const& method, hilger::interval<double> const& I,
-                                   vector<double> const& q0, vector<double> const& v0);
+adapted_walk walk_in_adapted_steps(problem const& what, std::string const& method, double a, double b, vector<double> const& q0,
+                                   vector<double> const& v0);
 
 /// One step as standalone C99 (hilger/text/c_code.hpp). @throws hilger::error::invalid_parameter, hilger::error::no_formula
 std::string c_code_of(problem const& what, std::string const& method, std::string const& name);

@@ -115,9 +115,9 @@ void climb(scene const& what, configuration c, truth const& reference, double bu
 void adapt(scene const& what, truth const& reference, double budget, std::vector<point>& points) {
     auto const& one = *what.stated;
     if (one.of.has_memory() or one.of.time_transformation or not one.last.empty()) return;
-    hilger::interval<double> const I{number_of(one.start), number_of(one.end)};
+    double const a = number_of(one.start), b = number_of(one.end);
     for (std::string const method : {"gauss-6", "gauss-8"}) {
-        auto const walk = engine::walk_in_adapted_steps(one.of, method, I, numbers_of(one.q), numbers_of(one.v));
+        auto const walk = engine::walk_in_adapted_steps(one.of, method, a, b, numbers_of(one.q), numbers_of(one.v));
         double seconds = 0;
         for (int digits = 0; digits <= 13 and seconds <= budget; ++digits) {
             double const tolerance = std::pow(10.0, -digits);

@@ -38,12 +38,13 @@ adapted_walk walk_of(problem const& what, std::vector<double> const& ends, vecto
 
 } // namespace
 
-adapted_walk walk_in_adapted_steps(problem const& what, std::string const& method, hilger::interval<double> const& I,
-                                   vector<double> const& q0, vector<double> const& v0) {
+adapted_walk walk_in_adapted_steps(problem const& what, std::string const& method, double a, double b, vector<double> const& q0,
+                                   vector<double> const& v0) {
     if (what.has_memory() or what.time_transformation or not what.besides.empty())
         hilger::error::raise<hilger::error::invalid_parameter>(
             "adapted steps are for one Lagrangian in t and a force, without fractional damping");
     prepare_machine_code();
+    hilger::interval<double> const I{a, b};
     auto const ends =
         what.force ? hilger::detail::ends_of_pieces(I, what.lagrangian, *what.force) : hilger::detail::ends_of_pieces(I, what.lagrangian);
     if (method == "gauss-6") return walk_of<6>(what, ends, q0, v0);
