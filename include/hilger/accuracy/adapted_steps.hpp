@@ -72,7 +72,7 @@ public:
         all.keep(first_);
         state<S, V> x = first_;
         S const whole = ends_.back() - ends_.front();
-        S h = std::min(longest, S((ends_[1] - ends_[0]) / S(1024))), size = magnitude(x.q);
+        S h = std::min(longest, S((ends_[1] - ends_[0]) / S(1024))), size = magnitude(x.q), fastest(0);
         branch_watch const branches;
         auto by = stepper_from_start(h);
         noise_of_velocity<S> noise;
@@ -81,7 +81,9 @@ public:
         for (std::size_t k = 1; k < ends_.size(); ++k)
             for (std::optional<shape_of_step> last{}; x.t < ends_[k];) {
                 count(all);
-                S const to = end_of_step(x.t, h, ends_[k]), unit = epsilon<S>() * std::max(magnitude(x.t), S(epsilon<S>() * whole));
+                S const to = end_of_step(x.t, h, ends_[k]);
+                // In less than this no time, or no position, changes.
+                S const unit = epsilon<S>() * std::max({S(magnitude(x.t)), S(epsilon<S>() * whole), time_of(S(magnitude(x.q)), fastest)});
                 h = to - x.t;
                 state<S, V> next = x;
                 if (auto const failure = advance(by, next, h)) {
@@ -103,6 +105,7 @@ public:
                     x = all.take_back();
                     all.is_rough = true;
                 } else {
+                    fastest = std::max(fastest, S(magnitude(V(next.q - x.q)) / h));
                     x = {to, next.q, next.p};
                     all.keep(x);
                     all.is_rough = all.is_rough or shape.is_rough();
@@ -153,6 +156,7 @@ private:
         by.start_with(flow_, first_, v_);
         return by;
     }
+    static S time_of(S const& length, S const& velocity) { return velocity > S(0) ? S(length / velocity) : S(0); }
     void count(walk& all) const {
         if (all.made % 256 == 0) watch_(all.made);
         ++all.made;
