@@ -39,7 +39,7 @@ state<S, V> state_at(Method const& method, state<S, V> const& x, S const& t, std
     static_assert(not detail::has_history<Method>, "a step of a flow with a history begins at no state alone");
     S const length = t - x.t;
     state<S, V> y = x;
-    if (S(1024) * (std::numeric_limits<S>::min)() < magnitude(length)) { // others have no inverse
+    if (S(1024) * S((std::numeric_limits<S>::min)()) < magnitude(length)) { // others have no inverse
         typename Method::template memory<S, V> memory(method, length, x.q);
         if constexpr (requires { memory.start_with(method, x, *near); })
             if (near) memory.start_with(method, x, *near);
