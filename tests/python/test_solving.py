@@ -147,14 +147,13 @@ class Events(unittest.TestCase):
             self.assertLess(np.abs(x(t) - np.cos(t)).max(), error)
             self.assertLess(abs(x.events(lambda t, q, p: q - 0.5).t[0] - np.pi / 3), 2 * error)
 
-    def test_a_contact_is_found_in_less_time_than_its_solution(self):
+    def test_a_contact_is_found_by_few_looks(self):
         L = h.Lagrangian(v**2 / 2 - h.where(q < 0, h.read("2/5") * (-q) ** h.read("5/2"), 0), q, v)
-        begin = time.process_time()
-        x = h.solve(L, (0, 5), q0=0.5, v0=-1.0, accuracy=1e-9)
-        solved = time.process_time()
-        found = x.events(lambda t, q, p: q)
-        self.assertLess(time.process_time() - solved, solved - begin)
-        self.assertAlmostEqual(found.t[1] - found.t[0], 3.2180654597190431, delta=1e-12)
+        x = h.solve(L, (0, 5), q0=0.5, v0=-1.0, accuracy=1e-12)
+        looks = []
+        found = x.events(lambda t, q, p: looks.append(t) or q)
+        self.assertAlmostEqual(found.t[1] - found.t[0], 3.2180654597190431, delta=4e-12)  # two times, at a velocity of 1
+        self.assertLess(len(looks), 4 * len(x) + 200)
 
     def test_digits(self):
         import mpmath
@@ -349,7 +348,7 @@ class Double(unittest.TestCase):
         E = np.exp(0.6) - 2 * np.exp(0.3)
         x = h.solve(morse, (0, 100), q0=-0.3, v0=0, accuracy=1e-9)
         self.assertLess(np.abs(x.q - np.log((1 - np.sqrt(1 + E) * np.cos(np.sqrt(-2 * E) * x.t)) / -E)).max(), 1e-9)
-        with self.assertRaisesRegex(h.NotFinite, "the step from t = 0 with"):
+        with self.assertRaisesRegex(h.NotFinite, r"the step from t = [\d.e-]+ with"):
             h.solve(h.Lagrangian("v^2/2 + q*sqrt(1 - q)"), (0, 1), q0=1.0 - 1e-9, v0=4, accuracy=1e-9)
 
     def test_accuracy_over_a_long_time(self):
