@@ -21,7 +21,7 @@ namespace hilger::detail {
 template <class S, int Degree>
 struct numbers_of_polynomial {
     static_assert(Degree >= 4, "the decay of the coefficients is measured on four of them");
-    std::array<std::array<S, Degree>, 6> row;
+    std::array<std::array<S, static_cast<std::size_t>(Degree)>, 6> row;
     /// h^2 times the second derivative of the last Legendre polynomial at the end.
     static constexpr int last_bend = (Degree - 1) * Degree * (Degree + 1) * (Degree + 2) / 2;
     static numbers_of_polynomial const& here() {
