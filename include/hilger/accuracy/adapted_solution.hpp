@@ -18,6 +18,7 @@ namespace hilger::detail {
 template <int Degree, class Flow, class S, class V>
 class solving_in_adapted_steps {
     using walk = walked_states<S, V>;
+    static constexpr index_type most = index_type{1} << 24; ///< steps of a walk
     using solution_function = decltype(function_on(std::declval<time_scale<S>>(), std::vector<V>{}));
 
 public:
@@ -41,7 +42,7 @@ public:
             auto& [coarse, fine, beside] = *made;
             S const size = largest_position(coarse.q), wanted = goal_.of(size), unit = epsilon<S>() * size;
             // Behind a kink both may err alike, by more than their distance.
-            S const error = distance(coarse.q, beside) * S(coarse.is_rough ? 4 : 1);
+            S const error = distance_of_positions(coarse.q, 1, beside, 1) * S(coarse.is_rough ? 4 : 1);
             if (error <= wanted) return result_of(std::move(fine), std::max(error, unit > S(0) ? unit : wanted));
             still = before < S(0) or S(2) * error < before ? 0 : still + 1;
             if (share * wanted < unit / S(16) or (still > 1 and error < S(1 << 20) * unit))
@@ -79,7 +80,7 @@ private:
         return {};
     }
     void watch_steps(index_type made) {
-        is_stopped_ = goal_.stop.stop_requested() or made > index_type{1} << 24;
+        is_stopped_ = goal_.stop.stop_requested() or made > most;
         if (goal_.stop.stop_requested())
             error::raise<error::no_convergence>("an accuracy of ", goal_, " was given up on request, after ", made_ + made, " steps of ",
                                                 method_);
@@ -87,17 +88,10 @@ private:
             error::raise<error::no_convergence>("an accuracy of ", goal_, " is not reached with ", made, " steps of ", method_);
     }
     [[nodiscard]] S longest_step() const {
-        S const part = S(ends_.back() - ends_.front()) / S(32);
+        S const whole = ends_.back() - ends_.front(), part = whole / S(32);
         double const longest = goal_.longest_step;
-        if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
-        if (longest > 0 and not(part <= S(longest) * S(1 << 19)))
-            error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", 1 << 24, " on this interval");
+        require_longest_step(static_cast<double>(whole), longest, most);
         return longest > 0 ? std::min(part, S(longest)) : part;
-    }
-    static S distance(std::vector<V> const& x, std::vector<V> const& y) {
-        S found(0);
-        for (std::size_t i = 0; i < x.size(); ++i) found = std::max(found, S(magnitude(V(x[i] - y[i]))));
-        return found;
     }
     [[nodiscard]] result result_of(walk made, S const& error) const {
         state<S, V> const end{made.t.back(), made.q.back(), made.p.back()};

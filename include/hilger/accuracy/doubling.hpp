@@ -74,7 +74,7 @@ public:
             if (fine.empty())
                 require_advance(goal, steps);
             else if (not coarse.empty()) {
-                seen.add(distance(coarse, 1, fine, 2));
+                seen.add(distance_of_positions(coarse, 1, fine, 2));
                 S const error = seen.error, size = largest_position(fine), wanted = goal.of(size),
                         unit = hilger::epsilon<S>() * S(magnitude(end_.q)), lowest = S(1 << 20) * unit;
                 bool const may_be_smooth = not watch.saw_any() and seen.falls_once(), is_smooth = may_be_smooth and seen.falls_twice();
@@ -168,12 +168,6 @@ private:
             return last;
         };
     }
-    /// The largest distance between every j-th position of x and every k-th of y.
-    static S distance(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
-        S found(0);
-        for (std::size_t i = 0; i * j < x.size(); ++i) found = std::max(found, S(magnitude(V(x[i * j] - y[i * k]))));
-        return found;
-    }
     /// The error of a step over a kink depends on where the kink is in it, and steps half as long may err alike: four more runs, three
     /// of which share no point but the ends, and four times the largest distance of all. An estimate, and no bound.
     S of_kinks(std::vector<V> const& fine, steps_of_pieces const& each, S error, S const& wanted, accuracy const& goal) {
@@ -184,7 +178,7 @@ private:
             error = other.empty() ? wanted : std::max(error, S(how(other)));
         };
         auto const at_the_end = [&](auto const& other) { return magnitude(V(other.back() - fine.back())); };
-        compare([](index_type n) { return n / 4 * 3; }, [&](auto const& other) { return distance(other, 3, fine, 4); });
+        compare([](index_type n) { return n / 4 * 3; }, [&](auto const& other) { return distance_of_positions(other, 3, fine, 4); });
         compare([](index_type n) { return n / 8 * 5 + 1; }, at_the_end);
         compare([](index_type n) { return n / 2 + 3; }, at_the_end);
         compare([](index_type n) { return n / 16 * 11 + 2; }, at_the_end);

@@ -74,13 +74,7 @@ auto solve(F const& L, interval<S> const& I, initial_velocity<W> const& from, de
     auto solve(F const& L, interval<S> const& I, detail::velocity_in_braces<S, Size> const& from, detail::given_accuracy const& goal) {    \
         return solve(L, I, from.data(), goal);                                                                                             \
     }
-HILGER_SOLVE_OF_SIZE(0)
-HILGER_SOLVE_OF_SIZE(2)
-HILGER_SOLVE_OF_SIZE(3)
-HILGER_SOLVE_OF_SIZE(4)
-HILGER_SOLVE_OF_SIZE(5)
-HILGER_SOLVE_OF_SIZE(6)
-HILGER_SOLVE_OF_SIZE(Eigen::Dynamic)
+HILGER_FOR_EACH_SIZE(HILGER_SOLVE_OF_SIZE)
 #undef HILGER_SOLVE_OF_SIZE
 
 } // namespace hilger

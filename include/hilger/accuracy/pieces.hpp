@@ -56,15 +56,20 @@ steps_of_pieces changed(steps_of_pieces each, Change const& change) {
     for (index_type& n : each) n = change(n);
     return each;
 }
+/// @throws error::invalid_parameter where longest < 0 or needs more than `most` steps, 2^n with n > 2
+inline void require_longest_step(double whole, double longest, index_type most) {
+    if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
+    if (longest > 0 and whole > longest * static_cast<double>(most))
+        error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", most, " on this interval");
+}
 /// The numbers of steps of the first run. @throws error::invalid_parameter where longest < 0 or needs more than `most` steps
 template <class S>
 steps_of_pieces first_steps(std::vector<S> const& ends, double longest, index_type most) {
     double const whole = static_cast<double>(S(ends.back() - ends.front()));
     index_type steps = 8;
-    if (not(longest >= 0)) error::raise<error::invalid_parameter>("the longest step is positive, or 0 for any, and not ", longest);
+    require_longest_step(whole, longest, most);
     if (longest > 0)
-        while (steps <= most and whole > longest * static_cast<double>(steps)) steps *= 2;
-    if (steps > most) error::raise<error::invalid_parameter>("steps of at most ", longest, " are more than ", most, " on this interval");
+        while (whole > longest * static_cast<double>(steps)) steps *= 2;
     steps_of_pieces each;
     for (std::size_t k = 1; k < ends.size(); ++k) {
         double const share = static_cast<double>(S(ends[k] - ends[k - 1])) / whole;

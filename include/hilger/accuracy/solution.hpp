@@ -54,6 +54,13 @@ scalar_of<V> largest_position(std::vector<V> const& q) {
     for (V const& x : q) found = std::max(found, scalar_of<V>(magnitude(x)));
     return found;
 }
+/// The largest distance between every j-th position of x and every k-th of y.
+template <class V>
+scalar_of<V> distance_of_positions(std::vector<V> const& x, std::size_t j, std::vector<V> const& y, std::size_t k) {
+    scalar_of<V> found(0);
+    for (std::size_t i = 0; i * j < x.size(); ++i) found = std::max(found, scalar_of<V>(magnitude(V(x[i * j] - y[i * k]))));
+    return found;
+}
 } // namespace detail
 
 /// A solution on the scale of its last run, with an estimate of its error.

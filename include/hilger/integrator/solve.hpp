@@ -165,8 +165,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
            Force const& force = {}) {
     return solve(equation, T, ends, force, detail::straight_line{});
 }
-/// Braces have no type to deduce a size from: there is an overload for each kind of data and each size of states, 0 for numbers. `more` is
-/// a force, and between two ends a first guess.
+/// For each kind of data in braces. `more` is a force, and between two ends a first guess.
 #define HILGER_SOLVE_OF_SIZE(Size)                                                                                                         \
     template <class Action, class... More>                                                                                                 \
     auto solve(euler_lagrange<Action> const& equation, typename Action::root_type const& T,                                                \
@@ -188,13 +187,7 @@ auto solve(euler_lagrange<Action> const& equation, typename Action::root_type co
                detail::ends_in_braces<typename Action::root_type::scalar_type, Size> const& from, More const&... more) {                   \
         return solve(equation, T, from.data(), more...);                                                                                   \
     }
-HILGER_SOLVE_OF_SIZE(0)
-HILGER_SOLVE_OF_SIZE(2)
-HILGER_SOLVE_OF_SIZE(3)
-HILGER_SOLVE_OF_SIZE(4)
-HILGER_SOLVE_OF_SIZE(5)
-HILGER_SOLVE_OF_SIZE(6)
-HILGER_SOLVE_OF_SIZE(Eigen::Dynamic)
+HILGER_FOR_EACH_SIZE(HILGER_SOLVE_OF_SIZE)
 #undef HILGER_SOLVE_OF_SIZE
 
 template <class Action, class Derived>

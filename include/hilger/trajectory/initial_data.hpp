@@ -8,6 +8,9 @@
 
 #include "hilger/variational/given_state.hpp"
 
+/// Braces have no type to deduce a size from: functions have an overload for each size of states, 0 for numbers.
+#define HILGER_FOR_EACH_SIZE(Overload) Overload(0) Overload(2) Overload(3) Overload(4) Overload(5) Overload(6) Overload(Eigen::Dynamic)
+
 namespace hilger {
 
 /// Initial position and velocity. The momentum is p0 = dL/dv(q0, v0).

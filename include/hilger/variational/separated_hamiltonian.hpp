@@ -32,8 +32,8 @@ namespace detail {
 /// All components but the last.
 template <class X>
 constexpr auto without_last(X const& x) {
-    constexpr int size = plain_t<X>::SizeAtCompileTime;
-    return evaluated(x.template head < size == Eigen::Dynamic ? size : size - 1 > (x.size() - 1));
+    constexpr int size = plain_t<X>::SizeAtCompileTime, rest = size == Eigen::Dynamic ? size : size - 1;
+    return evaluated(x.template head<rest>(x.size() - 1));
 }
 /// p.M^-1 p / 2
 template <class Mass>
